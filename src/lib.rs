@@ -1,1 +1,8 @@
-//! stub
+//! Clipscope shows, step by step and with the real numbers, how graphics programs decide what is visible.
+//!
+//! The order of the modules is the order to read them in; each knows only those above it.
+
+pub mod geom;
+pub mod trace;
+
+pub mod algo;

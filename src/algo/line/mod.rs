@@ -1,0 +1,73 @@
+//! Clipping a segment against a window: five algorithms, one answer.
+//!
+//! What all five promise, whatever finite numbers they are given:
+//! a border coordinate is assigned, never computed, and the other one is clamped into the window; an end
+//! that was inside comes back bit for bit; clipping the reversed segment gives the mirror image, bit for
+//! bit; no accepted end lies outside the window; touching in one point is visible, with both ends that
+//! point. Where the arithmetic is exact (dyadic coordinates of moderate size) all five give the correctly
+//! rounded true answer. `tests/line_exactness.rs` holds them to it.
+
+mod brute_force;
+mod cohen_sutherland;
+mod crossing;
+mod liang_barsky;
+mod outcode;
+
+use serde::Serialize;
+
+use crate::geom::{Point, Segment, Window};
+
+pub use brute_force::{BruteForce, BruteForceEvent, BruteForceState};
+pub use cohen_sutherland::{
+    CohenSutherland, CohenSutherlandEvent, CohenSutherlandInput, CohenSutherlandState,
+};
+pub use crossing::{Param, Ratio};
+pub use liang_barsky::{LiangBarsky, LiangBarskyEvent, LiangBarskyState, Row};
+pub use outcode::{BitOrder, Outcode};
+
+/// The visible part of a segment; `None` where there is none.
+pub type Visible = Option<Segment>;
+
+/// One of a segment's two ends.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum End {
+    /// P₁, where u = 0.
+    P1,
+    /// P₂, where u = 1.
+    P2,
+}
+
+impl End {
+    /// Both, first end first.
+    pub const BOTH: [Self; 2] = [Self::P1, Self::P2];
+
+    /// 0 or 1.
+    #[must_use]
+    pub const fn idx(self) -> usize {
+        self as usize
+    }
+
+    /// The point of `segment` at this end.
+    #[must_use]
+    pub const fn of(self, segment: &Segment) -> Point {
+        match self {
+            Self::P1 => segment.p1,
+            Self::P2 => segment.p2,
+        }
+    }
+}
+
+/// A window and the segment to clip against it.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct WindowInput {
+    /// Closed.
+    pub window: Window,
+    /// Directed from P₁ to P₂.
+    pub segment: Segment,
+}
+
+/// The segment between two ends that have been put inside.
+fn segment_between([p1, p2]: [Point; 2]) -> Segment {
+    Segment { p1, p2 }
+}

@@ -1,0 +1,6 @@
+//! The shared algorithm module: one file an algorithm, each in the shape of its published pseudocode.
+//!
+//! Nothing here draws, says or formats anything: an algorithm takes validated input, returns its answer,
+//! and reports small events on the way (see [`crate::trace`]).
+
+pub mod line;

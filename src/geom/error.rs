@@ -1,0 +1,93 @@
+//! Why a primitive was refused.
+
+use std::fmt;
+
+/// One of the two coordinate axes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Axis {
+    /// Horizontal.
+    X,
+    /// Vertical, pointing up.
+    Y,
+}
+
+/// Why numbers do not make a primitive. `Display` is English, for logs; people read the message
+/// catalogue's sentence for [`GeomError::code`].
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum GeomError {
+    /// A coordinate is NaN or infinite; `index` counts the numbers in the order in which they were given.
+    NotFinite {
+        /// Position of the number in the flat list of coordinates.
+        index: usize,
+        /// The number itself.
+        value: f64,
+    },
+    /// A window whose minimum is not below its maximum.
+    EmptyWindow {
+        /// The axis on which it is empty.
+        axis: Axis,
+        /// Given minimum.
+        min: f64,
+        /// Given maximum.
+        max: f64,
+    },
+    /// Fewer than three vertices, a repeated vertex, or no area.
+    Degenerate {
+        /// The vertex at which it shows.
+        vertex_idx: usize,
+    },
+    /// The outline turns both ways at this vertex.
+    NotConvex {
+        /// The vertex at which it turns the wrong way.
+        vertex_idx: usize,
+    },
+    /// Every turn goes the same way, but the outline runs around more than once.
+    SelfIntersecting {
+        /// The first vertex of the second round.
+        vertex_idx: usize,
+    },
+}
+
+impl GeomError {
+    /// The stable code of `interfaces.md`: also the tail of the catalogue key `error-…`.
+    #[must_use]
+    pub const fn code(self) -> &'static str {
+        match self {
+            Self::NotFinite { .. } => "not-finite",
+            Self::EmptyWindow { .. } => "empty-window",
+            Self::Degenerate { .. } => "degenerate",
+            Self::NotConvex { .. } => "not-convex",
+            Self::SelfIntersecting { .. } => "self-intersecting",
+        }
+    }
+}
+
+impl fmt::Display for GeomError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::NotFinite { index, value } => {
+                write!(f, "coordinate {index} is {value}: expected a finite number")
+            }
+            Self::EmptyWindow { axis, min, max } => {
+                let axis = if axis == Axis::X { 'x' } else { 'y' };
+                write!(
+                    f,
+                    "the window is empty: {axis}min = {min} is not below {axis}max = {max}"
+                )
+            }
+            Self::Degenerate { vertex_idx } => write!(
+                f,
+                "vertex {vertex_idx} repeats a vertex, or the polygon has no area: expected at least three corners"
+            ),
+            Self::NotConvex { vertex_idx } => {
+                write!(f, "the polygon is not convex at vertex {vertex_idx}")
+            }
+            Self::SelfIntersecting { vertex_idx } => write!(
+                f,
+                "the outline crosses itself: it runs around more than once by vertex {vertex_idx}"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for GeomError {}

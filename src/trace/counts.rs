@@ -1,0 +1,188 @@
+//! Operation counts, taken from the run itself.
+
+use std::{
+    cell::Cell,
+    cmp::Ordering,
+    iter::Sum,
+    ops::{Add, Div, Mul, Neg, Sub},
+};
+
+use serde::Serialize;
+
+/// The scalar that an algorithm computes with: `f64` in production, [`Counted`] when its cost is asked.
+pub trait Real:
+    Copy
+    + PartialEq
+    + PartialOrd
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// From a coordinate.
+    fn new(x: f64) -> Self;
+    /// The number itself, for events and for guards that are not part of the algorithm.
+    fn get(self) -> f64;
+}
+
+impl Real for f64 {
+    #[inline]
+    fn new(x: f64) -> Self {
+        x
+    }
+    #[inline]
+    fn get(self) -> f64 {
+        self
+    }
+}
+
+/// How many operations of each kind a run has done.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize)]
+pub struct Counts {
+    /// Additions and subtractions.
+    pub add: u32,
+    /// Multiplications.
+    pub mul: u32,
+    /// Divisions.
+    pub div: u32,
+    /// Comparisons of numbers.
+    pub cmp: u32,
+}
+
+impl Counts {
+    const ZERO: Self = Self {
+        add: 0,
+        mul: 0,
+        div: 0,
+        cmp: 0,
+    };
+
+    /// What `work` counts on this thread, and its result.
+    pub fn of<T>(work: impl FnOnce() -> T) -> (T, Self) {
+        let outer = COUNTS.replace(Self::ZERO);
+        let result = work();
+        (result, COUNTS.replace(outer))
+    }
+
+    /// What the innermost [`Counts::of`] on this thread has counted up to now.
+    #[must_use]
+    pub fn so_far() -> Self {
+        COUNTS.get()
+    }
+}
+
+impl Add for Counts {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self {
+            add: self.add + other.add,
+            mul: self.mul + other.mul,
+            div: self.div + other.div,
+            cmp: self.cmp + other.cmp,
+        }
+    }
+}
+
+impl Sum for Counts {
+    fn sum<I: Iterator<Item = Self>>(iter: I) -> Self {
+        iter.fold(Self::ZERO, Add::add)
+    }
+}
+
+thread_local! {
+    static COUNTS: Cell<Counts> = const { Cell::new(Counts::ZERO) };
+}
+
+fn count(field: impl FnOnce(&mut Counts)) {
+    let mut counts = COUNTS.get();
+    field(&mut counts);
+    COUNTS.set(counts);
+}
+
+/// An `f64` whose every operation is counted on this thread. Negation changes a sign bit and is free.
+#[derive(Clone, Copy, Debug)]
+pub struct Counted(f64);
+
+impl Real for Counted {
+    fn new(x: f64) -> Self {
+        Self(x)
+    }
+    fn get(self) -> f64 {
+        self.0
+    }
+}
+
+macro_rules! counted_operator {
+    ($operator:ident, $method:ident, $field:ident) => {
+        impl $operator for Counted {
+            type Output = Self;
+            fn $method(self, other: Self) -> Self {
+                count(|c| c.$field += 1);
+                Self(self.0.$method(other.0))
+            }
+        }
+    };
+}
+counted_operator!(Add, add, add);
+counted_operator!(Sub, sub, add);
+counted_operator!(Mul, mul, mul);
+counted_operator!(Div, div, div);
+
+impl Neg for Counted {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+impl PartialEq for Counted {
+    fn eq(&self, other: &Self) -> bool {
+        count(|c| c.cmp += 1);
+        self.0 == other.0
+    }
+}
+
+impl PartialOrd for Counted {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        count(|c| c.cmp += 1);
+        self.0.partial_cmp(&other.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_operator_counts_once() {
+        let [a, b] = [1.0, 2.0].map(Counted::new);
+        let (result, counts) = Counts::of(|| {
+            let less = a < b;
+            let same = a == b;
+            ((a + b - a) * b / -a, less, same)
+        });
+        assert_eq!((result.0.get(), result.1, result.2), (-4.0, true, false));
+        assert_eq!(
+            counts,
+            Counts {
+                add: 2,
+                mul: 1,
+                div: 1,
+                cmp: 2
+            }
+        );
+    }
+
+    #[test]
+    fn an_inner_count_leaves_the_outer_one_alone() {
+        let one = Counted::new(1.0);
+        let (_, outer) = Counts::of(|| {
+            let sum = one + one;
+            let (_, inner) = Counts::of(|| one * one);
+            assert_eq!(inner.mul, 1);
+            sum
+        });
+        assert_eq!((outer.add, outer.mul), (1, 0));
+    }
+}

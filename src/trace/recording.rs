@@ -1,0 +1,100 @@
+//! A recorded run, and the state after any number of its events.
+
+use super::{Algorithm, Counted, Counts};
+
+/// Steps between two kept states: a seek folds at most this many events. A state is about as large as
+/// ten events, so that keyframes cost a few per cent of the recording.
+const KEYFRAME_INTERVAL: usize = 256;
+
+/// Input, events, cost so far at each, answer, and keyframes.
+#[derive(Clone)]
+pub struct Trace<A: Algorithm> {
+    input: A::Input,
+    events: Vec<A::Event>,
+    /// Cost up to and including each event.
+    counts: Vec<Counts>,
+    total: Counts,
+    output: A::Output,
+    /// State after `i · KEYFRAME_INTERVAL` events.
+    keyframes: Vec<A::State>,
+}
+
+impl<A: Algorithm> Trace<A> {
+    /// Runs the algorithm on `input` and keeps everything that it says.
+    #[must_use]
+    pub fn record(input: A::Input) -> Self {
+        let (mut events, mut counts) = (Vec::new(), Vec::new());
+        let (output, total) = Counts::of(|| {
+            A::run::<Counted>(&input, |event| {
+                events.push(event);
+                counts.push(Counts::so_far());
+            })
+        });
+        let mut state = A::start(&input);
+        let mut keyframes = vec![state.clone()];
+        for (i, &event) in events.iter().enumerate() {
+            A::apply(&mut state, event);
+            if (i + 1) % KEYFRAME_INTERVAL == 0 {
+                keyframes.push(state.clone());
+            }
+        }
+        Self {
+            input,
+            events,
+            counts,
+            total,
+            output,
+            keyframes,
+        }
+    }
+
+    /// What it ran on.
+    #[must_use]
+    pub const fn input(&self) -> &A::Input {
+        &self.input
+    }
+
+    /// In the order in which they were emitted.
+    #[must_use]
+    pub fn events(&self) -> &[A::Event] {
+        &self.events
+    }
+
+    /// The answer.
+    #[must_use]
+    pub const fn output(&self) -> &A::Output {
+        &self.output
+    }
+
+    /// The event that leads to step `n_steps`; none at step 0.
+    #[must_use]
+    pub fn event_at(&self, n_steps: usize) -> Option<A::Event> {
+        n_steps
+            .checked_sub(1)
+            .and_then(|i| self.events.get(i))
+            .copied()
+    }
+
+    /// Cost of the first `n_steps` events; the whole run's at the end.
+    #[must_use]
+    pub fn counts_at(&self, n_steps: usize) -> Counts {
+        if n_steps >= self.events.len() {
+            return self.total;
+        }
+        n_steps
+            .checked_sub(1)
+            .map_or(Counts::default(), |i| self.counts[i])
+    }
+
+    /// State after the first `n_steps` events, or after all of them where there are fewer.
+    #[must_use]
+    pub fn state_at(&self, n_steps: usize) -> A::State {
+        let n_steps = n_steps.min(self.events.len());
+        let keyframe_idx = n_steps / KEYFRAME_INTERVAL;
+        let mut state = self.keyframes[keyframe_idx].clone();
+        for &event in &self.events[keyframe_idx * KEYFRAME_INTERVAL..n_steps] {
+            A::apply(&mut state, event);
+        }
+        state
+    }
+}
