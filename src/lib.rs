@@ -6,3 +6,9 @@ pub mod geom;
 pub mod trace;
 
 pub mod algo;
+
+pub mod text;
+
+pub mod figure;
+
+pub mod labs;
