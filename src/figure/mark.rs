@@ -1,0 +1,126 @@
+//! Marks: the things that are drawn, in world coordinates.
+
+use crate::{geom::Axis, text::Value};
+
+/// What a mark means. Each role differs by colour and also by dash, weight, fill or marker.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum Role {
+    /// Given: the window, a border.
+    Ink,
+    /// Given, and of less weight: an extended border, a region's code.
+    Soft,
+    /// May be missed: construction lines, segments that are not in focus.
+    Faint,
+    /// The living result, and what is selected.
+    Accent,
+    /// What happens at this step, and nothing else.
+    Signal,
+    /// Accepted.
+    Accepted,
+    /// Discarded: grey, and always dashed or hollow.
+    Discarded,
+}
+
+/// A name by which a mark, its row in the watch table, a tick on the number line and a line of pseudocode
+/// know that they are about the same thing: they light up together.
+pub type Link = &'static str;
+
+/// Something to draw, at world coordinates.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Shape {
+    /// From a to b.
+    Segment([[f64; 2]; 2]),
+    /// A segment with a head at b: a vector, a normal.
+    Arrow([[f64; 2]; 2]),
+    /// The whole line where a coordinate is constant.
+    Border(Axis, f64),
+    /// The line through two points, across the whole stage.
+    Line([[f64; 2]; 2]),
+    /// The ray from the first point through the second.
+    Ray([[f64; 2]; 2]),
+    /// A filled outline.
+    Polygon(Vec<[f64; 2]>),
+    /// A filled point.
+    Dot([f64; 2]),
+    /// A hollow point.
+    Ring([f64; 2]),
+    /// A small cross: a crossing that is not used.
+    Cross([f64; 2]),
+    /// A label alone, anywhere inside the rectangle from a to b; infinite sides end at the stage's.
+    Region([[f64; 2]; 2]),
+}
+
+/// Text beside a mark. The painter finds a place near the anchor where it covers nothing.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Label {
+    /// What it says.
+    pub text: Value,
+    /// Set in the monospaced face: codes and numbers.
+    pub mono: bool,
+    /// The one thing that matters here: semibold.
+    pub strong: bool,
+}
+
+/// A shape with its meaning.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Mark {
+    /// Where and what.
+    pub shape: Shape,
+    /// Its meaning.
+    pub role: Role,
+    /// Text beside it.
+    pub label: Option<Label>,
+    /// What it is about.
+    pub link: Option<Link>,
+}
+
+impl Mark {
+    /// Without label or link.
+    #[must_use]
+    pub const fn new(role: Role, shape: Shape) -> Self {
+        Self {
+            shape,
+            role,
+            label: None,
+            link: None,
+        }
+    }
+
+    /// With a label in the text face.
+    #[must_use]
+    pub fn labelled(mut self, text: impl Into<Value>) -> Self {
+        self.label = Some(Label {
+            text: text.into(),
+            mono: false,
+            strong: false,
+        });
+        self
+    }
+
+    /// With a label in the monospaced face.
+    #[must_use]
+    pub fn coded(mut self, text: impl Into<Value>) -> Self {
+        self.label = Some(Label {
+            text: text.into(),
+            mono: true,
+            strong: false,
+        });
+        self
+    }
+
+    /// Its label set semibold.
+    #[must_use]
+    pub fn strong(mut self) -> Self {
+        if let Some(label) = &mut self.label {
+            label.strong = true;
+        }
+        self
+    }
+
+    /// About `link`.
+    #[must_use]
+    pub const fn linked(mut self, link: Link) -> Self {
+        self.link = Some(link);
+        self
+    }
+}

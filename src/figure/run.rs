@@ -1,0 +1,168 @@
+//! A recorded run with its type erased: what the timeline, a lesson and the command line need of any
+//! algorithm, whichever lab it belongs to.
+
+use std::{fmt, str::FromStr};
+
+use serde_json::Value as Json;
+
+use crate::trace::Counts;
+
+use super::Frame;
+
+/// The kind of an event: the shape of its tick on the timeline.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Tick {
+    /// Something was looked at.
+    Test,
+    /// Something was cut off.
+    Cut,
+    /// The end: visible.
+    Accept,
+    /// The end: not visible.
+    Reject,
+    /// A new side, plane or triangle begins.
+    Phase,
+}
+
+/// A recorded run of some algorithm.
+pub trait Run {
+    /// Number of events. Step 0 is before the first.
+    fn n_steps(&self) -> usize;
+    /// The kind of the event that leads to step `step ≥ 1`.
+    fn tick(&self, step: usize) -> Tick;
+    /// That event as JSON: `{"event": "cut", "edge": "left", …}`.
+    fn event_json(&self, step: usize) -> Json;
+    /// Cost up to and including that event.
+    fn counts_at(&self, step: usize) -> Counts;
+    /// What the step shows.
+    fn frame(&self, step: usize) -> Frame;
+    /// The answer as JSON: the fields of `output` in `interfaces.md`.
+    fn output_json(&self) -> Json;
+
+    /// The moment of a step, to be found again in another run; `start` at step 0.
+    fn moment(&self, step: usize) -> Moment {
+        if step == 0 {
+            return Moment::Start;
+        }
+        let words = words_of(&self.event_json(step));
+        let nth = (1..step)
+            .filter(|&s| words_of(&self.event_json(s)) == words)
+            .count()
+            + 1;
+        Moment::Event { words, nth }
+    }
+
+    /// The step of a moment; `None` where it never comes.
+    fn find(&self, moment: &Moment) -> Option<usize> {
+        match moment {
+            Moment::Start => Some(0),
+            Moment::End => Some(self.n_steps()),
+            Moment::Event { words, nth } => (1..=self.n_steps())
+                .filter(|&step| {
+                    let have = words_of(&self.event_json(step));
+                    have[0] == words[0] && words[1..].iter().all(|word| have[1..].contains(word))
+                })
+                .nth(nth - 1),
+        }
+    }
+
+    /// Where a cursor that stood at `step` of `before` belongs in this run: at the same moment where it
+    /// comes, else at the same kind of event, else as near as can be.
+    fn corresponding(&self, before: &dyn Run, step: usize) -> usize {
+        if step >= before.n_steps() {
+            return self.n_steps();
+        }
+        let moment = before.moment(step);
+        let kind = match &moment {
+            Moment::Event { words, nth } => Moment::Event {
+                words: words[..1].to_vec(),
+                nth: *nth,
+            },
+            other => other.clone(),
+        };
+        self.find(&moment)
+            .or_else(|| self.find(&kind))
+            .unwrap_or_else(|| step.min(self.n_steps()))
+    }
+}
+
+/// The event's name, then its fields that are words: `["cut", "p1", "left"]`.
+fn words_of(event: &Json) -> Vec<String> {
+    let Json::Object(fields) = event else {
+        return vec![String::new()];
+    };
+    let word = |value: &Json| value.as_str().map(str::to_owned);
+    let name = fields.get("event").and_then(word).unwrap_or_default();
+    let rest = fields.iter().filter(|(key, _)| *key != "event");
+    std::iter::once(name)
+        .chain(rest.filter_map(|(_, value)| word(value)))
+        .collect()
+}
+
+/// A place in a run that a lesson can name: `start`, `end`, `cut`, `cut left`, `code p1 #2`.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Moment {
+    /// Before the first event.
+    Start,
+    /// After the last one.
+    End,
+    /// The `nth` event (from 1) with this name and these words among its fields.
+    Event {
+        /// Name first.
+        words: Vec<String>,
+        /// From 1.
+        nth: usize,
+    },
+}
+
+/// Why a text is not a moment.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum MomentError {
+    /// No event is named.
+    Empty,
+    /// What follows `#` is not a number from 1.
+    BadNumber,
+}
+
+impl fmt::Display for MomentError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Empty => "expected a moment: start, end, or an event's name such as `cut left`",
+            Self::BadNumber => "expected a number from 1 after `#`",
+        })
+    }
+}
+
+impl std::error::Error for MomentError {}
+
+impl FromStr for Moment {
+    type Err = MomentError;
+
+    fn from_str(text: &str) -> Result<Self, MomentError> {
+        let (words, nth) = match text.split_once('#') {
+            None => (text, 1),
+            Some((words, number)) => match number.trim().parse() {
+                Ok(nth) if nth >= 1 => (words, nth),
+                _ => return Err(MomentError::BadNumber),
+            },
+        };
+        let words: Vec<String> = words.split_whitespace().map(str::to_owned).collect();
+        match words.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+            [] => Err(MomentError::Empty),
+            ["start"] => Ok(Self::Start),
+            ["end"] => Ok(Self::End),
+            _ => Ok(Self::Event { words, nth }),
+        }
+    }
+}
+
+impl fmt::Display for Moment {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Start => f.write_str("start"),
+            Self::End => f.write_str("end"),
+            Self::Event { words, nth: 1 } => f.write_str(&words.join(" ")),
+            Self::Event { words, nth } => write!(f, "{} #{nth}", words.join(" ")),
+        }
+    }
+}

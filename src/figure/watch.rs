@@ -1,0 +1,99 @@
+//! The watch table: the values that are alive at a step.
+
+use crate::text::Value;
+
+use super::Link;
+
+/// A row: a name and its values.
+#[derive(Clone, PartialEq, Debug)]
+pub struct WatchRow {
+    /// `code₁`, `u_min`, or an edge's name.
+    pub name: Value,
+    /// One value, or one a column of the section's header.
+    pub cells: Vec<Option<Value>>,
+    /// A word on the value: "left", "≠ 0".
+    pub note: Option<Value>,
+    /// Did it change at this step?
+    pub changed: bool,
+    /// What it is about.
+    pub link: Option<Link>,
+}
+
+impl WatchRow {
+    /// A name and one value.
+    #[must_use]
+    pub fn new(name: impl Into<Value>, cell: Option<Value>) -> Self {
+        Self::table(name, vec![cell])
+    }
+
+    /// A name and several values.
+    #[must_use]
+    pub fn table(name: impl Into<Value>, cells: Vec<Option<Value>>) -> Self {
+        Self {
+            name: name.into(),
+            cells,
+            note: None,
+            changed: false,
+            link: None,
+        }
+    }
+
+    /// With a word on the value.
+    #[must_use]
+    pub fn noted(mut self, note: impl Into<Value>) -> Self {
+        self.note = Some(note.into());
+        self
+    }
+
+    /// About `link`.
+    #[must_use]
+    pub const fn linked(mut self, link: Link) -> Self {
+        self.link = Some(link);
+        self
+    }
+}
+
+/// Rows that belong together.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct WatchSection {
+    /// Names of the columns; empty for a plain list of names and values.
+    pub header: Vec<&'static str>,
+    /// Top to bottom.
+    pub rows: Vec<WatchRow>,
+}
+
+impl WatchSection {
+    /// A plain list.
+    #[must_use]
+    pub const fn list(rows: Vec<WatchRow>) -> Self {
+        Self {
+            header: Vec::new(),
+            rows,
+        }
+    }
+
+    /// A table with named columns.
+    #[must_use]
+    pub const fn table(header: Vec<&'static str>, rows: Vec<WatchRow>) -> Self {
+        Self { header, rows }
+    }
+}
+
+/// Sections from top to bottom.
+pub type Watch = Vec<WatchSection>;
+
+/// Marks the rows whose values differ from the step before.
+pub fn mark_changes(now: &mut Watch, before: &Watch) {
+    let old = |name: &Value| {
+        before
+            .iter()
+            .flat_map(|section| &section.rows)
+            .find(|row| &row.name == name)
+    };
+    for row in now.iter_mut().flat_map(|section| &mut section.rows) {
+        let was = old(&row.name);
+        row.changed = row.cells.iter().enumerate().any(|(i, cell)| {
+            cell.is_some() && was.is_none_or(|was| was.cells.get(i) != Some(cell))
+        });
+    }
+}

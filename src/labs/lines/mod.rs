@@ -1,0 +1,11 @@
+//! The lines lab: segments against a window, five methods.
+
+mod demo;
+mod handle;
+mod registry;
+mod scene;
+
+pub use demo::Demo;
+pub use handle::{Corner, Handle, Lock};
+pub use registry::{METHODS, Method, MethodInfo};
+pub use scene::{MAX_SEGMENTS, Scene, SceneError};

@@ -1,0 +1,108 @@
+//! The methods of this lab. To add one: a file in `algo::line`, its [`Demo`](super::Demo) here beside the
+//! others, one line below.
+
+use std::fmt;
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
+
+use crate::{algo::line, figure::Run, geom::Segment};
+
+use super::{Demo, Scene, demo::record};
+
+/// What is known of a method without running it.
+pub struct MethodInfo {
+    /// As the command line, JSON and lesson files spell it.
+    pub id: &'static str,
+    /// Catalogue key of its name.
+    pub name_key: &'static str,
+    /// Author and year.
+    pub source: &'static str,
+    /// Catalogue keys of its pseudocode: `code-…` as code, `words-…` in words; with the depth of each line.
+    pub code: &'static [CodeLine],
+    /// Can it clip against any convex polygon?
+    pub takes_polygon: bool,
+    record: fn(&Scene, Segment) -> Box<dyn Run>,
+}
+
+/// One line of pseudocode.
+#[derive(Clone, Copy, Debug)]
+pub struct CodeLine {
+    /// Levels of indentation.
+    pub depth: usize,
+    /// Key of the line as code.
+    pub code: &'static str,
+    /// Key of the line in words.
+    pub words: &'static str,
+}
+
+const fn info<A: Demo>() -> MethodInfo {
+    MethodInfo {
+        id: A::ID,
+        name_key: A::NAME_KEY,
+        source: A::SOURCE,
+        code: A::CODE,
+        takes_polygon: A::TAKES_POLYGON,
+        record: record::<A>,
+    }
+}
+
+/// Every method, in the order in which they are taught.
+pub static METHODS: [MethodInfo; 3] = [
+    info::<line::BruteForce>(),
+    info::<line::CohenSutherland>(),
+    info::<line::LiangBarsky>(),
+];
+
+/// One of [`METHODS`].
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Method(usize);
+
+impl Method {
+    /// In the order of the registry.
+    pub fn all() -> impl ExactSizeIterator<Item = Self> {
+        (0..METHODS.len()).map(Self)
+    }
+
+    /// The method with this id.
+    #[must_use]
+    pub fn by_id(id: &str) -> Option<Self> {
+        METHODS.iter().position(|info| info.id == id).map(Self)
+    }
+
+    /// What is known of it.
+    #[must_use]
+    pub fn info(self) -> &'static MethodInfo {
+        &METHODS[self.0]
+    }
+
+    /// Runs it on one segment of the scene.
+    #[must_use]
+    pub fn record(self, scene: &Scene, segment: Segment) -> Box<dyn Run> {
+        (self.info().record)(scene, segment)
+    }
+}
+
+impl fmt::Display for Method {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.info().id)
+    }
+}
+
+impl Serialize for Method {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.info().id)
+    }
+}
+
+impl<'de> Deserialize<'de> for Method {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let id = String::deserialize(deserializer)?;
+        Self::by_id(&id).ok_or_else(|| {
+            let known: Vec<&str> = METHODS.iter().map(|info| info.id).collect();
+            de::Error::custom(format!(
+                "unknown method `{id}`: expected one of {}",
+                known.join(", ")
+            ))
+        })
+    }
+}

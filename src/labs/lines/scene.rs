@@ -1,0 +1,223 @@
+//! The lines lab's document: what is clipped against what, and by which method.
+
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
+
+use crate::{
+    algo::line::BitOrder,
+    geom::{ConvexPolygon, Segment, Window},
+};
+
+use super::Method;
+
+/// More segments than this are refused: a frame could not draw them in time, nor a file be read.
+pub const MAX_SEGMENTS: usize = 1_000_000;
+
+/// Always valid: at least one segment, and the focus is one of them.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[serde(try_from = "SceneFile", into = "SceneFile")]
+pub struct Scene {
+    /// How the focused segment is clipped.
+    pub method: Method,
+    /// A second method on the same input, side by side.
+    pub compare: Option<Method>,
+    /// The clip window.
+    pub window: Window,
+    /// A convex clip region that takes the window's place for methods that can use one.
+    pub clip: Option<ConvexPolygon>,
+    /// The order in which outcodes are written.
+    pub bit_order: BitOrder,
+    segments: Vec<Segment>,
+    focus: usize,
+}
+
+/// A scene as lesson and scene files spell it.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SceneFile {
+    method: Method,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    compare: Option<Method>,
+    window: Window,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    clip: Option<ConvexPolygon>,
+    #[serde(default)]
+    bit_order: BitOrder,
+    #[serde(default)]
+    focus: usize,
+    segments: Vec<Segment>,
+}
+
+/// Why a scene is refused.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum SceneError {
+    /// A scene needs a segment.
+    NoSegments,
+    /// More than [`MAX_SEGMENTS`].
+    TooManySegments(usize),
+    /// The focus is not the index of a segment.
+    NoSuchFocus {
+        /// As given.
+        focus: usize,
+        /// Segments that there are.
+        n_segments: usize,
+    },
+}
+
+impl fmt::Display for SceneError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoSegments => f.write_str("expected at least one segment"),
+            Self::TooManySegments(n) => {
+                write!(f, "{n} segments: expected at most {MAX_SEGMENTS}")
+            }
+            Self::NoSuchFocus { focus, n_segments } => write!(
+                f,
+                "focus = {focus}: expected the index of one of the {n_segments} segments, from 0"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for SceneError {}
+
+impl Scene {
+    /// A scene with one window and these segments, the first in focus.
+    ///
+    /// # Errors
+    /// [`SceneError`] where there is no segment, or too many.
+    pub fn new(method: Method, window: Window, segments: Vec<Segment>) -> Result<Self, SceneError> {
+        Self::try_from(SceneFile {
+            method,
+            compare: None,
+            window,
+            clip: None,
+            bit_order: BitOrder::default(),
+            focus: 0,
+            segments,
+        })
+    }
+
+    /// At least one.
+    #[must_use]
+    pub fn segments(&self) -> &[Segment] {
+        &self.segments
+    }
+
+    /// Index of the segment whose clipping is stepped.
+    #[must_use]
+    pub const fn focus(&self) -> usize {
+        self.focus
+    }
+
+    /// The segment whose clipping is stepped.
+    #[must_use]
+    pub fn focused(&self) -> Segment {
+        self.segments[self.focus]
+    }
+
+    /// Steps another segment's clipping; an index that is none is ignored.
+    pub fn set_focus(&mut self, segment_idx: usize) {
+        if segment_idx < self.segments.len() {
+            self.focus = segment_idx;
+        }
+    }
+
+    /// Replaces a segment; an index that is none is ignored.
+    pub fn set_segment(&mut self, segment_idx: usize, segment: Segment) {
+        if let Some(old) = self.segments.get_mut(segment_idx) {
+            *old = segment;
+        }
+    }
+
+    /// Adds a segment and puts it in focus.
+    ///
+    /// # Errors
+    /// [`SceneError::TooManySegments`]
+    pub fn add_segment(&mut self, segment: Segment) -> Result<(), SceneError> {
+        if self.segments.len() >= MAX_SEGMENTS {
+            return Err(SceneError::TooManySegments(self.segments.len() + 1));
+        }
+        self.segments.push(segment);
+        self.focus = self.segments.len() - 1;
+        Ok(())
+    }
+
+    /// Takes the focused segment out; the last one stays.
+    pub fn remove_focused(&mut self) {
+        if self.segments.len() > 1 {
+            self.segments.remove(self.focus);
+            self.focus = self.focus.min(self.segments.len() - 1);
+        }
+    }
+
+    /// Replaces all segments, the first in focus.
+    ///
+    /// # Errors
+    /// [`SceneError`] where there is none, or too many.
+    pub fn set_segments(&mut self, segments: Vec<Segment>) -> Result<(), SceneError> {
+        check(&segments, 0)?;
+        (self.segments, self.focus) = (segments, 0);
+        Ok(())
+    }
+
+    /// The convex region, where there is one and a method on stage can use it.
+    #[must_use]
+    pub fn polygon_in_use(&self) -> Option<&ConvexPolygon> {
+        let used = |method: Method| method.info().takes_polygon;
+        self.clip
+            .as_ref()
+            .filter(|_| used(self.method) || self.compare.is_some_and(used))
+    }
+
+    /// The region that `method` clips against: the convex polygon where there is one and the method can
+    /// use it, else the window.
+    #[must_use]
+    pub fn region(&self, method: Method) -> ConvexPolygon {
+        match &self.clip {
+            Some(clip) if method.info().takes_polygon => clip.clone(),
+            _ => ConvexPolygon::from(self.window),
+        }
+    }
+}
+
+fn check(segments: &[Segment], focus: usize) -> Result<(), SceneError> {
+    match segments.len() {
+        0 => Err(SceneError::NoSegments),
+        n if n > MAX_SEGMENTS => Err(SceneError::TooManySegments(n)),
+        n_segments if focus >= n_segments => Err(SceneError::NoSuchFocus { focus, n_segments }),
+        _ => Ok(()),
+    }
+}
+
+impl TryFrom<SceneFile> for Scene {
+    type Error = SceneError;
+
+    fn try_from(file: SceneFile) -> Result<Self, SceneError> {
+        check(&file.segments, file.focus)?;
+        Ok(Self {
+            method: file.method,
+            compare: file.compare,
+            window: file.window,
+            clip: file.clip,
+            bit_order: file.bit_order,
+            segments: file.segments,
+            focus: file.focus,
+        })
+    }
+}
+
+impl From<Scene> for SceneFile {
+    fn from(scene: Scene) -> Self {
+        Self {
+            method: scene.method,
+            compare: scene.compare,
+            window: scene.window,
+            clip: scene.clip,
+            bit_order: scene.bit_order,
+            focus: scene.focus,
+            segments: scene.segments,
+        }
+    }
+}
