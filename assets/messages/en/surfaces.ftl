@@ -1,1 +1,1 @@
-### surfaces
+### The surfaces lab: captions, watch table and controls.

@@ -1,1 +1,1 @@
-### polygons
+### The polygons lab: captions, watch table and controls.

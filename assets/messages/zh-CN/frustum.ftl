@@ -1,1 +1,1 @@
-### frustum
+### The frustum lab: captions, watch table and controls.

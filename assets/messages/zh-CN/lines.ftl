@@ -1,1 +1,1 @@
-### lines
+### The lines lab: captions, watch table and controls.
