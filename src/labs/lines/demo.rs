@@ -12,7 +12,9 @@ use crate::{
 use super::{Scene, registry::CodeLine};
 
 /// A line clipper that can be shown.
-pub trait Demo: Algorithm<Output = Visible, Event: serde::Serialize + 'static> + Sized + 'static {
+pub trait Demo:
+    Algorithm<Output = Visible, Event: serde::Serialize + 'static> + Sized + 'static
+{
     /// As JSON spells it.
     const ID: &'static str;
     /// Catalogue key of the name.
@@ -28,8 +30,8 @@ pub trait Demo: Algorithm<Output = Visible, Event: serde::Serialize + 'static> +
     fn input(scene: &Scene, segment: Segment) -> Self::Input;
     /// The shape of the event's tick.
     fn tick(event: &Self::Event) -> Tick;
-    /// The line of pseudocode that the event belongs to.
-    fn code_line(event: &Self::Event) -> usize;
+    /// The line of pseudocode that the event belongs to; `before` is the state that it happened to.
+    fn code_line(event: &Self::Event, before: &Self::State) -> usize;
     /// The sentence of an event; `before` is the state that it happened to.
     fn caption(event: &Self::Event, before: &Self::State, input: &Self::Input) -> Caption;
     /// What is said before the first event.
@@ -101,17 +103,20 @@ impl<A: Demo> Run for Recorded<A> {
             state: &state,
             event,
         };
+        let before = step.checked_sub(1).map(|step| trace.state_at(step));
         let mut watch = A::watch(&shown);
         if step > 0 {
             mark_changes(&mut watch, &self.watch_at(step - 1));
         }
         Frame {
             marks: A::marks(&shown),
-            caption: match event {
-                Some(event) => A::caption(&event, &trace.state_at(step - 1), trace.input()),
-                None => A::opening(trace.input()),
+            caption: match (event, &before) {
+                (Some(event), Some(before)) => A::caption(&event, before, trace.input()),
+                _ => A::opening(trace.input()),
             },
-            code_line: event.map(|event| A::code_line(&event)),
+            code_line: event
+                .zip(before)
+                .map(|(event, before)| A::code_line(&event, &before)),
             watch,
             number_line: A::number_line(&shown),
             counts: trace.counts_at(step),

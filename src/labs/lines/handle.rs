@@ -69,9 +69,7 @@ impl Handle {
                 if right { max.x() } else { min.x() },
                 if top { max.y() } else { min.y() },
             ],
-            Self::Side(edge @ (Edge::Left | Edge::Right)) => {
-                [scene.window.border(edge), centre[1]]
-            }
+            Self::Side(edge @ (Edge::Left | Edge::Right)) => [scene.window.border(edge), centre[1]],
             Self::Side(edge) => [centre[0], scene.window.border(edge)],
             Self::Window => centre,
             Self::Vertex(i) => scene

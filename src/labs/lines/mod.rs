@@ -2,10 +2,11 @@
 
 mod demo;
 mod handle;
+mod methods;
 mod registry;
 mod scene;
 
 pub use demo::Demo;
 pub use handle::{Corner, Handle, Lock};
-pub use registry::{METHODS, Method, MethodInfo};
+pub use registry::{CodeLine, METHODS, Method, MethodInfo};
 pub use scene::{MAX_SEGMENTS, Scene, SceneError};

@@ -35,6 +35,11 @@ pub struct CodeLine {
     pub words: &'static str,
 }
 
+/// A line of pseudocode at a depth, with its two keys.
+pub(super) const fn code_line(depth: usize, code: &'static str, words: &'static str) -> CodeLine {
+    CodeLine { depth, code, words }
+}
+
 const fn info<A: Demo>() -> MethodInfo {
     MethodInfo {
         id: A::ID,
@@ -47,11 +52,7 @@ const fn info<A: Demo>() -> MethodInfo {
 }
 
 /// Every method, in the order in which they are taught.
-pub static METHODS: [MethodInfo; 3] = [
-    info::<line::BruteForce>(),
-    info::<line::CohenSutherland>(),
-    info::<line::LiangBarsky>(),
-];
+pub static METHODS: [MethodInfo; 1] = [info::<line::CohenSutherland>()];
 
 /// One of [`METHODS`].
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

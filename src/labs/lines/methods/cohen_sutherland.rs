@@ -1,0 +1,294 @@
+//! Cohen–Sutherland, shown.
+
+use crate::{
+    algo::line::{
+        BitOrder, CohenSutherland, CohenSutherlandEvent as Event, CohenSutherlandInput as Input,
+        CohenSutherlandState as State, End, Outcode, Ratio,
+    },
+    figure::{Caption, Mark, Role, Shape, Tick, Watch, WatchRow, WatchSection},
+    geom::{Axis, Edge, Point, Segment},
+    labs::lines::{
+        Scene,
+        demo::{Demo, Step},
+        registry::{CodeLine, code_line},
+    },
+    text::{Formula, Message, Value},
+};
+
+use super::shared::{
+    accepted, along, axis_symbol, border_equation, border_mark, crossing_mark, edge_name, end_link,
+    end_name, free_formula, name, opening, parameter_formula, segment_marks,
+};
+
+const CODES: usize = 0;
+const ACCEPT: usize = 2;
+const REJECT: usize = 3;
+const CHOOSE: usize = 4;
+const CUT: usize = 6;
+const RECODE: usize = 7;
+
+impl Demo for CohenSutherland {
+    const ID: &'static str = "cohen-sutherland";
+    const NAME_KEY: &'static str = "alg-cohen-sutherland";
+    const SOURCE: &'static str = "D. Cohen, I. Sutherland, 1967; Newman & Sproull, 1973";
+    const CODE: &'static [CodeLine] = &[
+        code_line(0, "code-cs-codes", "words-cs-codes"),
+        code_line(0, "code-cs-loop", "words-cs-loop"),
+        code_line(1, "code-cs-accept", "words-cs-accept"),
+        code_line(1, "code-cs-reject", "words-cs-reject"),
+        code_line(1, "code-cs-choose", "words-cs-choose"),
+        code_line(1, "code-cs-end", "words-cs-end"),
+        code_line(1, "code-cs-cut", "words-cs-cut"),
+        code_line(1, "code-cs-recode", "words-cs-recode"),
+    ];
+
+    fn input(scene: &Scene, segment: Segment) -> Input {
+        Input {
+            window: scene.window,
+            segment,
+            bit_order: scene.bit_order,
+        }
+    }
+
+    fn tick(event: &Event) -> Tick {
+        match event {
+            Event::Code { .. } | Event::Or { .. } | Event::And { .. } => Tick::Test,
+            Event::Choose { .. } => Tick::Phase,
+            Event::Cut { .. } => Tick::Cut,
+            Event::Accept { .. } => Tick::Accept,
+            Event::Reject { .. } => Tick::Reject,
+        }
+    }
+
+    fn code_line(event: &Event, before: &State) -> usize {
+        match event {
+            // A code that is taken after a cut is the loop's last line.
+            Event::Code { .. } if before.cut.is_some() => RECODE,
+            Event::Code { .. } => CODES,
+            Event::Or { .. } | Event::Accept { .. } => ACCEPT,
+            Event::And { .. } | Event::Reject { .. } => REJECT,
+            Event::Choose { .. } => CHOOSE,
+            Event::Cut { .. } => CUT,
+        }
+    }
+
+    fn opening(input: &Input) -> Caption {
+        opening(&input.segment)
+    }
+
+    fn caption(event: &Event, before: &State, input: &Input) -> Caption {
+        let order = input.bit_order;
+        match *event {
+            Event::Code { end, at, code } => code_caption(end, at, code, input),
+            Event::Or { or } => {
+                let key = if or.is_inside() {
+                    "cs-or-accept"
+                } else {
+                    "cs-or-open"
+                };
+                combined(Message::new(key), "OR", or, before)
+            }
+            Event::And { and } => match and.edges(order).next() {
+                Some(edge) => combined(
+                    Message::new("cs-and-reject").with("edge", edge_name(edge)),
+                    "AND",
+                    and,
+                    before,
+                ),
+                None => combined(Message::new("cs-and-open"), "AND", and, before),
+            },
+            Event::Choose { end, edge } => Caption::new(
+                Message::new("cs-choose")
+                    .with("edge", edge_name(edge))
+                    .with("end", end_name(end)),
+            )
+            .so(Formula::default()
+                .sym("code₁ OR code₂ = ")
+                .sym(before.or.unwrap_or_default().to_string())),
+            Event::Cut {
+                end, edge, u, to, ..
+            } => Caption::new(
+                Message::new("cs-cut")
+                    .with("end", end_name(end))
+                    .with("border", border_equation(&input.window, edge)),
+            )
+            .so(parameter_formula(
+                "t",
+                &input.segment,
+                &input.window,
+                edge,
+                u,
+            ))
+            .so(free_formula(
+                &input.segment,
+                &input.window,
+                edge,
+                along(to, edge.axis())[1],
+            )),
+            Event::Accept { segment } => accepted(&segment),
+            Event::Reject { and } => Caption::new(
+                Message::new("cs-reject")
+                    .with("and", name(and.to_string()))
+                    .with("region", Value::Term(region_key(and, order))),
+            ),
+        }
+    }
+
+    fn marks(step: &Step<'_, Self>) -> Vec<Mark> {
+        let Input {
+            window,
+            segment,
+            bit_order,
+        } = *step.input;
+        let mut marks = regions(step, bit_order);
+        if let Some(Event::Choose { edge, .. } | Event::Cut { edge, .. }) = step.event {
+            marks.push(border_mark(&window, edge));
+        }
+        marks.extend(segment_marks(&segment, step.state.ends, step.state.verdict));
+        match step.event {
+            Some(Event::Code { end, at, .. }) => marks.push(signal_ring(end, at)),
+            Some(Event::Cut { end, u, to, .. }) => {
+                marks.push(crossing_mark(to, "t", u).linked(end_link(end)));
+            }
+            _ => {}
+        }
+        marks
+    }
+
+    fn watch(step: &Step<'_, Self>) -> Watch {
+        let State {
+            ends,
+            codes,
+            or,
+            and,
+            ..
+        } = *step.state;
+        let order = step.input.bit_order;
+        let mut rows: Vec<WatchRow> = End::BOTH
+            .into_iter()
+            .map(|end| {
+                WatchRow::new(
+                    end_name(end),
+                    Some(Value::Point(ends[end.idx()].to_array())),
+                )
+                .linked(end_link(end))
+            })
+            .collect();
+        for end in End::BOTH {
+            let symbol = ["code₁", "code₂"][end.idx()];
+            let code = codes[end.idx()];
+            let row = WatchRow::new(name(symbol), code.map(|c| name(c.to_string())));
+            rows.push(match code {
+                Some(code) => row.noted(Value::Term(region_key(code, order))),
+                None => row,
+            });
+        }
+        for (symbol, code) in [("OR", or), ("AND", and)] {
+            let row = WatchRow::new(name(symbol), code.map(|c| name(c.to_string())));
+            rows.push(match code {
+                Some(c) if c.is_inside() => row.noted(name("= 0")),
+                Some(_) => row.noted(name("≠ 0")),
+                None => row,
+            });
+        }
+        if let Some(Event::Cut { u, .. }) = step.event {
+            let Ratio { num, den } = u;
+            rows.push(WatchRow::new(name("t"), Some(Value::Ratio { num, den })));
+        }
+        vec![WatchSection::list(rows)]
+    }
+}
+
+/// "P₁ is above left: code₁ = 1001", and the comparisons that say so.
+fn code_caption(end: End, at: Point, code: Outcode, input: &Input) -> Caption {
+    let message = Message::new("cs-code")
+        .with("end", end_name(end))
+        .with("region", Value::Term(region_key(code, input.bit_order)))
+        .with("code", name(["code₁", "code₂"][end.idx()]))
+        .with("bits", name(code.to_string()));
+    [Axis::X, Axis::Y]
+        .into_iter()
+        .fold(Caption::new(message), |caption, axis| {
+            caption.so(comparison(axis, at, code, input))
+        })
+}
+
+/// `x = −2 < −1`, or `−1 ≤ y = 0 ≤ 1`.
+fn comparison(axis: Axis, at: Point, code: Outcode, input: &Input) -> Formula {
+    let [low, high] = match axis {
+        Axis::X => [Edge::Left, Edge::Right],
+        Axis::Y => [Edge::Bottom, Edge::Top],
+    };
+    let (symbol, [value, _]) = (axis_symbol(axis), along(at, axis));
+    let coordinate = |f: Formula| f.sym(symbol).sym(" = ").num(value);
+    let (window, order) = (&input.window, input.bit_order);
+    if code.has(low, order) {
+        coordinate(Formula::default())
+            .sym(" < ")
+            .num(window.border(low))
+    } else if code.has(high, order) {
+        coordinate(Formula::default())
+            .sym(" > ")
+            .num(window.border(high))
+    } else {
+        coordinate(Formula::default().num(window.border(low)).sym(" ≤ "))
+            .sym(" ≤ ")
+            .num(window.border(high))
+    }
+}
+
+/// The decision on a combination of both codes, worked out: `0001 OR 1010 = 1011`.
+fn combined(message: Message, operator: &'static str, result: Outcode, before: &State) -> Caption {
+    let [code1, code2] = before.codes.map(Option::unwrap_or_default);
+    Caption::new(message.with("bits", name(result.to_string())))
+        .so(Formula::default().sym(format!("{code1} {operator} {code2} = {result}")))
+}
+
+/// The nine regions with their codes; those of the two ends stand out.
+fn regions(step: &Step<'_, CohenSutherland>, order: BitOrder) -> Vec<Mark> {
+    let [xmin, ymin, xmax, ymax] = step.input.window.to_array();
+    let columns = [
+        (f64::NEG_INFINITY, xmin, Some(Edge::Left)),
+        (xmin, xmax, None),
+        (xmax, f64::INFINITY, Some(Edge::Right)),
+    ];
+    let rows = [
+        (f64::NEG_INFINITY, ymin, Some(Edge::Bottom)),
+        (ymin, ymax, None),
+        (ymax, f64::INFINITY, Some(Edge::Top)),
+    ];
+    let mut marks: Vec<Mark> = Edge::ALL
+        .into_iter()
+        .map(|edge| {
+            let border = Shape::Border(edge.axis(), step.input.window.border(edge));
+            Mark::new(Role::Faint, border)
+        })
+        .collect();
+    for (x0, x1, x_edge) in columns {
+        for (y0, y1, y_edge) in rows {
+            let edges: Vec<Edge> = x_edge.into_iter().chain(y_edge).collect();
+            let code = Outcode::from_edges(&edges, order);
+            let taken = step.state.codes.contains(&Some(code));
+            let role = if taken { Role::Ink } else { Role::Faint };
+            let region = Shape::Region([[x0, y0], [x1, y1]]);
+            marks.push(Mark::new(role, region).coded(name(code.to_string())));
+        }
+    }
+    marks
+}
+
+fn signal_ring(end: End, at: Point) -> Mark {
+    Mark::new(Role::Signal, Shape::Ring(at.to_array())).linked(end_link(end))
+}
+
+/// Catalogue key of the region that a code stands for.
+fn region_key(code: Outcode, order: BitOrder) -> &'static str {
+    let has = |edge| code.has(edge, order);
+    let column = usize::from(has(Edge::Right)) + 1 - usize::from(has(Edge::Left));
+    let row = usize::from(has(Edge::Top)) + 1 - usize::from(has(Edge::Bottom));
+    [
+        ["region-below-left", "region-below", "region-below-right"],
+        ["region-left", "region-inside", "region-right"],
+        ["region-above-left", "region-above", "region-above-right"],
+    ][row][column]
+}

@@ -1,0 +1,4 @@
+//! One file a method: its sentences, marks and watched values.
+
+mod cohen_sutherland;
+mod shared;

@@ -1,0 +1,229 @@
+//! Words, formulas and marks that several methods share.
+
+use crate::{
+    algo::line::{End, Ratio, Visible},
+    figure::{Caption, Link, Mark, Role, Shape},
+    geom::{Axis, Edge, Point, Segment, Window},
+    text::{Formula, Message, Value},
+};
+
+/// Catalogue key of a side as a noun: "left edge".
+pub const fn edge_key(edge: Edge) -> &'static str {
+    match edge {
+        Edge::Left => "edge-left",
+        Edge::Right => "edge-right",
+        Edge::Bottom => "edge-bottom",
+        Edge::Top => "edge-top",
+    }
+}
+
+/// The name of a side as it stands in a sentence.
+pub const fn edge_name(edge: Edge) -> Value {
+    Value::Term(edge_key(edge))
+}
+
+/// What marks, rows and ticks about a side have in common.
+pub const fn edge_link(edge: Edge) -> Link {
+    edge.id()
+}
+
+/// `P₁` or `P₂`.
+pub const fn end_symbol(end: End) -> &'static str {
+    match end {
+        End::P1 => "P₁",
+        End::P2 => "P₂",
+    }
+}
+
+/// `P₁` or `P₂`, for a sentence.
+pub fn end_name(end: End) -> Value {
+    Value::Name(end_symbol(end).to_owned())
+}
+
+/// `P₁` or `P₂`, after a cut `P₁′` or `P₂′`.
+pub fn end_name_now(end: End, moved: bool) -> Value {
+    Value::Name(format!(
+        "{}{}",
+        end_symbol(end),
+        if moved { "′" } else { "" }
+    ))
+}
+
+/// What marks, rows and lines about an end have in common.
+pub const fn end_link(end: End) -> Link {
+    match end {
+        End::P1 => "p1",
+        End::P2 => "p2",
+    }
+}
+
+/// A plain name.
+pub fn name(text: impl Into<String>) -> Value {
+    Value::Name(text.into())
+}
+
+/// `x` or `y`.
+pub const fn axis_symbol(axis: Axis) -> &'static str {
+    match axis {
+        Axis::X => "x",
+        Axis::Y => "y",
+    }
+}
+
+/// `[coordinate along the axis, the other one]`.
+pub const fn along(point: Point, axis: Axis) -> [f64; 2] {
+    match axis {
+        Axis::X => [point.x(), point.y()],
+        Axis::Y => [point.y(), point.x()],
+    }
+}
+
+/// `x = −1`: the equation of a side.
+pub fn border_equation(window: &Window, edge: Edge) -> Formula {
+    Formula::default()
+        .sym(axis_symbol(edge.axis()))
+        .sym(" = ")
+        .num(window.border(edge))
+}
+
+/// `t = (−1 − (−2)) / (2 − (−2)) = 1/4`: where on a segment a side is crossed.
+pub fn parameter_formula(
+    symbol: &'static str,
+    segment: &Segment,
+    window: &Window,
+    edge: Edge,
+    u: Ratio,
+) -> Formula {
+    let [a1, _] = along(segment.p1, edge.axis());
+    let [a2, _] = along(segment.p2, edge.axis());
+    Formula::default()
+        .sym(symbol)
+        .sym(" = (")
+        .num(window.border(edge))
+        .sym(" − ")
+        .operand(a1)
+        .sym(") / (")
+        .num(a2)
+        .sym(" − ")
+        .operand(a1)
+        .sym(") = ")
+        .ratio(u.num, u.den)
+}
+
+/// `y = (−1 · 3 + 1.5 · 1) / 4 = −3/8`: the free coordinate of a crossing, as it is computed.
+pub fn free_formula(segment: &Segment, window: &Window, edge: Edge, free: f64) -> Formula {
+    let (axis, c) = (edge.axis(), window.border(edge));
+    let [a1, o1] = along(segment.p1, axis);
+    let [a2, o2] = along(segment.p2, axis);
+    let other = match axis {
+        Axis::X => "y",
+        Axis::Y => "x",
+    };
+    Formula::default()
+        .sym(other)
+        .sym(" = (")
+        .num(o1)
+        .sym(" · ")
+        .operand(a2 - c)
+        .sym(" + ")
+        .operand(o2)
+        .sym(" · ")
+        .operand(c - a1)
+        .sym(") / ")
+        .operand(a2 - a1)
+        .equals(free)
+}
+
+/// `P₁ = (−2, −1)`.
+pub fn point_formula(symbol: &'static str, point: Point) -> Formula {
+    Formula::default()
+        .sym(symbol)
+        .sym(" = ")
+        .point(point.to_array())
+}
+
+/// Before the first event: the problem.
+pub fn opening(segment: &Segment) -> Caption {
+    Caption::new(Message::new("line-opening"))
+        .so(point_formula("P₁", segment.p1))
+        .so(point_formula("P₂", segment.p2))
+}
+
+/// The last word where something is visible.
+pub fn accepted(segment: &Segment) -> Caption {
+    if segment.p1 == segment.p2 {
+        return Caption::new(Message::new("line-touch").with("at", segment.p1.to_array()));
+    }
+    Caption::new(
+        Message::new("line-accept")
+            .with("p1", segment.p1.to_array())
+            .with("p2", segment.p2.to_array()),
+    )
+}
+
+/// The original segment, what is left of it, and its ends.
+///
+/// Discarded parts are ghosted; what is left is accented while it is alive, green once accepted.
+pub fn segment_marks(original: &Segment, ends: [Point; 2], verdict: Option<Visible>) -> Vec<Mark> {
+    let rejected = verdict == Some(None);
+    let role = match verdict {
+        None => Role::Accent,
+        Some(None) => Role::Discarded,
+        Some(Some(_)) => Role::Accepted,
+    };
+    let mut marks = Vec::new();
+    for end in End::BOTH {
+        let (from, to) = (end.of(original), ends[end.idx()]);
+        if from != to {
+            let ghost = Shape::Segment([from.to_array(), to.to_array()]);
+            marks.push(Mark::new(Role::Discarded, ghost));
+        }
+    }
+    let left = Shape::Segment([ends[0].to_array(), ends[1].to_array()]);
+    marks.push(Mark::new(role, left).linked("segment"));
+    for end in End::BOTH {
+        let (from, to) = (end.of(original), ends[end.idx()]);
+        let moved = from != to;
+        let given = if moved || rejected {
+            Role::Discarded
+        } else {
+            Role::Accent
+        };
+        marks.push(
+            Mark::new(given, Shape::Ring(from.to_array()))
+                .labelled(end_name(end))
+                .strong()
+                .linked(end_link(end)),
+        );
+        if moved {
+            marks.push(
+                Mark::new(role, Shape::Dot(to.to_array()))
+                    .labelled(end_name_now(end, true))
+                    .strong()
+                    .linked(end_link(end)),
+            );
+        }
+    }
+    marks
+}
+
+/// The line of a side, as this step's subject.
+pub fn border_mark(window: &Window, edge: Edge) -> Mark {
+    Mark::new(
+        Role::Signal,
+        Shape::Border(edge.axis(), window.border(edge)),
+    )
+    .labelled(border_equation(window, edge))
+    .linked(edge_link(edge))
+}
+
+/// A crossing, as this step's subject: `t = 1/4`.
+pub fn crossing_mark(at: Point, symbol: &'static str, u: Ratio) -> Mark {
+    let label = Formula::default()
+        .sym(symbol)
+        .sym(" = ")
+        .ratio(u.num, u.den);
+    Mark::new(Role::Signal, Shape::Dot(at.to_array()))
+        .labelled(label)
+        .strong()
+}
