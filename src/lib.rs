@@ -1,1 +1,4 @@
 //! stub
+
+#[cfg(feature = "gui")]
+pub mod paint;
