@@ -241,3 +241,6 @@ fn blended(over: Rgba, under: Rgba) -> Rgba {
     // Saturating: egui's additive colours have less alpha than light.
     std::array::from_fn(|i| over[i].saturating_add(scaled(under[i], keep)))
 }
+
+#[cfg(test)]
+mod tests;
