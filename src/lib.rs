@@ -12,3 +12,6 @@ pub mod text;
 pub mod figure;
 
 pub mod labs;
+
+#[cfg(feature = "gui")]
+pub mod paint;
