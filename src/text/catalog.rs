@@ -12,32 +12,40 @@ use super::lang::Lang;
 use super::message::{Formula, Message, Token, Value};
 use super::number;
 
-/// The catalogues' areas: each is one file, `<area>.ftl`, in every language's folder.
-pub const AREAS: [&str; 8] = [
-    "app", "geometry", "lines", "polygons", "frustum", "surfaces", "lesson", "cli",
-];
-
-macro_rules! embedded {
-    ($lang:literal: $($area:literal)*) => {
-        [$(include_str!(concat!(
-            env!("CARGO_MANIFEST_DIR"), "/assets/messages/", $lang, "/", $area, ".ftl"
-        ))),*]
-    };
-    ($lang:literal) => {
-        embedded!($lang: "app" "geometry" "lines" "polygons" "frustum" "surfaces" "lesson" "cli")
+macro_rules! ftl {
+    ($lang:literal, $area:literal) => {
+        include_str!(concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/assets/messages/",
+            $lang,
+            "/",
+            $area,
+            ".ftl"
+        ))
     };
 }
 
-/// The Fluent source of one language's catalogue, a text for each of [`AREAS`], in their order.
-#[must_use]
-pub const fn sources(lang: Lang) -> [&'static str; AREAS.len()] {
-    match lang {
-        Lang::En => embedded!("en"),
-        Lang::ZhCn => embedded!("zh-CN"),
-        Lang::Es => embedded!("es"),
-        Lang::PtBr => embedded!("pt-BR"),
-    }
+macro_rules! catalogues {
+    ($($area:literal),*) => {
+        /// The catalogues' areas: each is one file, `<area>.ftl`, in every language's folder.
+        pub const AREAS: [&str; [$($area),*].len()] = [$($area),*];
+
+        /// The Fluent source of one language's catalogue: a text for each of [`AREAS`], in order.
+        #[must_use]
+        pub const fn sources(lang: Lang) -> [&'static str; AREAS.len()] {
+            match lang {
+                Lang::En => [$(ftl!("en", $area)),*],
+                Lang::ZhCn => [$(ftl!("zh-CN", $area)),*],
+                Lang::Es => [$(ftl!("es", $area)),*],
+                Lang::PtBr => [$(ftl!("pt-BR", $area)),*],
+            }
+        }
+    };
 }
+
+catalogues!(
+    "app", "geometry", "lines", "polygons", "frustum", "surfaces", "lesson", "cli"
+);
 
 /// One language's messages, falling back to English for a missing key.
 ///
