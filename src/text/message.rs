@@ -13,6 +13,7 @@ pub struct Message {
 
 impl Message {
     /// A message without arguments yet.
+    #[must_use]
     pub const fn new(key: &'static str) -> Self {
         Self {
             key,
