@@ -17,7 +17,7 @@ use crate::{
 
 use super::shared::{
     accepted, along, axis_symbol, border_equation, border_mark, crossing_mark, edge_name, end_link,
-    end_name, free_formula, name, opening, parameter_formula, segment_marks,
+    end_name, ends_rows, free_formula, name, opening, parameter_formula, segment_marks,
 };
 
 const CODES: usize = 0;
@@ -164,16 +164,7 @@ impl Demo for CohenSutherland {
             ..
         } = *step.state;
         let order = step.input.bit_order;
-        let mut rows: Vec<WatchRow> = End::BOTH
-            .into_iter()
-            .map(|end| {
-                WatchRow::new(
-                    end_name(end),
-                    Some(Value::Point(ends[end.idx()].to_array())),
-                )
-                .linked(end_link(end))
-            })
-            .collect();
+        let mut rows = ends_rows(ends);
         for end in End::BOTH {
             let symbol = ["code₁", "code₂"][end.idx()];
             let code = codes[end.idx()];
