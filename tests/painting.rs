@@ -6,7 +6,7 @@
 use std::time::Instant;
 
 use clipscope::paint::theme::{caption, caption_strong, strong};
-use clipscope::paint::{Headless, Image, Theme, ThemeKind};
+use clipscope::paint::{CpuPainter, Headless, Image, Theme, ThemeKind};
 use egui::{Align2, Color32, FontId, Panel, RichText, Shape, Stroke, TextStyle, Ui, pos2, vec2};
 
 const CODE: &str = "code₁ ← code(P₁);  code₂ ← code(P₂)\nif code₁ AND code₂ ≠ 0: reject\nP₁ ← segment ∩ edge   t = q/p = (−1 − (−2)) / 4 = 1/4\n⏮ ◀ ⏸ ▶ ⏭  ≤ ≥ ∈ ∪ ⟨x⟩ Δ ∧ ∨ ¬ √ xₖ uₘᵢₙ ½ 裁剪";
@@ -149,6 +149,47 @@ fn a_used_table_draws_the_same_as_a_fresh_one() {
             leave_sample(&format!("sample-{kind}-{pixels_per_point}.png"), &expected);
         }
     }
+}
+
+/// The painter alone, on given triangles: the same bytes on every machine and in every build.
+#[test]
+fn given_triangles_give_these_bytes() {
+    let mut seed = 1_u32;
+    let mut next = |n: u32| {
+        seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (seed >> 8) % n
+    };
+    let texels = (0..64_u8).map(|i| Color32::from_rgba_premultiplied(i, 2 * i, 3 * i, 3 * i));
+    let texture = egui::ColorImage::new([8, 8], texels.collect());
+    let id = egui::TextureId::Managed(1);
+    let mut delta = egui::TexturesDelta::default();
+    let options = egui::TextureOptions::LINEAR_REPEAT;
+    delta.push(id, egui::epaint::ImageDelta::full(texture, options));
+    let mut painter = CpuPainter::new();
+    painter.apply(&mut delta);
+
+    let mut mesh = egui::Mesh::with_texture(id);
+    for i in 0..300 {
+        let mut at = |n: u32| next(n) as f32 / 16.0;
+        let (pos, uv) = (pos2(at(1600), at(1200)), pos2(at(64), at(64)));
+        let [r, g, b] = [100, 90, 80].map(|n| next(n) as u8);
+        let color = Color32::from_rgba_premultiplied(r, g, b, 100 + next(156) as u8);
+        mesh.vertices.push(egui::epaint::Vertex { pos, uv, color });
+        mesh.indices.push(i);
+    }
+    let primitive = egui::ClippedPrimitive {
+        clip_rect: egui::Rect::EVERYTHING,
+        primitive: egui::epaint::Primitive::Mesh(mesh),
+    };
+    let image = painter.paint(&[primitive], 1.5, [150, 112], Color32::WHITE);
+    // FNV-1a.
+    let hash = image
+        .rgba
+        .iter()
+        .fold(0xcbf2_9ce4_8422_2325_u64, |hash, &byte| {
+            (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+        });
+    assert_eq!(hash, 0x9018_dd26_95e3_ade1, "{hash:#x}");
 }
 
 #[test]

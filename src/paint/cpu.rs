@@ -247,6 +247,13 @@ fn tinted(texel: Rgba, color: Rgba) -> Rgba {
 
 /// A premultiplied colour over another one.
 fn blended(over: Rgba, under: Rgba) -> Rgba {
+    // Opaque and empty are what images and glyphs mostly are.
+    if over[3] == 255 {
+        return over;
+    }
+    if over == [0; 4] {
+        return under;
+    }
     let keep = 255 - over[3];
     // Saturating: egui's additive colours have less alpha than light.
     std::array::from_fn(|i| over[i].saturating_add(scaled(under[i], keep)))
