@@ -162,7 +162,9 @@ fn candidates(anchor: Anchor, size: Vec2, stage: Rect) -> Vec<Pos2> {
         Anchor::Line([a, b]) => [0.12, 0.88, 0.25, 0.75, 0.5, 0.04, 0.96]
             .into_iter()
             .flat_map(|t| {
-                let at = stage.shrink2(half + Vec2::splat(8.0)).clamp(a + (b - a) * t);
+                let at = stage
+                    .shrink2(half + Vec2::splat(8.0))
+                    .clamp(a + (b - a) * t);
                 let normal = (b - a).normalized().rot90();
                 let gap = normal.x.abs() * half.x + normal.y.abs() * half.y + 8.0;
                 [at + normal * gap, at - normal * gap]

@@ -33,7 +33,9 @@ pub fn stage(
         theme,
         labels: Labels::new(viewport.rect),
     };
-    for mark in marks {
+    // Construction lines lie under everything, the window included.
+    let (under, over): (Vec<_>, Vec<_>) = marks.iter().partition(|mark| mark.role == Role::Faint);
+    for mark in under.into_iter().chain(over) {
         if lit.is_some() && mark.link == lit {
             stage.halo(mark);
         }
@@ -178,11 +180,8 @@ impl<'a> Stage<'a> {
         for (i, &a) in points.iter().enumerate() {
             self.labels.avoid_line([a, points[(i + 1) % points.len()]]);
         }
-        self.painter.add(Egui::convex_polygon(
-            points,
-            self.theme.accent_wash,
-            stroke,
-        ));
+        self.painter
+            .add(Egui::convex_polygon(points, self.theme.accent_wash, stroke));
     }
 
     fn dot(&mut self, at: Pos2, colour: Color32) {
@@ -263,8 +262,5 @@ fn cut_to([a, b]: [Pos2; 2], rect: egui::Rect) -> Option<[Pos2; 2]> {
     let [ax, ay, bx, by] = [a.x, a.y, b.x, b.y].map(f64::from);
     let segment = Segment::new(ax, ay, bx, by).ok()?;
     let visible = silent::<LiangBarsky>(&WindowInput { window, segment })?;
-    Some(
-        [visible.p1, visible.p2]
-            .map(|p| pos2(p.x() as f32, p.y() as f32)),
-    )
+    Some([visible.p1, visible.p2].map(|p| pos2(p.x() as f32, p.y() as f32)))
 }

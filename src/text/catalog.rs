@@ -189,6 +189,10 @@ impl Catalog {
             Token::Number(x) | Token::Operand(x) => self.number(*x),
             Token::Ratio { num, den } => self.ratio(*num, *den),
             Token::Point(p) => self.point(*p),
+            Token::List(numbers) => {
+                let shown: Vec<String> = numbers.iter().map(|&x| self.number(x)).collect();
+                shown.join(self.lang.list_separator())
+            }
             Token::Term(key) => self.term(key),
             Token::Equals(x) if Self::is_exact(*x) => format!("= {}", self.number(*x)),
             Token::Equals(x) => format!("≈ {}", self.number(*x)),

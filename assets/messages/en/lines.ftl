@@ -66,9 +66,9 @@ lb-row = k = { $k }, { $edge }: u · p ≤ q, { $direction }.
 lb-parallel-inside = Parallel to the { $edge } and inside it: this side alone decides nothing.
 lb-parallel-outside = Parallel to the { $edge } and outside it: no u can help.
 lb-enter = The line enters across the { $edge }: u_min goes up.
-lb-enter-idle = The line enters across the { $edge }, but it had not yet come so far as u_min: no change.
+lb-enter-idle = The line enters across the { $edge }, but before u_min: no change.
 lb-leave = The line leaves across the { $edge }: u_max comes down.
-lb-leave-idle = The line leaves across the { $edge }, but only after u_max: no change.
+lb-leave-idle = The line leaves across the { $edge }, but after u_max: no change.
 lb-put = { $end } moves to u = { $u } on { $border }.
 lb-put-end = { $end } = { $at } was inside and stays.
 lb-reject = Reject at the { $edge }: nothing of the segment is left.

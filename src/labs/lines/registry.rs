@@ -52,7 +52,11 @@ const fn info<A: Demo>() -> MethodInfo {
 }
 
 /// Every method, in the order in which they are taught.
-pub static METHODS: [MethodInfo; 1] = [info::<line::CohenSutherland>()];
+pub static METHODS: [MethodInfo; 3] = [
+    info::<line::BruteForce>(),
+    info::<line::CohenSutherland>(),
+    info::<line::LiangBarsky>(),
+];
 
 /// One of [`METHODS`].
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -148,6 +148,11 @@ impl Demo for LiangBarsky {
         marks.extend(state.rows.iter().flatten().filter_map(|row| {
             let at = on_line(segment, row.r?);
             let label = Formula::default().sym("r = ").num(row.r?);
+            // On an end the point itself is enough, and after the verdict the ends are.
+            let on_end = End::BOTH.iter().any(|end| end.of(segment).to_array() == at);
+            if state.verdict.is_some() || on_end && current_edge(step.event) != Some(row.edge) {
+                return None;
+            }
             Some(if current_edge(step.event) == Some(row.edge) {
                 Mark::new(Role::Signal, Shape::Dot(at))
                     .labelled(label)
@@ -342,9 +347,7 @@ fn bound_caption(key: &'static str, edge: Edge, before: &State, r: f64) -> Capti
 fn bound_formula(call: &'static str, [old, r]: [f64; 2], new: f64) -> Formula {
     Formula::default()
         .sym(call)
-        .num(old)
-        .sym("; ")
-        .num(r)
+        .list(&[old, r])
         .sym(")")
         .equals(new)
 }
