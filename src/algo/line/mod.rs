@@ -9,8 +9,11 @@
 
 mod brute_force;
 mod cohen_sutherland;
+mod convex_border;
 mod crossing;
+mod cyrus_beck;
 mod liang_barsky;
+mod order;
 mod outcode;
 
 use serde::Serialize;
@@ -21,8 +24,10 @@ pub use brute_force::{BruteForce, BruteForceEvent, BruteForceState};
 pub use cohen_sutherland::{
     CohenSutherland, CohenSutherlandEvent, CohenSutherlandInput, CohenSutherlandState,
 };
-pub use crossing::{Param, Ratio};
+pub use crossing::Ratio;
+pub use cyrus_beck::{CyrusBeck, CyrusBeckEvent, CyrusBeckInput, CyrusBeckRow, CyrusBeckState};
 pub use liang_barsky::{LiangBarsky, LiangBarskyEvent, LiangBarskyState, Row};
+pub use order::Param;
 pub use outcode::{BitOrder, Outcode};
 
 /// The visible part of a segment; `None` where there is none.
