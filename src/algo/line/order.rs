@@ -34,6 +34,7 @@ pub struct Param<R, B> {
 
 impl<R: Real, B: Copy> Param<R, B> {
     /// u = 0 at P₁, which the line enters by; u = 1 at P₂.
+    #[must_use]
     pub fn at_end(end: End) -> Self {
         Self {
             u: R::new(if end == End::P1 { 0.0 } else { 1.0 }),
@@ -99,17 +100,17 @@ pub fn compare_crossings(a: Side, b: Side) -> Ordering {
 
 /// Distances of P₁ and P₂ from a border, inside positive. One rounding each, and none in their signs.
 /// Where one overflows, half of both: only their ratio counts.
-pub fn signed_distances(segment: &Segment, window: &Window, edge: Edge) -> [f64; 2] {
+pub fn signed_distances<R: Real>(segment: &Segment, window: &Window, edge: Edge) -> [R; 2] {
     let at_scale = |scale: f64| {
-        let c = scale * window.border(edge);
+        let c = R::new(scale * window.border(edge));
         End::BOTH.map(|end| {
             let [a, _] = split::<f64>(end.of(segment), edge.axis());
-            let a = scale * a;
+            let a = R::new(scale * a);
             if edge.is_max() { c - a } else { a - c }
         })
     };
     let distances = at_scale(1.0);
-    if distances.iter().all(|d| d.is_finite()) {
+    if distances.iter().all(|d| d.get().is_finite()) {
         distances
     } else {
         at_scale(0.5)
@@ -121,9 +122,11 @@ pub fn signed_distances(segment: &Segment, window: &Window, edge: Edge) -> [f64;
 /// Rounding is monotone: where the rounded products differ, the true ones differ the same way, overflow
 /// and underflow included. Only equal ones need their full 106 bits.
 #[inline]
-pub fn compare_products([a, b]: [f64; 2], [c, d]: [f64; 2]) -> Ordering {
+pub fn compare_products<R: Real>([a, b]: [R; 2], [c, d]: [R; 2]) -> Ordering {
     match (a * b).partial_cmp(&(c * d)) {
-        Some(Ordering::Equal) | None => compare_products_exactly([a, b], [c, d]),
+        Some(Ordering::Equal) | None => {
+            compare_products_exactly([a, b].map(R::get), [c, d].map(R::get))
+        }
         Some(order) => order,
     }
 }
