@@ -1,13 +1,19 @@
 //! The stage surface: pan, zoom, grid, handles, and the figure's marks over them.
 
-use egui::{Id, Painter, PointerButton, Pos2, Rect, Response, Role, Sense, StrokeKind, Ui, WidgetInfo};
+use egui::{
+    Id, Painter, PointerButton, Pos2, Rect, Response, Role, Sense, StrokeKind, Ui, WidgetInfo,
+};
 
 use crate::{
     figure::{Link, Mark},
     paint::{self, Viewport},
 };
 
-use super::{Look, grid, handles::{Handles, Moved, Spot}, hit};
+use super::{
+    Look, grid,
+    handles::{Handles, Moved, Spot},
+    hit,
+};
 
 /// Grid dots are at least this far apart, in points.
 const GRID_PTS: f64 = 40.0;
@@ -157,7 +163,10 @@ impl Canvas<'_> {
             view,
             moved,
             released: holds_handle && response.drag_stopped(),
-            clicked: response.clicked().then(|| response.interact_pointer_pos()).flatten(),
+            clicked: response
+                .clicked()
+                .then(|| response.interact_pointer_pos())
+                .flatten(),
             pointed: hover.and_then(|at| hit::link_at(&viewport, self.marks, at)),
             handle_focused: focused
                 .is_some_and(|id| (0..self.spots.len()).any(|i| handles.id_of(i) == id)),
@@ -166,7 +175,12 @@ impl Canvas<'_> {
     }
 }
 
-fn pan_and_zoom(ui: &Ui, response: &Response, viewport: &Viewport, holds_handle: bool) -> Option<View> {
+fn pan_and_zoom(
+    ui: &Ui,
+    response: &Response,
+    viewport: &Viewport,
+    holds_handle: bool,
+) -> Option<View> {
     let mut view = View::of(viewport);
     let drags_background = response.dragged_by(PointerButton::Primary) && !holds_handle;
     if drags_background || response.dragged_by(PointerButton::Middle) {
@@ -174,7 +188,9 @@ fn pan_and_zoom(ui: &Ui, response: &Response, viewport: &Viewport, holds_handle:
     }
     if let Some(at) = response.hover_pos() {
         let (factor, scroll) = ui.input(|i| (i.zoom_delta(), i.smooth_scroll_delta()));
-        view = view.zoomed(viewport.rect, f64::from(factor), at).panned(scroll);
+        view = view
+            .zoomed(viewport.rect, f64::from(factor), at)
+            .panned(scroll);
     }
     (view != View::of(viewport)).then_some(view)
 }
@@ -206,6 +222,9 @@ mod tests {
             scale: 10.0,
         };
         let moved = view.panned(vec2(20.0, 10.0));
-        assert_eq!(moved.on(RECT).to_screen([0.0; 2]), RECT.center() + vec2(20.0, 10.0));
+        assert_eq!(
+            moved.on(RECT).to_screen([0.0; 2]),
+            RECT.center() + vec2(20.0, 10.0)
+        );
     }
 }

@@ -1,6 +1,10 @@
 //! A step's sentence: the decision semibold, the arithmetic after it.
 
-use egui::{Align, Color32, Label, Rect, TextFormat, TextStyle, Ui, UiBuilder, text::{LayoutJob, TextWrapping}, vec2};
+use egui::{
+    Align, Color32, Label, Rect, TextFormat, TextStyle, Ui, UiBuilder,
+    text::{LayoutJob, TextWrapping},
+    vec2,
+};
 
 use crate::{
     figure::Caption,

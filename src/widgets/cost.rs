@@ -21,12 +21,24 @@ pub fn cost(ui: &mut Ui, look: Look<'_>, cost: &Cost<'_>) {
     ui.spacing_mut().item_spacing.y = 0.0;
     let other = cost.compared.map(|(counts, _)| counts);
     for (sign, key, of) in ROWS {
-        row(ui, look, sign, key, of(&cost.now), other.as_ref().map(of), cost.most.max(1));
+        row(
+            ui,
+            look,
+            sign,
+            key,
+            of(&cost.now),
+            other.as_ref().map(of),
+            cost.most.max(1),
+        );
     }
     if let Some((_, name)) = cost.compared {
         ui.add_space(4.0);
         let note = Message::new("cost-compared-with").with("method", name.to_owned());
-        ui.label(RichText::new(look.catalog.message(&note)).small().color(look.theme.soft));
+        ui.label(
+            RichText::new(look.catalog.message(&note))
+                .small()
+                .color(look.theme.soft),
+        );
     }
 }
 
@@ -40,11 +52,20 @@ const ROWS: [(&str, &str, Of); 4] = [
     ("<", "cost-comparisons", |c| c.cmp),
 ];
 
-fn row(ui: &mut Ui, look: Look<'_>, sign: &str, key: &str, now: u32, other: Option<u32>, most: u32) {
+fn row(
+    ui: &mut Ui,
+    look: Look<'_>,
+    sign: &str,
+    key: &str,
+    now: u32,
+    other: Option<u32>,
+    most: u32,
+) {
     let theme = look.theme;
     let mono = TextStyle::Monospace.resolve(ui.style());
     let height = (mono.size * 1.75).round();
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
+    let (rect, response) =
+        ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
     let numbers = match other {
         Some(other) => format!("{now} / {other}"),
         None => now.to_string(),
@@ -53,8 +74,20 @@ fn row(ui: &mut Ui, look: Look<'_>, sign: &str, key: &str, now: u32, other: Opti
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, format!("{name}: {numbers}")));
     let y = rect.center().y;
     let painter = ui.painter();
-    painter.text(pos2(rect.left() + 8.0, y), Align2::LEFT_CENTER, sign, mono.clone(), theme.soft);
-    let written = painter.text(pos2(rect.right(), y), Align2::RIGHT_CENTER, &numbers, mono, theme.ink);
+    painter.text(
+        pos2(rect.left() + 8.0, y),
+        Align2::LEFT_CENTER,
+        sign,
+        mono.clone(),
+        theme.soft,
+    );
+    let written = painter.text(
+        pos2(rect.right(), y),
+        Align2::RIGHT_CENTER,
+        &numbers,
+        mono,
+        theme.ink,
+    );
     let left = rect.left() + 48.0 * theme.text_scale;
     // The numbers of all rows share one column, so that all bars share one scale.
     let room = (rect.right() - 72.0 * theme.text_scale).min(written.left() - 8.0) - left;

@@ -1,8 +1,8 @@
 //! Handles: the places on a stage that a person takes hold of, with the pointer or with the keyboard.
 
 use egui::{
-    CursorIcon, Event, EventFilter, Id, Key, Painter, Pos2, Rect, Response, Role, Sense, StrokeKind,
-    Ui, Vec2, WidgetInfo,
+    CursorIcon, Event, EventFilter, Id, Key, Painter, Pos2, Rect, Response, Role, Sense,
+    StrokeKind, Ui, Vec2, WidgetInfo,
 };
 
 use crate::{paint::Viewport, text::Message};
@@ -61,7 +61,7 @@ pub struct Moved {
 }
 
 /// Where a drag began: lives as long as the button is held.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 struct Grip {
     spot: usize,
     spot_at: [f64; 2],
@@ -155,7 +155,11 @@ impl Handles<'_> {
                 let label = Message::new("access-handle")
                     .with("name", spot.name.clone())
                     .with("point", spot.at);
-                WidgetInfo::labeled(Role::Button, !spot.locked, self.look.catalog.message(&label))
+                WidgetInfo::labeled(
+                    Role::Button,
+                    !spot.locked,
+                    self.look.catalog.message(&label),
+                )
             });
             if response.has_focus() {
                 keep_arrows(ui, id);
@@ -189,7 +193,11 @@ impl Handles<'_> {
             if !spot.locked && !spot.marked && is_near {
                 let square = Rect::from_center_size(centre, Vec2::splat(7.0));
                 painter.rect_filled(square, 1.0, theme.background);
-                let colour = if touched == Some(i) { theme.accent } else { theme.soft };
+                let colour = if touched == Some(i) {
+                    theme.accent
+                } else {
+                    theme.soft
+                };
                 painter.rect_stroke(square, 1.0, theme.stroke(1.25, colour), StrokeKind::Middle);
             }
             if touched == Some(i) && !spot.locked {

@@ -16,7 +16,8 @@ const REACH: f32 = 8.0;
 pub fn link_at(viewport: &Viewport, marks: &[Mark], at: Pos2) -> Option<Link> {
     let hits = |mark: &&Mark| mark.link.is_some() && distance(viewport, &mark.shape, at) <= REACH;
     // Points are drawn over lines, and are harder to hit.
-    let is_point = |mark: &&Mark| matches!(mark.shape, Shape::Dot(_) | Shape::Ring(_) | Shape::Cross(_));
+    let is_point =
+        |mark: &&Mark| matches!(mark.shape, Shape::Dot(_) | Shape::Ring(_) | Shape::Cross(_));
     let topmost = || marks.iter().rev();
     topmost()
         .filter(is_point)
@@ -28,9 +29,10 @@ pub fn link_at(viewport: &Viewport, marks: &[Mark], at: Pos2) -> Option<Link> {
 fn distance(viewport: &Viewport, shape: &Shape, at: Pos2) -> f32 {
     let screen = |p: [f64; 2]| viewport.to_screen(p);
     match shape {
-        Shape::Segment([a, b]) | Shape::Arrow([a, b]) | Shape::Ray([a, b]) | Shape::Line([a, b]) => {
-            to_segment(at, screen(*a), screen(*b))
-        }
+        Shape::Segment([a, b])
+        | Shape::Arrow([a, b])
+        | Shape::Ray([a, b])
+        | Shape::Line([a, b]) => to_segment(at, screen(*a), screen(*b)),
         Shape::Border(Axis::X, x) => (at.x - screen([*x, 0.0]).x).abs(),
         Shape::Border(Axis::Y, y) => (at.y - screen([0.0, *y]).y).abs(),
         Shape::Polygon(outline) => (0..outline.len())

@@ -1,7 +1,8 @@
 //! Small signs drawn as shapes: crisp at every size, and independent of fonts.
 
 use egui::{
-    Color32, CursorIcon, Painter, Rect, Response, Role, Sense, Shape, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2,
+    Color32, CursorIcon, Painter, Rect, Response, Role, Sense, Shape, Stroke, StrokeKind, Ui, Vec2,
+    WidgetInfo, pos2, vec2,
 };
 
 use super::Look;
@@ -118,11 +119,21 @@ pub(super) fn disc_button(ui: &mut Ui, look: Look<'_>, icon: Icon, name: &str) -
     finish(ui, look, response, rect, name, true)
 }
 
-fn finish(ui: &Ui, look: Look<'_>, response: Response, rect: Rect, name: &str, enabled: bool) -> Response {
+fn finish(
+    ui: &Ui,
+    look: Look<'_>,
+    response: Response,
+    rect: Rect,
+    name: &str,
+    enabled: bool,
+) -> Response {
     response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, name));
     if response.has_focus() {
         let ring = look.theme.stroke(2.0, look.theme.accent);
-        ui.painter().rect_stroke(rect.expand(2.0), 6.0, ring, StrokeKind::Inside);
+        ui.painter()
+            .rect_stroke(rect.expand(2.0), 6.0, ring, StrokeKind::Inside);
     }
-    response.on_hover_cursor(CursorIcon::PointingHand).on_hover_text(name)
+    response
+        .on_hover_cursor(CursorIcon::PointingHand)
+        .on_hover_text(name)
 }

@@ -2,17 +2,16 @@
 
 use egui::Ui;
 
-use crate::{
-    paint::ThemeKind,
-    text::Lang,
-};
+use crate::{paint::ThemeKind, text::Lang};
 
 use super::Look;
 
 /// Languages by their own names; the one that was chosen.
 pub fn language_menu(ui: &mut Ui, current: Lang) -> Option<Lang> {
     Lang::ALL.into_iter().find(|&lang| {
-        let chosen = ui.selectable_label(lang == current, lang.native_name()).clicked();
+        let chosen = ui
+            .selectable_label(lang == current, lang.native_name())
+            .clicked();
         if chosen {
             ui.close();
         }

@@ -1,33 +1,19 @@
 //! A method's pseudocode, with the line of this step.
 
-use egui::{FontId, Rect, RichText, Sense, TextStyle, Ui, WidgetInfo, Role, pos2, text::{LayoutJob, TextFormat}, vec2};
-use serde::{Deserialize, Serialize};
+use crate::lesson::CodeView;
+use egui::{
+    FontId, Rect, RichText, Role, Sense, TextStyle, Ui, WidgetInfo, pos2,
+    text::{LayoutJob, TextFormat},
+    vec2,
+};
 
 use super::Look;
 
-/// How much of the code is shown.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum CodeView {
-    /// As code.
-    #[default]
-    Full,
-    /// In words.
-    Words,
-    /// Not at all, so that a class can be asked first.
-    Hidden,
-}
-
-impl CodeView {
-    /// Every way, in the order of a switch.
-    pub const ALL: [Self; 3] = [Self::Full, Self::Words, Self::Hidden];
-
-    const fn key(self) -> &'static str {
-        match self {
-            Self::Full => "pseudocode-full",
-            Self::Words => "pseudocode-words",
-            Self::Hidden => "pseudocode-hidden",
-        }
+const fn key(view: CodeView) -> &'static str {
+    match view {
+        CodeView::Full => "pseudocode-full",
+        CodeView::Words => "pseudocode-words",
+        CodeView::Hidden => "pseudocode-hidden",
     }
 }
 
@@ -47,10 +33,16 @@ pub fn code_view_switch(ui: &mut Ui, look: Look<'_>, current: CodeView) -> Optio
     // Right to left, as the row is aligned to the right.
     for view in CodeView::ALL.into_iter().rev() {
         let is_current = view == current;
-        let colour = if is_current { look.theme.accent } else { look.theme.soft };
-        let text = RichText::new(look.say(view.key())).small().color(colour);
+        let colour = if is_current {
+            look.theme.accent
+        } else {
+            look.theme.soft
+        };
+        let text = RichText::new(look.say(key(view))).small().color(colour);
         let response = ui.add(egui::Button::new(text).frame(false).small());
-        response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_current, look.say(view.key())));
+        response.widget_info(|| {
+            WidgetInfo::selected(Role::RadioButton, true, is_current, look.say(key(view)))
+        });
         if response.clicked() {
             chosen = Some(view);
         }
@@ -60,12 +52,22 @@ pub fn code_view_switch(ui: &mut Ui, look: Look<'_>, current: CodeView) -> Optio
 
 /// The lines, the current one on a wash with a bar at its left. Returns whether the pointer is on the
 /// current line: it is about what this step is about.
-pub fn pseudocode(ui: &mut Ui, look: Look<'_>, lines: &[CodeLine], view: CodeView, current: Option<usize>) -> bool {
+pub fn pseudocode(
+    ui: &mut Ui,
+    look: Look<'_>,
+    lines: &[CodeLine],
+    view: CodeView,
+    current: Option<usize>,
+) -> bool {
     if view == CodeView::Hidden {
         ui.label(RichText::new(look.say("pseudocode-hidden-note")).color(look.theme.soft));
         return false;
     }
-    let style = if view == CodeView::Full { TextStyle::Monospace } else { TextStyle::Body };
+    let style = if view == CodeView::Full {
+        TextStyle::Monospace
+    } else {
+        TextStyle::Body
+    };
     let font = style.resolve(ui.style());
     ui.spacing_mut().item_spacing.y = 0.0;
     let mut pointed = false;
@@ -81,10 +83,8 @@ fn row(ui: &mut Ui, look: Look<'_>, line: &CodeLine, font: &FontId, is_current: 
     let indent = 4.0 + 14.0 * line.depth as f32;
     let width = ui.available_width();
     // A line that is too long goes on under its own start, a little further in.
-    let mut job = LayoutJob::single_section(
-        line.text.clone(),
-        TextFormat::simple(font.clone(), colour),
-    );
+    let mut job =
+        LayoutJob::single_section(line.text.clone(), TextFormat::simple(font.clone(), colour));
     job.wrap.max_width = (width - indent - 4.0).max(48.0);
     let galley = ui.fonts_mut(|fonts| fonts.layout_job(job));
     let height = galley.size().y.max(font.size * 1.2) + 4.0;
@@ -96,7 +96,10 @@ fn row(ui: &mut Ui, look: Look<'_>, line: &CodeLine, font: &FontId, is_current: 
         let bar = Rect::from_min_size(wash.min, vec2(3.0, wash.height()));
         ui.painter().rect_filled(bar, 0.0, theme.accent);
     }
-    let at = pos2(rect.left() + indent, rect.center().y - 0.5 * galley.size().y);
+    let at = pos2(
+        rect.left() + indent,
+        rect.center().y - 0.5 * galley.size().y,
+    );
     ui.painter().galley(at, galley, colour);
     is_current && response.hovered()
 }

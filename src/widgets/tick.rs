@@ -16,7 +16,15 @@ pub enum When {
 }
 
 /// Draws a tick; `size` is 1 where there is room, less in a crowd. `surface` shows through hollow ticks.
-pub fn draw(painter: &Painter, at: Pos2, tick: Tick, when: When, size: f32, theme: &Theme, surface: Color32) {
+pub fn draw(
+    painter: &Painter,
+    at: Pos2,
+    tick: Tick,
+    when: When,
+    size: f32,
+    theme: &Theme,
+    surface: Color32,
+) {
     let colour = match (when, tick) {
         (When::Now, _) => theme.signal,
         (When::Past, _) => theme.accent,
@@ -57,14 +65,28 @@ pub fn draw(painter: &Painter, at: Pos2, tick: Tick, when: When, size: f32, them
 }
 
 /// A square with a check mark; green once it has happened.
-fn accept(painter: &Painter, at: Pos2, r: f32, when: When, stroke: Stroke, theme: &Theme, surface: Color32) {
+fn accept(
+    painter: &Painter,
+    at: Pos2,
+    r: f32,
+    when: When,
+    stroke: Stroke,
+    theme: &Theme,
+    surface: Color32,
+) {
     let square = Rect::from_center_size(at, Vec2::splat(2.0 * r));
     if when == When::Future {
         painter.rect(square, 2.5, surface, stroke, StrokeKind::Middle);
         return;
     }
     let fill = theme.accepted;
-    painter.rect(square.expand(1.0), 2.5, fill, Stroke::NONE, StrokeKind::Middle);
+    painter.rect(
+        square.expand(1.0),
+        2.5,
+        fill,
+        Stroke::NONE,
+        StrokeKind::Middle,
+    );
     let check = [vec2(-0.5, 0.0), vec2(-0.12, 0.4), vec2(0.55, -0.4)];
     let check = check.map(|v| at + v * r).to_vec();
     painter.add(Shape::line(check, Stroke::new(1.75, surface)));

@@ -1,6 +1,9 @@
 //! The timeline: every event a tick, its shape its kind; dragging scrubs.
 
-use egui::{CursorIcon, Key, Painter, Pos2, Rect, Response, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2};
+use egui::{
+    CursorIcon, Key, Painter, Pos2, Rect, Response, Sense, Stroke, StrokeKind, Ui, WidgetInfo,
+    pos2, vec2,
+};
 
 use crate::figure::Tick;
 
@@ -37,9 +40,7 @@ impl Timeline<'_> {
     pub fn show(self, ui: &mut Ui) -> Option<usize> {
         let size = vec2(ui.available_width().max(48.0), 40.0);
         let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
-        response.widget_info(|| {
-            WidgetInfo::slider(true, self.position as f64, &self.name).role(Role::Slider)
-        });
+        response.widget_info(|| WidgetInfo::slider(true, self.position as f64, &self.name));
         let track = Track::new(rect, self.n_steps);
         let painter = ui.painter_at(rect.expand(2.0));
         self.draw(&painter, &track);
@@ -86,7 +87,11 @@ impl Timeline<'_> {
         let y = track.rect.center().y.round();
         let here = pos2(track.x(self.position), y);
         let line = |from: f32, to: f32, stroke: Stroke| painter.hline(from..=to, y, stroke);
-        line(track.x(0), track.x(self.n_steps), Stroke::new(2.0, theme.hairline));
+        line(
+            track.x(0),
+            track.x(self.n_steps),
+            Stroke::new(2.0, theme.hairline),
+        );
         line(track.x(0), here.x, Stroke::new(2.0, theme.accent));
         if track.gap() < CROWD_PTS {
             painter.circle(here, 6.0, theme.signal, Stroke::new(2.0, theme.panel));
@@ -99,9 +104,17 @@ impl Timeline<'_> {
             painter.circle_stroke(here, 8.0, Stroke::new(1.5, theme.signal));
         }
         let size = (track.gap() / ROOM_PTS).clamp(0.45, 1.0);
-        let mut each = |step: usize, when: When| {
+        let each = |step: usize, when: When| {
             let at = Pos2::new(track.x(step), y);
-            tick::draw(painter, at, (self.tick)(step), when, size, theme, theme.panel);
+            tick::draw(
+                painter,
+                at,
+                (self.tick)(step),
+                when,
+                size,
+                theme,
+                theme.panel,
+            );
         };
         for step in 1..=self.n_steps {
             match step.cmp(&self.position) {
@@ -155,7 +168,10 @@ mod tests {
             let track = Track::new(rect, n_steps);
             for step in [0, 1, n_steps / 2, n_steps] {
                 let found = track.step_at(pos2(track.x(step), 20.0));
-                assert!(found.abs_diff(step) <= n_steps / 10_000, "{step} of {n_steps}: {found}");
+                assert!(
+                    found.abs_diff(step) <= n_steps / 10_000,
+                    "{step} of {n_steps}: {found}"
+                );
             }
         }
     }

@@ -2,7 +2,10 @@
 
 use egui::Ui;
 
-use crate::{text::{Message, Value}, trace::Transport};
+use crate::{
+    text::{Message, Value},
+    trace::Transport,
+};
 
 use super::{
     Icon, Look,
@@ -49,7 +52,13 @@ pub fn transport_buttons(ui: &mut Ui, look: Look<'_>, transport: &Transport) -> 
         (Icon::Play, "transport-play")
     };
     let play = disc_button(ui, look, icon, &look.say(key)).clicked();
-    quiet(ui, Icon::Forward, "transport-forward", !at_end, Press::Forward);
+    quiet(
+        ui,
+        Icon::Forward,
+        "transport-forward",
+        !at_end,
+        Press::Forward,
+    );
     quiet(ui, Icon::Last, "transport-last", !at_end, Press::Last);
     if play { Some(Press::Play) } else { pressed }
 }
@@ -60,7 +69,10 @@ pub fn speed_menu(ui: &mut Ui, look: Look<'_>, speed: f32) -> Option<f32> {
     let mut chosen = None;
     let button = ui.menu_button(written(speed), |ui| {
         for choice in Transport::SPEEDS {
-            if ui.selectable_label(choice == speed, written(choice)).clicked() {
+            if ui
+                .selectable_label(choice == speed, written(choice))
+                .clicked()
+            {
                 chosen = Some(choice);
                 ui.close();
             }

@@ -28,7 +28,9 @@ pub fn watch(ui: &mut Ui, look: Look<'_>, watch: &Watch, lit: Option<Link>) -> O
             table.header(ui, section, &columns);
         }
         for row in &section.rows {
-            pointed = table.row(ui, row, &columns, !section.header.is_empty()).or(pointed);
+            pointed = table
+                .row(ui, row, &columns, !section.header.is_empty())
+                .or(pointed);
         }
     }
     pointed
@@ -60,14 +62,27 @@ impl<'a> Table<'a> {
 
     fn width(&self, ui: &Ui, text: &str) -> f32 {
         let colour = Color32::PLACEHOLDER;
-        ui.fonts_mut(|fonts| fonts.layout_no_wrap(text.to_owned(), self.mono.clone(), colour).size().x)
+        ui.fonts_mut(|fonts| {
+            fonts
+                .layout_no_wrap(text.to_owned(), self.mono.clone(), colour)
+                .size()
+                .x
+        })
     }
 
     /// Offsets of the value columns from the left of the row.
     fn columns(&self, ui: &Ui, section: &WatchSection) -> Vec<f32> {
-        let names = section.rows.iter().map(|row| self.width(ui, &self.words(&row.name)));
+        let names = section
+            .rows
+            .iter()
+            .map(|row| self.width(ui, &self.words(&row.name)));
         let first = DOT_ROOM + 12.0 + names.fold(NAME_WIDTH - 12.0, f32::max);
-        let n_columns = section.rows.iter().map(|row| row.cells.len()).max().unwrap_or(1);
+        let n_columns = section
+            .rows
+            .iter()
+            .map(|row| row.cells.len())
+            .max()
+            .unwrap_or(1);
         let step = ((ui.available_width() - first) / n_columns.max(1) as f32).max(24.0);
         (0..n_columns).map(|i| first + i as f32 * step).collect()
     }
@@ -79,7 +94,13 @@ impl<'a> Table<'a> {
         let skip = section.header.len().saturating_sub(columns.len());
         if skip == 1 {
             let at = pos2(rect.left() + DOT_ROOM, rect.center().y);
-            self.text(ui, at, Align2::LEFT_CENTER, section.header[0], self.look.theme.faint);
+            self.text(
+                ui,
+                at,
+                Align2::LEFT_CENTER,
+                section.header[0],
+                self.look.theme.faint,
+            );
         }
         for (title, x) in section.header[skip..].iter().zip(columns) {
             let at = pos2(rect.left() + x, rect.center().y);
@@ -88,7 +109,8 @@ impl<'a> Table<'a> {
     }
 
     fn text(&self, ui: &Ui, at: egui::Pos2, align: Align2, text: &str, colour: Color32) -> Rect {
-        ui.painter().text(at, align, text, self.mono.clone(), colour)
+        ui.painter()
+            .text(at, align, text, self.mono.clone(), colour)
     }
 
     fn row(&self, ui: &mut Ui, row: &WatchRow, columns: &[f32], is_table: bool) -> Option<Link> {
@@ -97,15 +119,23 @@ impl<'a> Table<'a> {
         let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
         response.widget_info(|| WidgetInfo::labeled(Role::Label, true, self.spoken(row)));
         if row.link.is_some() && (response.hovered() || row.link == self.lit) {
-            ui.painter().rect_filled(rect.expand2(vec2(8.0, 0.0)), 0.0, theme.accent_wash);
+            ui.painter()
+                .rect_filled(rect.expand2(vec2(8.0, 0.0)), 0.0, theme.accent_wash);
         }
         let y = rect.center().y;
         let value_colour = if row.changed { theme.signal } else { theme.ink };
         if row.changed {
-            ui.painter().circle_filled(pos2(rect.left() + 1.0, y), 2.5, theme.signal);
+            ui.painter()
+                .circle_filled(pos2(rect.left() + 1.0, y), 2.5, theme.signal);
         }
         let at = |x: f32| pos2(rect.left() + x, y);
-        self.text(ui, at(DOT_ROOM), Align2::LEFT_CENTER, &self.words(&row.name), theme.soft);
+        self.text(
+            ui,
+            at(DOT_ROOM),
+            Align2::LEFT_CENTER,
+            &self.words(&row.name),
+            theme.soft,
+        );
         let mut end = rect.left();
         for (cell, x) in row.cells.iter().zip(columns) {
             let (text, colour) = match cell {
@@ -113,7 +143,9 @@ impl<'a> Table<'a> {
                 None if is_table => (String::new(), theme.faint),
                 None => ("–".to_owned(), theme.faint),
             };
-            end = self.text(ui, at(*x), Align2::LEFT_CENTER, &text, colour).right();
+            end = self
+                .text(ui, at(*x), Align2::LEFT_CENTER, &text, colour)
+                .right();
         }
         if let Some(note) = &row.note {
             self.note(ui, rect, end, &self.words(note));
@@ -124,8 +156,12 @@ impl<'a> Table<'a> {
     /// At the right end of a row, where there is room; else left out, as it only explains.
     fn note(&self, ui: &Ui, rect: Rect, end: f32, note: &str) {
         let colour = self.look.theme.soft;
-        let galley = ui.fonts_mut(|fonts| fonts.layout_no_wrap(note.to_owned(), self.small.clone(), colour));
-        let at = pos2(rect.right() - galley.size().x, rect.center().y - 0.5 * galley.size().y);
+        let galley =
+            ui.fonts_mut(|fonts| fonts.layout_no_wrap(note.to_owned(), self.small.clone(), colour));
+        let at = pos2(
+            rect.right() - galley.size().x,
+            rect.center().y - 0.5 * galley.size().y,
+        );
         if at.x >= end + 8.0 {
             ui.painter().galley(at, galley, colour);
         }
@@ -133,7 +169,10 @@ impl<'a> Table<'a> {
 
     fn spoken(&self, row: &WatchRow) -> String {
         let cells = row.cells.iter().flatten().chain(&row.note);
-        let words: Vec<String> = std::iter::once(&row.name).chain(cells).map(|value| self.words(value)).collect();
+        let words: Vec<String> = std::iter::once(&row.name)
+            .chain(cells)
+            .map(|value| self.words(value))
+            .collect();
         words.join(" ")
     }
 }
