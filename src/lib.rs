@@ -20,3 +20,9 @@ pub mod paint;
 
 #[cfg(feature = "gui")]
 pub mod widgets;
+
+#[cfg(feature = "gui")]
+pub mod panels;
+
+#[cfg(feature = "gui")]
+pub mod app;

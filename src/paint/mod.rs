@@ -1,6 +1,7 @@
 //! How things look: the theme, the fonts, and a painter that needs no display.
 
 mod cpu;
+mod crowd;
 pub mod fonts;
 mod headless;
 mod image;
@@ -12,6 +13,7 @@ mod triangle;
 mod viewport;
 
 pub use cpu::CpuPainter;
+pub use crowd::crowd;
 pub use headless::Headless;
 pub use image::Image;
 pub use stage::stage;

@@ -5,7 +5,7 @@ use std::fmt;
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 
-use crate::{algo::line, figure::Run, geom::Segment};
+use crate::{algo::line, figure::Run, geom::Segment, trace::silent};
 
 use super::{Demo, Scene, demo::record};
 
@@ -22,6 +22,8 @@ pub struct MethodInfo {
     /// Can it clip against any convex polygon?
     pub takes_polygon: bool,
     record: fn(&Scene, Segment) -> Box<dyn Run>,
+    clip: fn(&Scene, Segment) -> line::Visible,
+    pass: fn(&Scene, &[Segment]) -> Box<dyn FnMut() -> usize>,
 }
 
 /// One line of pseudocode.
@@ -48,7 +50,18 @@ const fn info<A: Demo>() -> MethodInfo {
         code: A::CODE,
         takes_polygon: A::TAKES_POLYGON,
         record: record::<A>,
+        clip: |scene, segment| silent::<A>(&A::input(scene, segment)),
+        pass: pass::<A>,
     }
+}
+
+/// Inputs are made beforehand: only the clipping itself is left to measure.
+fn pass<A: Demo>(scene: &Scene, segments: &[Segment]) -> Box<dyn FnMut() -> usize> {
+    let inputs: Vec<A::Input> = segments
+        .iter()
+        .map(|&segment| A::input(scene, segment))
+        .collect();
+    Box::new(move || inputs.iter().filter_map(silent::<A>).count())
 }
 
 /// Every method, in the order in which they are taught.
@@ -84,6 +97,18 @@ impl Method {
     #[must_use]
     pub fn record(self, scene: &Scene, segment: Segment) -> Box<dyn Run> {
         (self.info().record)(scene, segment)
+    }
+
+    /// The visible part of one segment, and nothing else.
+    #[must_use]
+    pub fn clip(self, scene: &Scene, segment: Segment) -> line::Visible {
+        (self.info().clip)(scene, segment)
+    }
+
+    /// Clips all `segments` silently each time it is called; the number of those that are visible.
+    #[must_use]
+    pub fn pass(self, scene: &Scene, segments: &[Segment]) -> Box<dyn FnMut() -> usize> {
+        (self.info().pass)(scene, segments)
     }
 }
 
