@@ -86,3 +86,35 @@ words-lb-enter = p < 0: the line comes in here. It cannot be visible before q/p.
 words-lb-leave = p > 0: the line goes out here. It cannot be visible after q/p.
 words-lb-empty = If the interval is empty, nothing is visible.
 words-lb-accept = Otherwise the interval’s two ends are the visible part’s.
+
+## Handles, by name
+
+handle-end = { $end }
+handle-segment = the segment
+handle-window = the window
+handle-side = the { $edge }
+handle-corner-bottom-left = the bottom left corner
+handle-corner-bottom-right = the bottom right corner
+handle-corner-top-left = the top left corner
+handle-corner-top-right = the top right corner
+handle-vertex = vertex { $number }
+
+## The scene
+
+action-add-segment = Add a segment
+action-remove-segment = Remove the segment
+batch-title = Random segments
+batch-count = How many
+batch-seed = Seed
+batch-make = Replace all segments
+
+## Costs, measured
+
+cost-measure = Measure on this machine…
+measure-title = What a segment costs
+measure-about = Every method clips the same random segments, here and now.
+measure-start = Measure
+measure-again = Measure again
+measure-nanos = Nanoseconds
+measure-operations = Operations
+measure-note = For one segment, on average over { $count }. Time is that of the fastest of five passes.
