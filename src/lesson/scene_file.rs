@@ -57,7 +57,11 @@ pub(super) fn with_toml<'s, T>(
         return None;
     }
     let (table, errors) = DeTable::parse_recoverable(&sink.source().text);
-    for error in &errors {
+    for (i, error) in errors.iter().enumerate() {
+        // After a broken header the parser takes the tables that follow for each other.
+        if i > 0 && error.message().starts_with("duplicate key") {
+            continue;
+        }
         let end = sink.source().text.len();
         let message = Message::new("problem-toml").with("reason", error.message().to_owned());
         sink.error(error.span().unwrap_or(end..end), message, []);
