@@ -52,10 +52,12 @@ const fn info<A: Demo>() -> MethodInfo {
 }
 
 /// Every method, in the order in which they are taught.
-pub static METHODS: [MethodInfo; 3] = [
+pub static METHODS: [MethodInfo; 5] = [
     info::<line::BruteForce>(),
     info::<line::CohenSutherland>(),
     info::<line::LiangBarsky>(),
+    info::<line::CyrusBeck>(),
+    info::<line::NichollLeeNicholl>(),
 ];
 
 /// One of [`METHODS`].
