@@ -13,5 +13,7 @@ pub mod figure;
 
 pub mod labs;
 
+pub mod lesson;
+
 #[cfg(feature = "gui")]
 pub mod paint;
