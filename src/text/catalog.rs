@@ -146,7 +146,7 @@ impl Catalog {
     fn resolve(&self, key: &str, args: &[(&'static str, Value)]) -> String {
         let args: FluentArgs<'_> = args
             .iter()
-            .map(|(name, value)| (*name, self.value(value)))
+            .map(|(name, value)| (*name, self.argument(value)))
             .collect();
         self.format(key, &args)
             .or_else(|| Self::of(Lang::En).format(key, &args))
@@ -161,17 +161,25 @@ impl Catalog {
         Some(errors.iter().fold(text.into_owned(), show_error))
     }
 
-    fn value(&self, value: &Value) -> FluentValue<'static> {
-        let text = match value {
-            Value::Count(n) => return FluentValue::from(*n),
+    fn argument(&self, value: &Value) -> FluentValue<'static> {
+        match value {
+            Value::Count(n) => FluentValue::from(*n),
+            other => FluentValue::String(Cow::Owned(self.value(other))),
+        }
+    }
+
+    /// A value as it stands alone: in a table, beside a mark.
+    #[must_use]
+    pub fn value(&self, value: &Value) -> String {
+        match value {
+            Value::Count(n) => n.to_string(),
             Value::Number(x) => self.number(*x),
             Value::Ratio { num, den } => self.ratio(*num, *den),
             Value::Point(p) => self.point(*p),
             Value::Name(name) => name.clone(),
             Value::Term(key) => self.term(key),
             Value::Formula(formula) => self.formula(formula),
-        };
-        FluentValue::String(Cow::Owned(text))
+        }
     }
 
     fn token<'a>(&self, token: &'a Token) -> Cow<'a, str> {
@@ -181,6 +189,10 @@ impl Catalog {
             Token::Number(x) | Token::Operand(x) => self.number(*x),
             Token::Ratio { num, den } => self.ratio(*num, *den),
             Token::Point(p) => self.point(*p),
+            Token::List(numbers) => {
+                let shown: Vec<String> = numbers.iter().map(|&x| self.number(x)).collect();
+                shown.join(self.lang.list_separator())
+            }
             Token::Term(key) => self.term(key),
             Token::Equals(x) if Self::is_exact(*x) => format!("= {}", self.number(*x)),
             Token::Equals(x) => format!("≈ {}", self.number(*x)),

@@ -133,6 +133,9 @@ impl Demo for BruteForce {
                 continue;
             };
             let used = step.state.ends.contains(&at);
+            if used && step.state.verdict.is_some() {
+                continue;
+            }
             marks.push(if Some(edge) == current && step.state.verdict.is_none() {
                 crossing_mark(at, "t", u).linked(edge_link(edge))
             } else if used {
