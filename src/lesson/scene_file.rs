@@ -240,7 +240,7 @@ fn listed(item: &Item<'_>, most: usize, sink: &mut Sink<'_>) -> Option<Vec<Segme
         return None;
     }
     // One segment without its list is a slip worth a word of its own.
-    if items.iter().all(|item| number_like(item)) {
+    if items.iter().all(number_like) {
         wrong_type(&items[0], "expect-segments", sink);
         return None;
     }

@@ -110,6 +110,7 @@ expect-moment-number = Expected: a number from 1 after “#”.
 expect-locks = Expected: a list of the handles that are locked, such as ["window"].
 expect-title = Expected: “# Title of the lesson” in the first line.
 expect-heading = Expected: a heading “## id: Title” for each step, with its text below.
+expect-section = Expected: “## { $name }: Title” after this, with its text below.
 expect-markdown = Expected: paragraphs, **bold**, *italics*, `code`, lists, code blocks, and a block quote for an answer.
 expect-emphasis = Expected: **bold**, with no space inside the asterisks; next to a Chinese character, move punctuation outside them.
 

@@ -110,6 +110,7 @@ expect-moment-number = Se esperaba: un número a partir de 1 después de «#».
 expect-locks = Se esperaba: una lista de los tiradores bloqueados, como ["window"].
 expect-title = Se esperaba: «# Título de la lección» en la primera línea.
 expect-heading = Se esperaba: un encabezado «## id: Título» para cada paso, con su texto debajo.
+expect-section = Se esperaba: «## { $name }: Título» a continuación, con su texto debajo.
 expect-markdown = Se esperaba: párrafos, **negrita**, *cursiva*, `código`, listas, bloques de código y una cita para la respuesta.
 expect-emphasis = Se esperaba: **negrita**, sin espacios por dentro de los asteriscos; junto a un carácter chino, con la puntuación fuera.
 

@@ -110,6 +110,7 @@ expect-moment-number = Esperado: um número a partir de 1 depois de “#”.
 expect-locks = Esperado: uma lista das alças bloqueadas, como ["window"].
 expect-title = Esperado: “# Título da lição” na primeira linha.
 expect-heading = Esperado: um cabeçalho “## id: Título” para cada passo, com seu texto abaixo.
+expect-section = Esperado: “## { $name }: Título” a seguir, com seu texto abaixo.
 expect-markdown = Esperado: parágrafos, **negrito**, *itálico*, `código`, listas, blocos de código e uma citação para a resposta.
 expect-emphasis = Esperado: **negrito**, sem espaços por dentro dos asteriscos; ao lado de um caractere chinês, com a pontuação fora.
 

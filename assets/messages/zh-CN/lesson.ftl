@@ -98,6 +98,7 @@ expect-moment-number = 应为：“#”之后为从 1 起的整数。
 expect-locks = 应为：被锁定的控制柄的列表，例如 ["window"]。
 expect-title = 应为：第一行为“# 本课标题”。
 expect-heading = 应为：每一步有一个标题“## id: 标题”，正文在其下。
+expect-section = 应为：此后有“## { $name }: 标题”，正文在其下。
 expect-markdown = 应为：段落、**加粗**、*斜体*、`代码`、列表、代码块，以及表示答案的引用块。
 expect-emphasis = 应为：**加粗**，星号内侧不留空格；若紧邻汉字，请将标点移到星号之外。
 
