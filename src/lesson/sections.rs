@@ -1,14 +1,13 @@
 //! A language's text of a lesson: its title, and one section for each step.
 
-use std::ops::Range;
+use std::{collections::BTreeMap, ops::Range};
 
 use crate::text::Message;
 
 use super::{
     course::{LessonText, StepText},
     markdown::{self, Block, Part},
-    nearest::nearest,
-    sink::Sink,
+    sink::{Sink, clipped},
     toml_fields::suggestion,
 };
 
@@ -39,7 +38,7 @@ pub(super) fn read(ids: Option<&[String]>, sink: &mut Sink<'_>) -> Option<Lesson
         return None;
     };
     for section in file.sections.iter().filter(|s| s.body.is_empty()) {
-        let message = Message::new("problem-empty-section").with("name", section.id.clone());
+        let message = Message::new("problem-empty-section").with("name", clipped(&section.id));
         sink.error(section.span.clone(), message, []);
     }
     let steps = in_order(ids?, file.sections, title_span, sink);
@@ -115,12 +114,13 @@ fn in_order(
     sink: &mut Sink<'_>,
 ) -> Vec<StepText> {
     let names: Vec<&str> = ids.iter().map(String::as_str).collect();
+    let index: BTreeMap<&str, usize> = names.iter().copied().zip(0..).collect();
     let mut slots: Vec<Option<Section>> = ids.iter().map(|_| None).collect();
     for section in sections {
-        let message = |key| Message::new(key).with("name", section.id.clone());
-        let Some(i) = ids.iter().position(|id| *id == section.id) else {
-            let unused = names.iter().copied();
-            let notes = suggestion(nearest(&section.id, unused), &names);
+        let message = |key| Message::new(key).with("name", clipped(&section.id));
+        let Some(&i) = index.get(&*section.id) else {
+            let meant = sink.nearest(&section.id, names.iter().copied());
+            let notes = suggestion(meant, &names);
             sink.error(section.span.clone(), message("problem-unknown-step"), notes);
             continue;
         };
@@ -146,8 +146,8 @@ fn in_order(
                 body: section.body,
             });
         } else {
-            let message = Message::new("problem-missing-section").with("name", id.clone());
-            let heading = Message::new("expect-section").with("name", id.clone());
+            let message = Message::new("problem-missing-section").with("name", clipped(id));
+            let heading = Message::new("expect-section").with("name", clipped(id));
             sink.error(before.clone(), message, [heading]);
         }
     }

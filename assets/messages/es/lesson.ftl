@@ -25,6 +25,11 @@ lesson-warning = aviso
 ## What is wrong with a lesson file; the last part of the key is the problem’s code
 
 problem-toml = Esto no es TOML válido: { $reason }.
+problem-toml-duplicate = Este nombre aparece dos veces.
+problem-toml-value = Esto no es un valor.
+problem-toml-no-value = Faltan «=» y un valor después del nombre.
+problem-toml-name = Un nombre no puede tener este carácter.
+problem-toml-unclosed = Falta { $closer } para cerrar.
 problem-not-utf8 = El archivo no es texto UTF-8: el byte { $byte } no puede estar aquí.
 problem-unreadable = No se puede leer el archivo: { $reason }.
 problem-file-too-large = El archivo supera los { $limit } MiB.
@@ -89,6 +94,8 @@ problem-more =
 
 expect-did-you-mean = ¿Querías decir «{ $name }»?
 expect-one-of = Se esperaba: uno de { $names }.
+expect-toml-value = Se esperaba: texto entre comillas rectas "", un número, true o false, o una lista con comas entre sus valores.
+expect-toml-name = Se esperaba: las letras a–z y A–Z, cifras, «-» y «_».
 expect-utf8 = Se esperaba: texto guardado como UTF-8.
 expect-lesson-folder = Se esperaba: una carpeta con lesson.toml y en.md, o una carpeta de carpetas así.
 expect-text = Se esperaba: texto entre comillas.

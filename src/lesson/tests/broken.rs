@@ -4,140 +4,159 @@ use crate::text::{Catalog, Lang};
 
 use super::*;
 
+const WINDOW: &str = "window = [-1, -1, 1, 1]";
+const SEGMENTS: &str = "segments = [[-2, -1, 2, 1.5], [0, 0, 1, 1]]";
+
+/// What is replaced in the lesson, by what, and the place and code of the one problem.
+const BROKEN: &[(&str, &str, &str)] = &[
+    ("lab =", "lba =", "1:1 unknown-field"),
+    ("lab = \"lines\"\n", "", "1:1 missing-field"),
+    ("\"lines\"", "\"line\"", "1:7 unknown-lab"),
+    ("\"lines\"", "7", "1:7 wrong-type"),
+    (
+        "source = \"D. Cohen and I. Sutherland, 1967\"\n",
+        "",
+        "1:1 missing-field",
+    ),
+    (
+        "\"D. Cohen and I. Sutherland, 1967\"",
+        "\" \"",
+        "2:10 empty-text",
+    ),
+    (
+        "\"cohen-sutherland\"",
+        "\"cohen-suterland\"",
+        "5:10 unknown-method",
+    ),
+    ("method = \"cohen-sutherland\"\n", "", "4:1 missing-field"),
+    (WINDOW, "windw = [-1, -1, 1, 1]", "6:1 unknown-field"),
+    (WINDOW, "window = [-1, -1, 1]", "6:10 wrong-length"),
+    (WINDOW, "window = [-1, -1, 1, inf]", "6:22 not-finite"),
+    (WINDOW, "window = [-1, -1, 1, 1e999]", "6:22 not-finite"),
+    (WINDOW, "window = [-1, nan, 1, 1]", "6:15 not-finite"),
+    (WINDOW, "window = [-1, \"a\", 1, 1]", "6:15 wrong-type"),
+    (WINDOW, "window = [1, -1, -1, 1]", "6:11 empty-window-x"),
+    (WINDOW, "window = [-1, 1, 1, 1]", "6:15 empty-window-y"),
+    (
+        WINDOW,
+        "window = [-1, -1, 1, 1]\nclip = [[0, 0], [2, 0]]",
+        "7:8 degenerate",
+    ),
+    (
+        WINDOW,
+        "window = [-1, -1, 1, 1]\nclip = [[0, 0], [1, 0], [1, 0], [0, 1]]",
+        "7:25 degenerate",
+    ),
+    (
+        WINDOW,
+        "window = [-1, -1, 1, 1]\nclip = [[0, 0], [4, 0], [1, 1], [0, 4]]",
+        "7:25 not-convex",
+    ),
+    (
+        WINDOW,
+        "window = [-1, -1, 1, 1]\nclip = [[0, 0], [4, 0], [1]]",
+        "7:25 wrong-length",
+    ),
+    (
+        WINDOW,
+        "window = [-1, -1, 1, 1]\nclip = [[0, 3], [2, -3], [-3, 1], [3, 1], [-2, -3]]",
+        "7:35 self-intersecting",
+    ),
+    (SEGMENTS, "segments = []", "7:12 no-segments"),
+    (SEGMENTS, "segments = [-2, -1, 2, 1.5]", "7:13 wrong-type"),
+    (SEGMENTS, "segments = [[-2, -1, 2]]", "7:13 wrong-length"),
+    (SEGMENTS, "", "4:1 missing-field"),
+    (
+        SEGMENTS,
+        "random = { count = 0, seed = 7 }",
+        "7:20 out-of-range",
+    ),
+    (
+        SEGMENTS,
+        "random = { count = 2000000, seed = 7 }",
+        "7:20 out-of-range",
+    ),
+    (SEGMENTS, "random = { count = 5 }", "7:10 missing-field"),
+    (
+        SEGMENTS,
+        "random = { count = 5, seed = -1 }",
+        "7:30 out-of-range",
+    ),
+    (
+        SEGMENTS,
+        "segments = [[0, 0, 1, 1]]\nrandom = { count = 5, seed = 1 }",
+        "8:10 two-kinds-of-segments",
+    ),
+    (
+        SEGMENTS,
+        "segments = [[0, 0, 1, 1]]\nfocus = 1",
+        "8:9 no-such-focus",
+    ),
+    (
+        SEGMENTS,
+        "segments = [[0, 0, 1, 1]]\nfocus = 0.5",
+        "8:9 wrong-type",
+    ),
+    (
+        SEGMENTS,
+        "segments = [[0, 0, 1, 1]]\nbit_order = \"tblr\"",
+        "8:13 unknown-value",
+    ),
+    (
+        SEGMENTS,
+        "segments = [[0, 0, 1, 1]]\ncompare = \"brute\"",
+        "8:11 unknown-method",
+    ),
+    ("id = \"second\"", "id = \"first\"", "15:6 duplicate-step"),
+    (
+        "id = \"second\"",
+        "id = \"Second step\"",
+        "15:6 bad-step-id",
+    ),
+    ("id = \"second\"\n", "", "14:1 missing-field"),
+    (
+        "scene = \"practice\"",
+        "scene = \"practise\"",
+        "11:9 unknown-scene",
+    ),
+    ("scene = \"practice\"", "", "9:1 missing-field"),
+    (
+        "figure = \"one\"",
+        "figure = \"../one\"",
+        "12:10 bad-figure",
+    ),
+    (
+        "at = \"end\"",
+        "at = \"cut top\"",
+        "16:6 moment-never-happens",
+    ),
+    ("at = \"end\"", "at = \"cut #0\"", "16:6 bad-moment"),
+    ("at = \"end\"", "figure = \"one\"", "16:10 duplicate-figure"),
+    (
+        "[\"window\"]",
+        "[\"p1\", \"windows\"]",
+        "17:15 unknown-lock",
+    ),
+    ("[\"window\"]", "\"window\"", "17:8 wrong-type"),
+    ("\"words\"", "\"none\"", "18:8 unknown-value"),
+    ("lab = \"lines\"", "lab = ", "1:7 toml-value"),
+    (
+        "\"lines\"",
+        "\"lines\"\nlab = \"lines\"",
+        "2:1 toml-duplicate",
+    ),
+    (
+        "[scenes.practice]",
+        "[scenes.practice",
+        "4:17 toml-unclosed",
+    ),
+];
+
 #[test]
 fn every_mistake_in_a_lesson_file_has_its_place() {
-    let window = "window = [-1, -1, 1, 1]";
-    let segments = "segments = [[-2, -1, 2, 1.5], [0, 0, 1, 1]]";
-    let clip = |clip: &str| format!("{window}\nclip = {clip}");
     let mut wrong = Vec::new();
-    for (old, new, expected) in [
-        ("lab =", "lba =", "1:1 unknown-field"),
-        ("lab = \"lines\"\n", "", "1:1 missing-field"),
-        ("\"lines\"", "\"line\"", "1:7 unknown-lab"),
-        ("\"lines\"", "7", "1:7 wrong-type"),
-        (
-            "source = \"D. Cohen and I. Sutherland, 1967\"\n",
-            "",
-            "1:1 missing-field",
-        ),
-        (
-            "\"D. Cohen and I. Sutherland, 1967\"",
-            "\" \"",
-            "2:10 empty-text",
-        ),
-        (
-            "\"cohen-sutherland\"",
-            "\"cohen-suterland\"",
-            "5:10 unknown-method",
-        ),
-        ("method = \"cohen-sutherland\"\n", "", "4:1 missing-field"),
-        (window, "windw = [-1, -1, 1, 1]", "6:1 unknown-field"),
-        (window, "window = [-1, -1, 1]", "6:10 wrong-length"),
-        (window, "window = [-1, -1, 1, inf]", "6:22 not-finite"),
-        (window, "window = [-1, -1, 1, 1e999]", "6:22 not-finite"),
-        (window, "window = [-1, nan, 1, 1]", "6:15 not-finite"),
-        (window, "window = [-1, \"a\", 1, 1]", "6:15 wrong-type"),
-        (window, "window = [1, -1, -1, 1]", "6:11 empty-window-x"),
-        (window, "window = [-1, 1, 1, 1]", "6:15 empty-window-y"),
-        (window, &clip("[[0, 0], [2, 0]]"), "7:8 degenerate"),
-        (
-            window,
-            &clip("[[0, 0], [1, 0], [1, 0], [0, 1]]"),
-            "7:25 degenerate",
-        ),
-        (
-            window,
-            &clip("[[0, 0], [4, 0], [1, 1], [0, 4]]"),
-            "7:25 not-convex",
-        ),
-        (window, &clip("[[0, 0], [4, 0], [1]]"), "7:25 wrong-length"),
-        (
-            window,
-            &clip("[[0, 3], [2, -3], [-3, 1], [3, 1], [-2, -3]]"),
-            "7:35 self-intersecting",
-        ),
-        (segments, "segments = []", "7:12 no-segments"),
-        (segments, "segments = [-2, -1, 2, 1.5]", "7:13 wrong-type"),
-        (segments, "segments = [[-2, -1, 2]]", "7:13 wrong-length"),
-        (segments, "", "4:1 missing-field"),
-        (
-            segments,
-            "random = { count = 0, seed = 7 }",
-            "7:20 out-of-range",
-        ),
-        (
-            segments,
-            "random = { count = 2000000, seed = 7 }",
-            "7:20 out-of-range",
-        ),
-        (segments, "random = { count = 5 }", "7:10 missing-field"),
-        (
-            segments,
-            "random = { count = 5, seed = -1 }",
-            "7:30 out-of-range",
-        ),
-        (
-            segments,
-            "segments = [[0, 0, 1, 1]]\nrandom = { count = 5, seed = 1 }",
-            "8:10 two-kinds-of-segments",
-        ),
-        (
-            segments,
-            "segments = [[0, 0, 1, 1]]\nfocus = 1",
-            "8:9 no-such-focus",
-        ),
-        (
-            segments,
-            "segments = [[0, 0, 1, 1]]\nfocus = 0.5",
-            "8:9 wrong-type",
-        ),
-        (
-            segments,
-            "segments = [[0, 0, 1, 1]]\nbit_order = \"tblr\"",
-            "8:13 unknown-value",
-        ),
-        (
-            segments,
-            "segments = [[0, 0, 1, 1]]\ncompare = \"brute\"",
-            "8:11 unknown-method",
-        ),
-        ("id = \"second\"", "id = \"first\"", "15:6 duplicate-step"),
-        (
-            "id = \"second\"",
-            "id = \"Second step\"",
-            "15:6 bad-step-id",
-        ),
-        ("id = \"second\"\n", "", "14:1 missing-field"),
-        (
-            "scene = \"practice\"",
-            "scene = \"practise\"",
-            "11:9 unknown-scene",
-        ),
-        ("scene = \"practice\"", "", "9:1 missing-field"),
-        (
-            "figure = \"one\"",
-            "figure = \"../one\"",
-            "12:10 bad-figure",
-        ),
-        (
-            "at = \"end\"",
-            "at = \"cut top\"",
-            "16:6 moment-never-happens",
-        ),
-        ("at = \"end\"", "at = \"cut #0\"", "16:6 bad-moment"),
-        ("at = \"end\"", "figure = \"one\"", "16:10 duplicate-figure"),
-        (
-            "[\"window\"]",
-            "[\"p1\", \"windows\"]",
-            "17:15 unknown-lock",
-        ),
-        ("[\"window\"]", "\"window\"", "17:8 wrong-type"),
-        ("\"words\"", "\"none\"", "18:8 unknown-value"),
-        ("lab = \"lines\"", "lab = ", "1:7 toml"),
-        ("\"lines\"", "\"lines\"\nlab = \"lines\"", "2:1 toml"),
-        ("[scenes.practice]", "[scenes.practice", "4:17 toml"),
-    ] {
-        let files = lesson(&[(old, new)]);
+    for (old, new, expected) in BROKEN {
+        let files = lesson(&[(*old, *new)]);
         let mut spots = found(&files);
         // A step without an id, or with a bad one, leaves the texts unchecked; a scene that is not found
         // is not used.
@@ -293,4 +312,62 @@ fn a_problem_is_rendered_as_a_compiler_would() {
     let rendered = Course::load(&files).problems[0].render(Catalog::of(Lang::En));
     assert!(rendered.contains("Did you mean “accept"), "{rendered}");
     assert!(rendered.contains("one of start, "), "{rendered}");
+}
+
+#[test]
+fn a_file_that_is_not_toml_is_explained() {
+    for (toml, code) in [
+        ("a = ", "toml-value"),
+        ("a = hello", "toml-value"),
+        ("a = “x”", "toml-value"),
+        ("a = [1 2]", "toml-value"),
+        ("a = [1,, 2]", "toml"),
+        ("a = [1, 2", "toml-unclosed"),
+        ("a = \"x", "toml-unclosed"),
+        ("[a", "toml-unclosed"),
+        ("a", "toml-no-value"),
+        ("é = 1", "toml-name"),
+    ] {
+        let problems = scene_from_toml("a.toml", toml.as_bytes()).expect_err(toml);
+        assert_eq!(problems[0].code(), code, "{toml}");
+        for lang in Lang::ALL {
+            let text = problems[0].render(Catalog::of(lang));
+            assert!(!text.contains('⟦'), "{text}");
+        }
+    }
+}
+
+#[test]
+fn what_a_file_holds_cannot_upset_the_terminal() {
+    let long = "x".repeat(1_000);
+    let toml = format!("\"\\u001b[2J{long}\" = \"\u{7f}\"");
+    for problem in scene_from_toml("a\u{1b}.toml", toml.as_bytes()).expect_err("no scene") {
+        let text = problem.render(Catalog::of(Lang::En));
+        assert!(
+            !text.contains(|c: char| c.is_control() && c != '\n'),
+            "{text:?}"
+        );
+        assert!(
+            text.lines().all(|line| line.chars().count() < 180),
+            "{text}"
+        );
+    }
+}
+
+proptest::proptest! {
+    /// Whatever is typed into a file, it is read or refused.
+    #[test]
+    fn no_edit_makes_it_panic(at in 0..1_000_usize, cut in 0..40_usize, put in "[\\PC\n]{0,12}|[\\[\\]{}=\",.0-9\n#>*`:-]{0,12}") {
+        let edit = |text: &str| {
+            let from = text.floor_char_boundary(at % text.len());
+            let to = text.floor_char_boundary((from + cut).min(text.len()));
+            format!("{}{put}{}", &text[..from], &text[to..])
+        };
+        let loaded = Course::load(&with(&edit(LESSON), &edit(TEXT)));
+        let is_refused = loaded.problems.iter().any(|p| p.severity == Severity::Error);
+        proptest::prop_assert_eq!(loaded.course.lessons.is_empty(), is_refused);
+        for problem in loaded.problems {
+            proptest::prop_assert!(!problem.render(Catalog::of(Lang::En)).is_empty());
+        }
+    }
 }

@@ -209,3 +209,18 @@ fn a_folder_is_read_like_the_embedded_course() {
         1
     );
 }
+
+#[test]
+fn large_files_are_read_in_no_time() {
+    let segments = "[-2, -1, 2, 1.5],\n".repeat(100_000);
+    let files = lesson(&[("[0, 0, 1, 1]]", &format!("{segments}]"))]);
+    let loaded = Course::load(&files);
+    assert_eq!(loaded.problems, []);
+    let scene = &loaded.course.lessons[0].steps[0].scene;
+    assert_eq!(scene.segments().len(), 100_001);
+    assert!(scene_from_toml("a.toml", scene_to_toml(scene).as_bytes()).is_ok());
+    let sections = (0..100_000).map(|i| format!("## s{i}: T\n\nt\n\n"));
+    let sections = sections.collect::<Vec<_>>().concat();
+    let problems = Course::load(&with(LESSON, &format!("{TEXT}{sections}"))).problems;
+    assert_eq!(problems.len(), 4 * 101);
+}
