@@ -12,3 +12,8 @@ pub mod text;
 pub mod figure;
 
 pub mod labs;
+
+pub mod lesson;
+
+#[cfg(feature = "gui")]
+pub mod paint;

@@ -1,11 +1,13 @@
 //! The lines lab: segments against a window, five methods.
 
+mod backdrop;
 mod demo;
 mod handle;
 mod methods;
 mod registry;
 mod scene;
 
+pub use backdrop::{backdrop, bounds};
 pub use demo::Demo;
 pub use handle::{Corner, Handle, Lock};
 pub use registry::{CodeLine, METHODS, Method, MethodInfo};

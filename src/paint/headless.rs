@@ -1,0 +1,162 @@
+//! An interface drawn with no window: export, tests, the command line.
+
+use egui::os::OperatingSystem;
+use egui::{Memory, Pos2, RawInput, Rect, Ui, Vec2, ViewportId};
+
+use super::cpu::CpuPainter;
+use super::fonts;
+use super::image::Image;
+use super::theme::{self, Theme, ThemeKind};
+
+/// Passes at least for one picture: what takes the focus shows it one pass later, unasked.
+const MIN_PASSES: usize = 2;
+/// Passes at most for one picture. A layout that measures itself settles in two or three; what
+/// still asks for another after eight (an animation that never ends) is drawn as it stands.
+const MAX_PASSES: usize = 8;
+/// Seconds between passes. Pictures hold no motion; egui wants its clock to advance.
+const PASS_SECS: f64 = 1.0 / 60.0;
+/// Widest and highest picture, in pixels.
+const MAX_SIDE_PX: f32 = 16_384.0;
+/// Largest font atlas, in texels: room for a lesson in Chinese at four pixels a point.
+const MAX_ATLAS_SIDE: usize = 4096;
+
+/// Draws interfaces and figures into [`Image`]s with the shipped fonts and a theme.
+///
+/// Keep one for many pictures: parsed fonts and drawn glyphs are kept, all else is forgotten
+/// between pictures, so that each has the same bytes as if it were the first.
+pub struct Headless {
+    ctx: egui::Context,
+    painter: CpuPainter,
+    kind: ThemeKind,
+    /// What egui remembered before the first picture.
+    pristine: Memory,
+}
+
+impl Headless {
+    /// A drawing table with a theme.
+    #[must_use]
+    pub fn new(kind: ThemeKind) -> Self {
+        let ctx = egui::Context::default();
+        // Shortcuts are written out differently on a Mac: not in a figure.
+        ctx.set_os(OperatingSystem::Nix);
+        ctx.set_fonts(fonts::definitions());
+        let mut headless = Self {
+            pristine: ctx.memory(Memory::clone),
+            ctx,
+            painter: CpuPainter::new(),
+            kind,
+        };
+        headless.install(kind);
+        // Loads the fonts, and lets egui's first frames pass, which repaint without a reason.
+        headless.run(Vec2::splat(64.0), 1.0, &mut |_| {});
+        headless.pristine = headless.ctx.memory(Memory::clone);
+        headless
+    }
+
+    /// The theme it draws with.
+    #[must_use]
+    pub fn theme(&self) -> &'static Theme {
+        Theme::of(self.kind)
+    }
+
+    /// Changes the theme.
+    pub fn set_theme(&mut self, kind: ThemeKind) {
+        if kind != self.kind {
+            self.ctx
+                .memory_mut(|memory| *memory = self.pristine.clone());
+            self.install(kind);
+            self.pristine = self.ctx.memory(Memory::clone);
+        }
+    }
+
+    /// Draws an interface of `size_pts` points over the theme's background.
+    ///
+    /// The image has `size_pts · pixels_per_point` pixels, rounded. `ui` runs until
+    /// nothing asks for a repaint: twice at least, eight times at most. There is no pointer, no
+    /// keyboard, no animation, and no memory of earlier pictures. Paint callbacks are not drawn.
+    pub fn draw(
+        &mut self,
+        size_pts: Vec2,
+        pixels_per_point: f32,
+        mut ui: impl FnMut(&mut Ui),
+    ) -> Image {
+        let within = |value: f32, least: f32, most: f32| {
+            // `f32::max` also turns what is not a number into the least.
+            value.max(least).min(most)
+        };
+        let pixels_per_point = within(pixels_per_point, 0.125, 16.0);
+        let side = |points: f32| within((points * pixels_per_point).round(), 1.0, MAX_SIDE_PX);
+        let size_px = [side(size_pts.x), side(size_pts.y)];
+        let size_pts = Vec2::from(size_px) / pixels_per_point;
+
+        // egui compares widgets with those of the pass before: that one is to be empty, too.
+        self.run(size_pts, pixels_per_point, &mut |_| {});
+        self.ctx
+            .memory_mut(|memory| *memory = self.pristine.clone());
+        self.ctx.clear_animations();
+        let (output, is_settled) = self.run(size_pts, pixels_per_point, &mut ui);
+        let primitives = self.ctx.tessellate(output.shapes, pixels_per_point);
+        let size_px = size_px.map(|side| side as usize);
+        let background = self.theme().background;
+        let image = self
+            .painter
+            .paint(&primitives, pixels_per_point, size_px, background);
+        if !is_settled {
+            // The pending repaints would give the next picture passes of its own.
+            *self = Self::new(self.kind);
+        }
+        image
+    }
+
+    fn install(&mut self, kind: ThemeKind) {
+        self.kind = kind;
+        theme::install(&self.ctx, kind);
+        self.ctx.all_styles_mut(|style| {
+            style.animation_time = 0.0;
+            style.scroll_animation = egui::style::ScrollAnimation::none();
+            style.visuals.text_cursor.blink = false;
+        });
+        // egui marks clashing ids in debug builds only: pictures are to be the same in both.
+        self.ctx
+            .options_mut(|options| options.warn_on_id_clash = false);
+    }
+
+    /// Runs passes until none asks for another; the last one's output, and if it was quiet.
+    fn run(
+        &mut self,
+        size_pts: Vec2,
+        pixels_per_point: f32,
+        ui: &mut dyn FnMut(&mut Ui),
+    ) -> (egui::FullOutput, bool) {
+        let mut pass = 0;
+        loop {
+            let mut output = self
+                .ctx
+                .run_ui(input(size_pts, pixels_per_point, pass), |root| ui(root));
+            self.painter.apply(&mut output.textures_delta);
+            pass += 1;
+            let wants_another = output
+                .viewport_output
+                .get(&ViewportId::ROOT)
+                .is_some_and(|viewport| viewport.repaint_delay.is_zero());
+            if pass >= MIN_PASSES && (!wants_another || pass == MAX_PASSES) {
+                return (output, !wants_another);
+            }
+        }
+    }
+}
+
+fn input(size_pts: Vec2, pixels_per_point: f32, pass: usize) -> RawInput {
+    let mut input = RawInput {
+        screen_rect: Some(Rect::from_min_size(Pos2::ZERO, size_pts)),
+        max_texture_side: Some(MAX_ATLAS_SIDE),
+        time: Some(pass as f64 * PASS_SECS),
+        ..RawInput::default()
+    };
+    input
+        .viewports
+        .entry(ViewportId::ROOT)
+        .or_default()
+        .native_pixels_per_point = Some(pixels_per_point);
+    input
+}

@@ -1,0 +1,19 @@
+//! How things look: the theme, the fonts, and a painter that needs no display.
+
+mod cpu;
+pub mod fonts;
+mod headless;
+mod image;
+mod labels;
+mod stage;
+mod texture;
+pub mod theme;
+mod triangle;
+mod viewport;
+
+pub use cpu::CpuPainter;
+pub use headless::Headless;
+pub use image::Image;
+pub use stage::stage;
+pub use theme::{Theme, ThemeKind};
+pub use viewport::Viewport;

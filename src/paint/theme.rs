@@ -1,0 +1,392 @@
+//! Colours and sizes: three themes, one set of names.
+//!
+//! One accent, one signal: blue is the living result and the selection, vermilion the thing
+//! that happens at this step. Everything else is ink in three strengths on two surfaces. The
+//! hues are Okabe and Ito's, told apart by colour-blind eyes; still, a role never depends on
+//! its hue alone.
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::str::FromStr;
+
+use egui::style::{HandleShape, Selection, WidgetVisuals, Widgets};
+use egui::{
+    Color32, CornerRadius, FontFamily, FontId, Margin, Shadow, Stroke, Style, TextStyle,
+    ThemePreference, Visuals, vec2,
+};
+use serde::{Deserialize, Serialize};
+
+use super::fonts::semibold;
+
+/// The themes to choose from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum ThemeKind {
+    /// Dark ink on white: print and daylight.
+    #[default]
+    Light,
+    /// Light ink on near-black.
+    Dark,
+    /// For a lecture hall: white, thicker strokes, larger text, stronger greys.
+    Projector,
+}
+
+impl ThemeKind {
+    /// Every theme, in the order of a menu.
+    pub const ALL: [Self; 3] = [Self::Light, Self::Dark, Self::Projector];
+
+    /// The name used in files and on the command line.
+    #[must_use]
+    pub fn id(self) -> &'static str {
+        match self {
+            Self::Light => "light",
+            Self::Dark => "dark",
+            Self::Projector => "projector",
+        }
+    }
+}
+
+impl fmt::Display for ThemeKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.id())
+    }
+}
+
+/// There is no theme of this name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownTheme(pub String);
+
+impl fmt::Display for UnknownTheme {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(name) = self;
+        write!(f, "no theme `{name}`: there are light, dark and projector")
+    }
+}
+
+impl std::error::Error for UnknownTheme {}
+
+impl FromStr for ThemeKind {
+    type Err = UnknownTheme;
+
+    fn from_str(id: &str) -> Result<Self, UnknownTheme> {
+        let found = Self::ALL.into_iter().find(|kind| kind.id() == id);
+        found.ok_or_else(|| UnknownTheme(id.to_owned()))
+    }
+}
+
+/// Colours by use, and how large things are.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Theme {
+    /// Which theme this is.
+    pub kind: ThemeKind,
+    /// The stage.
+    pub background: Color32,
+    /// Panels, one shade off the stage.
+    pub panel: Color32,
+    /// A quiet button under the pointer.
+    pub hover: Color32,
+    /// Lines of 1 px between places.
+    pub hairline: Color32,
+    /// Text, and the outline of a window.
+    pub ink: Color32,
+    /// Text of the second rank.
+    pub soft: Color32,
+    /// Only for what may be missed.
+    pub faint: Color32,
+    /// The living result and the selection.
+    pub accent: Color32,
+    /// Accent as a surface: a selected row, the inside of a window.
+    pub accent_wash: Color32,
+    /// What happens at this step.
+    pub signal: Color32,
+    /// What has been accepted.
+    pub accepted: Color32,
+    /// What has been discarded (always dashed, too).
+    pub discarded: Color32,
+    /// Factor on the strokes of a figure.
+    pub stroke_scale: f32,
+    /// Factor on every text size.
+    pub text_scale: f32,
+}
+
+const fn rgb(hex: u32) -> Color32 {
+    Color32::from_rgb((hex >> 16) as u8, (hex >> 8) as u8, hex as u8)
+}
+
+const LIGHT: Theme = Theme {
+    kind: ThemeKind::Light,
+    background: rgb(0xFF_FFFF),
+    panel: rgb(0xF6_F7F9),
+    hover: rgb(0xEA_EDF1),
+    hairline: rgb(0xE1_E4E8),
+    ink: rgb(0x1B_1F24),
+    soft: rgb(0x57_606A),
+    faint: rgb(0x9A_A3AD),
+    accent: rgb(0x00_72B2),
+    accent_wash: rgb(0xE6_F1F8),
+    signal: rgb(0xD5_5E00),
+    accepted: rgb(0x00_9E73),
+    discarded: rgb(0x87_909A),
+    stroke_scale: 1.0,
+    text_scale: 1.0,
+};
+
+const DARK: Theme = Theme {
+    kind: ThemeKind::Dark,
+    background: rgb(0x14_171B),
+    panel: rgb(0x1B_1F24),
+    hover: rgb(0x26_2C33),
+    hairline: rgb(0x2C_323A),
+    ink: rgb(0xE8_ECF1),
+    soft: rgb(0xA3_ADB8),
+    faint: rgb(0x66_707B),
+    accent: rgb(0x56_B4E9),
+    accent_wash: rgb(0x1E_3140),
+    signal: rgb(0xF0_8A3C),
+    accepted: rgb(0x2B_C79A),
+    discarded: rgb(0x77_818C),
+    stroke_scale: 1.0,
+    text_scale: 1.0,
+};
+
+/// Projectors wash greys out: those that must be seen are a step darker than in daylight.
+const PROJECTOR: Theme = Theme {
+    kind: ThemeKind::Projector,
+    hairline: rgb(0xC9_CED4),
+    ink: rgb(0x00_0000),
+    soft: rgb(0x3F_4750),
+    faint: rgb(0x7A_838D),
+    accent_wash: rgb(0xDB_EBF5),
+    discarded: rgb(0x6F_7882),
+    stroke_scale: 1.6,
+    text_scale: 1.4,
+    ..LIGHT
+};
+
+/// The text style of the caption: 14.5 px.
+#[must_use]
+pub fn caption() -> TextStyle {
+    TextStyle::Name("caption".into())
+}
+
+/// The caption's first words, the decision: semibold.
+#[must_use]
+pub fn caption_strong() -> TextStyle {
+    TextStyle::Name("caption strong".into())
+}
+
+/// Body text in semibold: the one thing that matters in a row.
+#[must_use]
+pub fn strong() -> TextStyle {
+    TextStyle::Name("strong".into())
+}
+
+impl Theme {
+    /// The theme of a kind.
+    #[must_use]
+    pub fn of(kind: ThemeKind) -> &'static Self {
+        match kind {
+            ThemeKind::Light => &LIGHT,
+            ThemeKind::Dark => &DARK,
+            ThemeKind::Projector => &PROJECTOR,
+        }
+    }
+
+    /// A line of a figure, `width` px wide before the theme's factor.
+    #[must_use]
+    pub fn stroke(&self, width: f32, color: Color32) -> Stroke {
+        Stroke::new(width * self.stroke_scale, color)
+    }
+
+    /// The egui style of this theme.
+    #[must_use]
+    pub fn style(&self) -> Style {
+        let mut style = Style {
+            text_styles: self.text_styles(),
+            visuals: self.visuals(),
+            ..Style::default()
+        };
+        let spacing = &mut style.spacing;
+        spacing.item_spacing = vec2(8.0, 8.0);
+        spacing.button_padding = vec2(8.0, 4.0);
+        spacing.window_margin = Margin::same(16);
+        spacing.menu_margin = Margin::same(8);
+        spacing.indent = 16.0;
+        spacing.interact_size = vec2(32.0, 24.0 * self.text_scale);
+        spacing.slider_width = 128.0;
+        spacing.slider_rail_height = 4.0;
+        spacing.icon_width = 16.0 * self.text_scale;
+        spacing.icon_width_inner = 8.0 * self.text_scale;
+        spacing.icon_spacing = 8.0;
+        style
+    }
+
+    fn text_styles(&self) -> BTreeMap<TextStyle, FontId> {
+        let font = |size: f32, family| FontId::new(size * self.text_scale, family);
+        [
+            (TextStyle::Small, font(11.0, FontFamily::Proportional)),
+            (TextStyle::Body, font(13.0, FontFamily::Proportional)),
+            (TextStyle::Button, font(13.0, FontFamily::Proportional)),
+            (TextStyle::Monospace, font(12.5, FontFamily::Monospace)),
+            (TextStyle::Heading, font(16.0, semibold())),
+            (strong(), font(13.0, semibold())),
+            (caption(), font(14.5, FontFamily::Proportional)),
+            (caption_strong(), font(14.5, semibold())),
+        ]
+        .into()
+    }
+
+    fn visuals(&self) -> Visuals {
+        let basis = if self.kind == ThemeKind::Dark {
+            Visuals::dark()
+        } else {
+            Visuals::light()
+        };
+        let mut visuals = Visuals {
+            widgets: self.widgets(),
+            // Also the ring of a focused text field.
+            selection: Selection {
+                bg_fill: self.accent_wash,
+                stroke: Stroke::new(1.5, self.accent),
+            },
+            weak_text_color: Some(self.soft),
+            hyperlink_color: self.accent,
+            faint_bg_color: self.panel,
+            extreme_bg_color: self.background,
+            code_bg_color: self.panel,
+            warn_fg_color: self.signal,
+            error_fg_color: self.signal,
+            window_fill: self.background,
+            panel_fill: self.panel,
+            window_stroke: Stroke::new(1.0, self.hairline),
+            window_shadow: Shadow::NONE,
+            popup_shadow: Shadow::NONE,
+            window_corner_radius: CornerRadius::same(6),
+            menu_corner_radius: CornerRadius::same(6),
+            indent_has_left_vline: false,
+            handle_shape: HandleShape::Circle,
+            ..basis
+        };
+        visuals.text_cursor.stroke = Stroke::new(2.0, self.accent);
+        visuals
+    }
+
+    fn widgets(&self) -> Widgets {
+        // Nothing grows when touched, so that nothing on the stage moves.
+        let state = |weak_bg_fill, bg_fill, bg_stroke, text| WidgetVisuals {
+            weak_bg_fill,
+            bg_fill,
+            bg_stroke,
+            corner_radius: CornerRadius::same(4),
+            fg_stroke: Stroke::new(1.0, text),
+            expansion: 0.0,
+        };
+        let hairline = Stroke::new(1.0, self.hairline);
+        // egui shows the keyboard's focus as "active": this stroke is the focus ring.
+        let ring = Stroke::new(2.0, self.accent);
+        Widgets {
+            noninteractive: state(self.panel, self.panel, hairline, self.ink),
+            inactive: state(Color32::TRANSPARENT, self.hairline, Stroke::NONE, self.ink),
+            hovered: state(self.hover, self.hairline, Stroke::NONE, self.ink),
+            active: state(self.accent_wash, self.accent_wash, ring, self.ink),
+            open: state(self.hover, self.hover, Stroke::NONE, self.ink),
+        }
+    }
+}
+
+/// Gives a context the look of a theme; the fonts are [`super::fonts::definitions`].
+///
+/// egui keeps a style for light and one for dark surroundings: both are set, and the one of
+/// `kind` is chosen.
+pub fn install(ctx: &egui::Context, kind: ThemeKind) {
+    let (light, preference) = match kind {
+        ThemeKind::Light => (&LIGHT, ThemePreference::Light),
+        ThemeKind::Dark => (&LIGHT, ThemePreference::Dark),
+        ThemeKind::Projector => (&PROJECTOR, ThemePreference::Light),
+    };
+    ctx.set_style_of(egui::Theme::Light, light.style());
+    ctx.set_style_of(egui::Theme::Dark, DARK.style());
+    ctx.set_theme(preference);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Relative luminance, as WCAG 2.2 defines it.
+    fn luminance(color: Color32) -> f64 {
+        let [r, g, b, _] = color.to_array().map(|byte| {
+            let c = f64::from(byte) / 255.0;
+            if c <= 0.04045 {
+                c / 12.92
+            } else {
+                ((c + 0.055) / 1.055).powf(2.4)
+            }
+        });
+        0.2126 * r + 0.7152 * g + 0.0722 * b
+    }
+
+    fn contrast(a: Color32, b: Color32) -> f64 {
+        let (a, b) = (luminance(a), luminance(b));
+        (a.max(b) + 0.05) / (a.min(b) + 0.05)
+    }
+
+    #[test]
+    fn contrast_is_that_of_wcag() {
+        assert!((contrast(Color32::WHITE, Color32::BLACK) - 21.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn text_stands_out_on_every_surface() {
+        for kind in ThemeKind::ALL {
+            let theme = Theme::of(kind);
+            for surface in [
+                theme.background,
+                theme.panel,
+                theme.hover,
+                theme.accent_wash,
+            ] {
+                for text in [theme.ink, theme.soft] {
+                    let ratio = contrast(text, surface);
+                    assert!(
+                        ratio >= 4.5,
+                        "{kind}: {text:?} on {surface:?} is {ratio:.2}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn marks_stand_out_on_the_stage() {
+        for kind in ThemeKind::ALL {
+            let theme = Theme::of(kind);
+            let marks = [theme.accent, theme.signal, theme.accepted, theme.discarded];
+            for mark in marks {
+                let ratio = contrast(mark, theme.background);
+                assert!(ratio >= 3.0, "{kind}: {mark:?} is {ratio:.2}");
+            }
+        }
+    }
+
+    #[test]
+    fn ids_read_back() {
+        for kind in ThemeKind::ALL {
+            assert_eq!(kind.id().parse(), Ok(kind));
+            let json = serde_json::to_string(&kind).expect("a plain enum");
+            assert_eq!(json, format!("\"{kind}\""));
+        }
+        assert!("sepia".parse::<ThemeKind>().is_err());
+    }
+
+    #[test]
+    fn both_styles_of_egui_are_set() {
+        for kind in ThemeKind::ALL {
+            let ctx = egui::Context::default();
+            install(&ctx, kind);
+            assert_eq!(ctx.global_style().visuals.panel_fill, Theme::of(kind).panel);
+            assert!(ctx.style_of(egui::Theme::Dark).visuals.dark_mode);
+            assert!(!ctx.style_of(egui::Theme::Light).visuals.dark_mode);
+        }
+    }
+}

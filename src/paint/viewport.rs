@@ -1,0 +1,78 @@
+//! From world coordinates to points on the screen and back.
+
+use egui::{Pos2, Rect, pos2};
+
+/// What part of the world a stage shows: y is up in the world and down on the screen.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Viewport {
+    /// On the screen, in points.
+    pub rect: Rect,
+    /// The world point in the middle of the rectangle.
+    pub centre: [f64; 2],
+    /// Points on the screen for one unit of the world; the same along both axes.
+    pub scale: f64,
+}
+
+/// Room left around what is fitted, as a part of the shorter side: labels of the outer regions stand there.
+const MARGIN: f64 = 0.14;
+
+impl Viewport {
+    /// Shows the world rectangle from `min` to `max` as large as it fits, with a margin.
+    #[must_use]
+    pub fn fit(rect: Rect, [min, max]: [[f64; 2]; 2]) -> Self {
+        let available = [f64::from(rect.width()), f64::from(rect.height())].map(|s| s.max(1.0));
+        let margin = MARGIN * available[0].min(available[1]);
+        let fits = |i: usize| {
+            // Bounds of any finite size: halves cannot overflow.
+            let half = 0.5 * max[i] - 0.5 * min[i];
+            0.5 * (available[i] - 2.0 * margin) / half.max(f64::MIN_POSITIVE)
+        };
+        Self {
+            rect,
+            centre: [min[0].midpoint(max[0]), min[1].midpoint(max[1])],
+            scale: fits(0).min(fits(1)).clamp(f64::MIN_POSITIVE, 1e12),
+        }
+    }
+
+    /// Where a world point is drawn. Far outside it is moved to a distance that f32 can hold, in its own
+    /// direction from the centre, so that lines keep their slope.
+    #[must_use]
+    pub fn to_screen(&self, [x, y]: [f64; 2]) -> Pos2 {
+        const FAR: f64 = 1e6;
+        let [mut dx, mut dy] = [
+            (x - self.centre[0]) * self.scale,
+            (self.centre[1] - y) * self.scale,
+        ];
+        let largest = dx.abs().max(dy.abs());
+        if largest > FAR && largest.is_finite() {
+            [dx, dy] = [dx / largest * FAR, dy / largest * FAR];
+        }
+        let centre = self.rect.center();
+        pos2(
+            centre.x + dx.clamp(-FAR, FAR) as f32,
+            centre.y + dy.clamp(-FAR, FAR) as f32,
+        )
+    }
+
+    /// The world point under a place on the screen.
+    #[must_use]
+    pub fn to_world(&self, at: Pos2) -> [f64; 2] {
+        let offset = at - self.rect.center();
+        [
+            self.centre[0] + f64::from(offset.x) / self.scale,
+            self.centre[1] - f64::from(offset.y) / self.scale,
+        ]
+    }
+
+    /// Distance of grid lines in world units: 1, 2 or 5 times a power of ten, at least `min_pts` apart.
+    #[must_use]
+    pub fn grid_step(&self, min_pts: f64) -> f64 {
+        let wanted = min_pts / self.scale;
+        let power = 10f64.powf(wanted.log10().floor());
+        [1.0, 2.0, 5.0, 10.0]
+            .map(|m| m * power)
+            .into_iter()
+            .find(|&step| step >= wanted)
+            .unwrap_or(10.0 * power)
+    }
+}
