@@ -17,7 +17,8 @@ use crate::{
 
 use super::shared::{
     accepted, along, axis_symbol, border_equation, border_mark, crossing_mark, edge_name, end_link,
-    end_name, ends_rows, free_formula, name, opening, parameter_formula, region_key, segment_marks,
+    end_name, ends_rows, free_formula, name, opening, parameter_formula, point_formula, region_key,
+    segment_marks,
 };
 
 const REGIONS: usize = 0;
@@ -81,7 +82,7 @@ impl Demo for NichollLeeNicholl {
         match *event {
             Event::Region { end, region } => region_caption(end, region, input),
             Event::Side { question, line } => side_caption(question, &line),
-            Event::Sector { enters, leaves } => sector_caption(enters, leaves),
+            Event::Sector { enters, leaves } => sector_caption(enters, leaves, segment),
             Event::Cut {
                 end, edge, u, to, ..
             } => Caption::new(
@@ -279,9 +280,13 @@ fn side_caption(question: Question, line: &CornerLine) -> Caption {
         .num(q))
 }
 
-fn sector_caption(enters: Option<Edge>, leaves: Option<Edge>) -> Caption {
+fn sector_caption(enters: Option<Edge>, leaves: Option<Edge>, segment: &Segment) -> Caption {
     let message = match (enters, leaves) {
-        (None, None) => Message::new("nln-sector-inside"),
+        (None, None) => {
+            return Caption::new(Message::new("nln-sector-inside"))
+                .so(point_formula("P₁", segment.p1))
+                .so(point_formula("P₂", segment.p2));
+        }
         (Some(edge), None) => Message::new("nln-sector-enters").with("enters", edge_name(edge)),
         (None, Some(edge)) => Message::new("nln-sector-leaves").with("leaves", edge_name(edge)),
         (Some(enters), Some(leaves)) => Message::new("nln-sector-both")
