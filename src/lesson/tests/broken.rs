@@ -308,10 +308,13 @@ fn a_problem_is_rendered_as_a_compiler_would() {
     assert_eq!(rendered.join("\n"), expected);
     let chinese = problems[1].render(Catalog::of(Lang::ZhCn));
     assert!(chinese.contains("错误: 窗口是空的"), "{chinese}");
-    let files = lesson(&[("\"end\"", "\"acept\"")]);
-    let rendered = Course::load(&files).problems[0].render(Catalog::of(Lang::En));
-    assert!(rendered.contains("Did you mean “accept"), "{rendered}");
-    assert!(rendered.contains("one of start, "), "{rendered}");
+    for (at, meant) in [("acept", "accept"), ("cut lfet", "cut left")] {
+        let files = lesson(&[("at = \"end\"", &format!("at = \"{at}\""))]);
+        let rendered = Course::load(&files).problems[0].render(Catalog::of(Lang::En));
+        let question = format!("Did you mean “{meant}”?");
+        assert!(rendered.contains(&question), "{rendered}");
+        assert!(rendered.contains("one of start, "), "{rendered}");
+    }
 }
 
 #[test]
