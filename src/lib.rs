@@ -17,3 +17,6 @@ pub mod lesson;
 
 #[cfg(feature = "gui")]
 pub mod paint;
+
+#[cfg(feature = "gui")]
+pub mod widgets;
