@@ -20,3 +20,6 @@ pub mod paint;
 
 #[cfg(feature = "gui")]
 pub mod widgets;
+
+#[cfg(feature = "gui")]
+pub mod export;
