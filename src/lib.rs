@@ -13,5 +13,7 @@ pub mod figure;
 
 pub mod labs;
 
+pub mod case;
+
 #[cfg(feature = "gui")]
 pub mod paint;

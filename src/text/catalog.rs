@@ -138,7 +138,7 @@ impl Catalog {
     fn resolve(&self, key: &str, args: &[(&'static str, Value)]) -> String {
         let args: FluentArgs<'_> = args
             .iter()
-            .map(|(name, value)| (*name, self.value(value)))
+            .map(|(name, value)| (*name, self.argument(value)))
             .collect();
         self.format(key, &args)
             .or_else(|| Self::of(Lang::En).format(key, &args))
@@ -153,17 +153,26 @@ impl Catalog {
         Some(errors.iter().fold(text.into_owned(), show_error))
     }
 
-    fn value(&self, value: &Value) -> FluentValue<'static> {
-        let text = match value {
-            Value::Count(n) => return FluentValue::from(*n),
+    /// A value as it stands alone, or in a table.
+    #[must_use]
+    pub fn value(&self, value: &Value) -> String {
+        match value {
+            Value::Count(n) => n.to_string(),
             Value::Number(x) => self.number(*x),
             Value::Ratio { num, den } => self.ratio(*num, *den),
             Value::Point(p) => self.point(*p),
             Value::Name(name) => name.clone(),
             Value::Term(key) => self.term(key),
             Value::Formula(formula) => self.formula(formula),
-        };
-        FluentValue::String(Cow::Owned(text))
+        }
+    }
+
+    /// A value inside a sentence: a count keeps its number, which selects the plural.
+    fn argument(&self, value: &Value) -> FluentValue<'static> {
+        match value {
+            Value::Count(n) => FluentValue::from(*n),
+            other => FluentValue::String(Cow::Owned(self.value(other))),
+        }
     }
 
     fn token<'a>(&self, token: &'a Token) -> Cow<'a, str> {
