@@ -17,3 +17,6 @@ pub mod case;
 
 #[cfg(feature = "gui")]
 pub mod paint;
+
+#[cfg(all(feature = "gui", not(target_arch = "wasm32")))]
+pub mod cli;

@@ -154,10 +154,20 @@ impl std::error::Error for TraceError {}
 /// A case that was refused, for those who keep count.
 #[derive(Clone, Copy, Debug)]
 pub struct Refusing<'a> {
-    /// The line that it stands in, from 1.
+    /// The line that it stands in, from 1; empty lines count.
     pub line: usize,
+    /// How many cases came before it, and one.
+    pub number: usize,
     /// Which, and why.
     pub refused: &'a Refused,
+}
+
+impl Refusing<'_> {
+    /// Where it stands, which it is, and why it is refused, for people.
+    #[must_use]
+    pub fn sentence(&self, catalog: &Catalog) -> String {
+        report::refusing(self, catalog)
+    }
 }
 
 /// Answers every case, in order. `on_refusal` hears of each refusal.
@@ -195,7 +205,11 @@ pub fn trace(
             Ok(_) => tally.answered += 1,
             Err(refused) => {
                 tally.refused += 1;
-                on_refusal(Refusing { line, refused });
+                on_refusal(Refusing {
+                    line,
+                    number,
+                    refused,
+                });
             }
         }
     }

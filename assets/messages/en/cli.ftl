@@ -79,3 +79,4 @@ trace-more-refused =
     }
 trace-from-terminal = Reading cases from the keyboard, one a line; Ctrl+D ends.
 trace-not-written = The answers could not be written: { $reason }
+list-algorithms = Algorithms that cases can name

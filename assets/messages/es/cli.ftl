@@ -75,3 +75,4 @@ trace-refused-at = línea { $line }, { $case }: { $problem }
 trace-more-refused = y { $count } más
 trace-from-terminal = Se leen casos del teclado, uno por línea; Ctrl+D termina.
 trace-not-written = No se pudieron escribir las respuestas: { $reason }
+list-algorithms = Algoritmos que admiten los casos

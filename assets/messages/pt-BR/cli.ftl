@@ -75,3 +75,4 @@ trace-refused-at = linha { $line }, { $case }: { $problem }
 trace-more-refused = e mais { $count }
 trace-from-terminal = Lendo casos do teclado, um por linha; Ctrl+D encerra.
 trace-not-written = Não foi possível escrever as respostas: { $reason }
+list-algorithms = Algoritmos que os casos aceitam

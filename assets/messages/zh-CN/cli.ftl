@@ -63,3 +63,4 @@ trace-refused-at = 第 { $line } 行，{ $case }：{ $problem }
 trace-more-refused = 另有 { $count } 项
 trace-from-terminal = 从键盘读取用例，每行一个；按 Ctrl+D 结束。
 trace-not-written = 无法写出答案：{ $reason }
+list-algorithms = 用例可用的算法

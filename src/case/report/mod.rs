@@ -11,7 +11,7 @@ use crate::{
     trace::Counts,
 };
 
-use super::{Given, Id, refusal::short};
+use super::{Given, Id, Refusing, refusal::short};
 
 pub(super) use markdown::markdown;
 pub(super) use text::text;
@@ -84,6 +84,23 @@ fn case_name(number: usize, id: &Id, catalog: &Catalog) -> String {
         Some(id) => Message::new("report-case-id").with("id", short(&id)),
     };
     catalog.message(&message.with("number", number))
+}
+
+/// "line 4, case 3: segment[2]: …".
+pub(super) fn refusing(refusing: &Refusing<'_>, catalog: &Catalog) -> String {
+    let Refusing {
+        line,
+        number,
+        refused,
+    } = refusing;
+    let message = Message::new("trace-refused-at")
+        .with("line", *line)
+        .with(
+            "case",
+            case_name(*number, &refused.id, catalog).to_lowercase(),
+        )
+        .with("problem", refused.refusal.sentence(catalog));
+    catalog.message(&message)
 }
 
 /// Name and values of what is given.
