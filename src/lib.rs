@@ -13,6 +13,8 @@ pub mod figure;
 
 pub mod labs;
 
+pub mod lesson;
+
 pub mod case;
 
 #[cfg(feature = "gui")]

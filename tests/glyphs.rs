@@ -48,21 +48,13 @@ fn shown_text(path: &Path) -> String {
     shown.collect()
 }
 
+/// The characters of a text that at least one of our families cannot show.
 fn missing(fonts: &mut Fonts, text: &str) -> BTreeSet<char> {
     let families = [FontFamily::Proportional, semibold(), FontFamily::Monospace];
-    let fonts_lack = |c: &char| {
-        let mut ids = families.iter().map(|f| FontId::new(13.0, f.clone()));
-        !ids.all(|id| fonts.has_glyph(&id, *c))
-    };
-    let printed = text.chars().filter(|c| !c.is_control());
-    printed
-        .collect::<BTreeSet<char>>()
-        .into_iter()
-        .filter({
-            let mut fonts_lack = fonts_lack;
-            move |c| fonts_lack(c)
-        })
-        .collect()
+    let ids = families.map(|family| FontId::new(13.0, family));
+    let mut characters: BTreeSet<char> = text.chars().filter(|c| !c.is_control()).collect();
+    characters.retain(|&c| !ids.iter().all(|id| fonts.has_glyph(id, c)));
+    characters
 }
 
 #[test]
@@ -73,16 +65,17 @@ fn every_character_has_a_glyph() {
     for (folder, ending) in TEXTS {
         paths.extend(files(&root.join(folder), ending));
     }
-    let mut faults = String::new();
+    let mut faults = Vec::new();
     for path in paths {
         for c in missing(&mut fonts, &shown_text(&path)) {
             let name = path.strip_prefix(root).unwrap_or(&path).display();
-            faults += &format!("\n  {name}: {c} U+{:04X}", u32::from(c));
+            faults.push(format!("{name}: {c} U+{:04X}", u32::from(c)));
         }
     }
     assert!(
         faults.is_empty(),
-        "without a glyph (run assets/fonts/make.sh):{faults}"
+        "without a glyph (run assets/fonts/make.sh):\n  {}",
+        faults.join("\n  ")
     );
 }
 

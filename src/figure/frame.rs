@@ -1,7 +1,7 @@
 //! Everything that one step shows.
 
 use crate::{
-    text::{Formula, Message},
+    text::{Formula, Message, Value},
     trace::Counts,
 };
 
@@ -54,8 +54,8 @@ pub struct LineTick {
     pub holds: bool,
     /// Is it this step's?
     pub current: bool,
-    /// A catalogue key: the border's name.
-    pub name: Message,
+    /// The border's name.
+    pub name: Value,
     /// What it is about.
     pub link: Option<Link>,
 }

@@ -47,6 +47,7 @@ impl ConvexPolygon {
     }
 
     /// One half-plane an edge; edge `i` runs from vertex `i` to vertex `i + 1`.
+    #[must_use]
     pub fn half_planes(&self) -> impl ExactSizeIterator<Item = HalfPlane> + '_ {
         let n = self.vertices.len();
         (0..n).map(move |i| HalfPlane::left_of(self.vertices[i], self.vertices[(i + 1) % n]))

@@ -13,7 +13,7 @@ use egui::epaint::{ClippedPrimitive, ImageData, Mesh, Primitive, Vertex};
 use egui::{Color32, Rect, TextureId, TexturesDelta};
 
 use super::image::Image;
-use super::texture::{Rgba, Texture};
+use super::texture::{Rgba, Surroundings, Texture};
 use super::triangle::{PixelRect, Span, Triangle, mix};
 
 /// Paints tessellated egui output into an [`Image`].
@@ -46,7 +46,8 @@ impl CpuPainter {
                     if let Some(texture) = self.textures.get_mut(&id) {
                         texture.update(corner, image, change.options);
                     }
-                } else if let Some(texture) = Texture::new(image, change.options) {
+                } else if let Some(texture) = Texture::new(image, change.options, surroundings(id))
+                {
                     self.textures.insert(id, texture);
                 } else {
                     self.textures.remove(&id);
@@ -89,6 +90,15 @@ impl CpuPainter {
             size: size_px,
             rgba: canvas.pixels.into_flattened(),
         }
+    }
+}
+
+/// The first texture of a context is its font atlas, always.
+fn surroundings(id: TextureId) -> Surroundings {
+    if id == TextureId::default() {
+        Surroundings::Empty
+    } else {
+        Surroundings::Wrapped
     }
 }
 
@@ -149,7 +159,7 @@ impl Canvas {
 
         let color = Varying::new(colors.map(|c| c.map(i64::from)));
         let at = Varying::new(uv);
-        let texel = texture.sample(uv[0]);
+        let texel = texture.sample_point(uv[0]);
         match (is_one_color, is_one_texel) {
             (true, true) => self.fill_flat(&triangle, tinted(texel, colors[0])),
             (false, true) => self.fill_shaded(&triangle, |w| tinted(texel, color.rgba(w))),
@@ -237,6 +247,13 @@ fn tinted(texel: Rgba, color: Rgba) -> Rgba {
 
 /// A premultiplied colour over another one.
 fn blended(over: Rgba, under: Rgba) -> Rgba {
+    // Opaque and empty are what images and glyphs mostly are.
+    if over[3] == 255 {
+        return over;
+    }
+    if over == [0; 4] {
+        return under;
+    }
     let keep = 255 - over[3];
     // Saturating: egui's additive colours have less alpha than light.
     std::array::from_fn(|i| over[i].saturating_add(scaled(under[i], keep)))

@@ -7,7 +7,7 @@
 
 use std::sync::Arc;
 
-use egui::{FontData, FontDefinitions, FontFamily, FontTweak};
+use egui::{FontData, FontDefinitions, FontFamily};
 
 /// A font file by its name, which is also its name to egui.
 macro_rules! font {
@@ -61,12 +61,14 @@ pub fn semibold() -> FontFamily {
 
 /// Every font and family, for [`egui::Context::set_fonts`].
 ///
-/// The families are `Proportional`, `Monospace` and [`semibold`].
+/// The families are `Proportional`, `Monospace` and [`semibold`]. No font is scaled or shifted:
+/// egui sets them on one baseline, and their capitals are alike (0.727 to 0.733 of the size), as
+/// are the centres of Noto's Chinese characters.
 #[must_use]
 pub fn definitions() -> FontDefinitions {
     let mut fonts = FontDefinitions::empty();
     for (name, bytes) in FILES {
-        let data = FontData::from_static(bytes).tweak(tweak(name));
+        let data = FontData::from_static(bytes);
         fonts.font_data.insert(name.to_owned(), Arc::new(data));
     }
     let names = |names: &[&str]| names.iter().map(|&name| name.to_owned()).collect();
@@ -77,9 +79,4 @@ pub fn definitions() -> FontDefinitions {
     ]
     .into();
     fonts
-}
-
-/// What brings a fallback font in line with the text around it.
-fn tweak(_name: &str) -> FontTweak {
-    FontTweak::default()
 }

@@ -8,6 +8,8 @@ use super::fonts;
 use super::image::Image;
 use super::theme::{self, Theme, ThemeKind};
 
+/// Passes at least for one picture: what takes the focus shows it one pass later, unasked.
+const MIN_PASSES: usize = 2;
 /// Passes at most for one picture. A layout that measures itself settles in two or three; what
 /// still asks for another after eight (an animation that never ends) is drawn as it stands.
 const MAX_PASSES: usize = 8;
@@ -69,8 +71,8 @@ impl Headless {
 
     /// Draws an interface of `size_pts` points over the theme's background.
     ///
-    /// The image has `size_pts · pixels_per_point` pixels, rounded. `ui` runs once or several
-    /// times, until nothing asks for a repaint (eight times at most); there is no pointer, no
+    /// The image has `size_pts · pixels_per_point` pixels, rounded. `ui` runs until
+    /// nothing asks for a repaint: twice at least, eight times at most. There is no pointer, no
     /// keyboard, no animation, and no memory of earlier pictures. Paint callbacks are not drawn.
     pub fn draw(
         &mut self,
@@ -87,6 +89,8 @@ impl Headless {
         let size_px = [side(size_pts.x), side(size_pts.y)];
         let size_pts = Vec2::from(size_px) / pixels_per_point;
 
+        // egui compares widgets with those of the pass before: that one is to be empty, too.
+        self.run(size_pts, pixels_per_point, &mut |_| {});
         self.ctx
             .memory_mut(|memory| *memory = self.pristine.clone());
         self.ctx.clear_animations();
@@ -135,7 +139,7 @@ impl Headless {
                 .viewport_output
                 .get(&ViewportId::ROOT)
                 .is_some_and(|viewport| viewport.repaint_delay.is_zero());
-            if !wants_another || pass == MAX_PASSES {
+            if pass >= MIN_PASSES && (!wants_another || pass == MAX_PASSES) {
                 return (output, !wants_another);
             }
         }

@@ -4,6 +4,7 @@ mod cpu;
 pub mod fonts;
 mod headless;
 mod image;
+mod labels;
 mod stage;
 mod texture;
 pub mod theme;

@@ -19,11 +19,27 @@ pub(super) struct Texture {
     size: [usize; 2],
     texels: Vec<Rgba>,
     options: TextureOptions,
+    surroundings: Surroundings,
+}
+
+/// What lies beside the outermost texels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Surroundings {
+    /// More of the image, as its wrap mode says.
+    Wrapped,
+    /// Nothing: the image is egui's font atlas. All its glyphs have empty texels around them,
+    /// but those at the atlas' rim; with these there, too, the pixels of turned text do not
+    /// depend on where in the atlas a glyph has found its place.
+    Empty,
 }
 
 impl Texture {
     /// `None` if the image has no texels: there is nothing to sample.
-    pub fn new(image: &ColorImage, options: TextureOptions) -> Option<Self> {
+    pub fn new(
+        image: &ColorImage,
+        options: TextureOptions,
+        surroundings: Surroundings,
+    ) -> Option<Self> {
         let [width, height] = image.size;
         let n_texels = width.checked_mul(height)?;
         if n_texels == 0 || image.pixels.len() < n_texels {
@@ -34,6 +50,7 @@ impl Texture {
             size: image.size,
             texels: texels.collect(),
             options,
+            surroundings,
         })
     }
 
@@ -65,6 +82,15 @@ impl Texture {
         [fixed(uv.x, self.size[0]), fixed(uv.y, self.size[1])]
     }
 
+    /// The colour of a triangle all of whose corners have the same texture coordinates.
+    pub fn sample_point(&self, at: [i64; 2]) -> Rgba {
+        match self.surroundings {
+            Surroundings::Wrapped => self.sample(at),
+            // It means the white texel in the corner, by the corner of that texel.
+            Surroundings::Empty => self.texel(at[0] >> TEXEL_BITS, at[1] >> TEXEL_BITS),
+        }
+    }
+
     /// The colour at fixed-point texel coordinates, with the filter for enlarging.
     pub fn sample(&self, [u, v]: [i64; 2]) -> Rgba {
         if self.options.magnification == TextureFilter::Nearest {
@@ -89,6 +115,13 @@ impl Texture {
 
     fn texel(&self, x: i64, y: i64) -> Rgba {
         let [width, height] = self.size;
+        let is_inside = (0..width as i64).contains(&x) && (0..height as i64).contains(&y);
+        if is_inside {
+            return self.texels[y as usize * width + x as usize];
+        }
+        if self.surroundings == Surroundings::Empty {
+            return [0; 4];
+        }
         let mode = self.options.wrap_mode;
         self.texels[wrap(y, height, mode) * width + wrap(x, width, mode)]
     }

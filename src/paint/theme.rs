@@ -215,7 +215,8 @@ impl Theme {
         spacing.interact_size = vec2(32.0, 24.0 * self.text_scale);
         spacing.slider_width = 128.0;
         spacing.slider_rail_height = 4.0;
-        spacing.icon_width = 16.0;
+        spacing.icon_width = 16.0 * self.text_scale;
+        spacing.icon_width_inner = 8.0 * self.text_scale;
         spacing.icon_spacing = 8.0;
         style
     }

@@ -12,32 +12,40 @@ use super::lang::Lang;
 use super::message::{Formula, Message, Token, Value};
 use super::number;
 
-/// The catalogues' areas: each is one file, `<area>.ftl`, in every language's folder.
-pub const AREAS: [&str; 8] = [
-    "app", "geometry", "lines", "polygons", "frustum", "surfaces", "lesson", "cli",
-];
-
-macro_rules! embedded {
-    ($lang:literal: $($area:literal)*) => {
-        [$(include_str!(concat!(
-            env!("CARGO_MANIFEST_DIR"), "/assets/messages/", $lang, "/", $area, ".ftl"
-        ))),*]
-    };
-    ($lang:literal) => {
-        embedded!($lang: "app" "geometry" "lines" "polygons" "frustum" "surfaces" "lesson" "cli")
+macro_rules! ftl {
+    ($lang:literal, $area:literal) => {
+        include_str!(concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/assets/messages/",
+            $lang,
+            "/",
+            $area,
+            ".ftl"
+        ))
     };
 }
 
-/// The Fluent source of one language's catalogue, a text for each of [`AREAS`], in their order.
-#[must_use]
-pub const fn sources(lang: Lang) -> [&'static str; AREAS.len()] {
-    match lang {
-        Lang::En => embedded!("en"),
-        Lang::ZhCn => embedded!("zh-CN"),
-        Lang::Es => embedded!("es"),
-        Lang::PtBr => embedded!("pt-BR"),
-    }
+macro_rules! catalogues {
+    ($($area:literal),*) => {
+        /// The catalogues' areas: each is one file, `<area>.ftl`, in every language's folder.
+        pub const AREAS: [&str; [$($area),*].len()] = [$($area),*];
+
+        /// The Fluent source of one language's catalogue: a text for each of [`AREAS`], in order.
+        #[must_use]
+        pub const fn sources(lang: Lang) -> [&'static str; AREAS.len()] {
+            match lang {
+                Lang::En => [$(ftl!("en", $area)),*],
+                Lang::ZhCn => [$(ftl!("zh-CN", $area)),*],
+                Lang::Es => [$(ftl!("es", $area)),*],
+                Lang::PtBr => [$(ftl!("pt-BR", $area)),*],
+            }
+        }
+    };
 }
+
+catalogues!(
+    "app", "geometry", "lines", "polygons", "frustum", "surfaces", "lesson", "cli"
+);
 
 /// One language's messages, falling back to English for a missing key.
 ///
@@ -153,7 +161,14 @@ impl Catalog {
         Some(errors.iter().fold(text.into_owned(), show_error))
     }
 
-    /// A value as it stands alone, or in a table.
+    fn argument(&self, value: &Value) -> FluentValue<'static> {
+        match value {
+            Value::Count(n) => FluentValue::from(*n),
+            other => FluentValue::String(Cow::Owned(self.value(other))),
+        }
+    }
+
+    /// A value as it stands alone: in a table, beside a mark.
     #[must_use]
     pub fn value(&self, value: &Value) -> String {
         match value {
@@ -167,22 +182,17 @@ impl Catalog {
         }
     }
 
-    /// A value inside a sentence: a count keeps its number, which selects the plural.
-    fn argument(&self, value: &Value) -> FluentValue<'static> {
-        match value {
-            Value::Count(n) => FluentValue::from(*n),
-            other => FluentValue::String(Cow::Owned(self.value(other))),
-        }
-    }
-
     fn token<'a>(&self, token: &'a Token) -> Cow<'a, str> {
         Cow::Owned(match token {
             Token::Sym(symbol) => return Cow::Borrowed(symbol),
-            Token::Number(x) => self.number(*x),
             Token::Operand(x) if *x < 0.0 => format!("({})", self.number(*x)),
-            Token::Operand(x) => self.number(*x),
+            Token::Number(x) | Token::Operand(x) => self.number(*x),
             Token::Ratio { num, den } => self.ratio(*num, *den),
             Token::Point(p) => self.point(*p),
+            Token::List(numbers) => {
+                let shown: Vec<String> = numbers.iter().map(|&x| self.number(x)).collect();
+                shown.join(self.lang.list_separator())
+            }
             Token::Term(key) => self.term(key),
             Token::Equals(x) if Self::is_exact(*x) => format!("= {}", self.number(*x)),
             Token::Equals(x) => format!("≈ {}", self.number(*x)),
@@ -208,5 +218,114 @@ fn show_error(text: String, error: &FluentError) -> String {
         text
     } else {
         text + &shown
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Keys that no catalogue has; not literals in the calls, which `tests/messages.rs` checks.
+    const MISSING: &str = "no-such-key";
+
+    #[test]
+    fn a_sentence_takes_its_values() {
+        let step = Message::new("transport-step")
+            .with("step", 4_usize)
+            .with("total", 6_usize);
+        for (lang, expected) in [
+            (Lang::En, "step 4 of 6"),
+            (Lang::ZhCn, "第 4 步，共 6 步"),
+            (Lang::Es, "paso 4 de 6"),
+            (Lang::PtBr, "passo 4 de 6"),
+        ] {
+            assert_eq!(Catalog::of(lang).message(&step), expected);
+            assert_eq!(Catalog::of(lang).lang(), lang);
+        }
+    }
+
+    #[test]
+    fn counts_select_the_plural() {
+        let steps = |n: usize| Message::new("transport-steps").with("count", n);
+        for (lang, one, many) in [
+            (Lang::En, "1 step", "2 steps"),
+            (Lang::ZhCn, "共 1 步", "共 2 步"),
+            (Lang::Es, "1 paso", "2 pasos"),
+            (Lang::PtBr, "1 passo", "2 passos"),
+        ] {
+            assert_eq!(Catalog::of(lang).message(&steps(1)), one);
+            assert_eq!(Catalog::of(lang).message(&steps(2)), many);
+        }
+    }
+
+    #[test]
+    fn points_and_words_are_the_reader_s() {
+        let handle = Message::new("access-handle")
+            .with("name", Value::Term("object-segment"))
+            .with("point", [-1.0, 1.5]);
+        let said = |lang| Catalog::of(lang).message(&handle);
+        assert_eq!(said(Lang::En), "handle of segment at (−1, 1.5)");
+        assert_eq!(
+            said(Lang::PtBr),
+            "ponto de controle de segmento em (−1; 1,5)"
+        );
+    }
+
+    #[test]
+    fn a_formula_shows_its_arithmetic() {
+        let t = Formula::default()
+            .sym("t = q/p = (")
+            .num(-1.0)
+            .sym(" − ")
+            .operand(-2.0)
+            .sym(") / ")
+            .operand(4.0)
+            .equals(0.25);
+        let catalog = Catalog::of(Lang::En);
+        assert_eq!(catalog.formula(&t), "t = q/p = (−1 − (−2)) / 4 = 1/4");
+        let rounded = Formula::default().sym("sin 22,5° ").equals(0.382_683_432);
+        assert_eq!(
+            Catalog::of(Lang::Es).formula(&rounded),
+            "sin 22,5° ≈ 0,3827"
+        );
+        let mixed = Formula::default()
+            .term("edge-left")
+            .sym(": ")
+            .ratio(2.0, 8.0)
+            .sym(" ")
+            .point([1.5, -0.5]);
+        assert_eq!(
+            Catalog::of(Lang::Es).formula(&mixed),
+            "borde izquierdo: 1/4 (1,5; −1/2)"
+        );
+    }
+
+    #[test]
+    fn what_is_missing_is_shown() {
+        for lang in Lang::ALL {
+            let catalog = Catalog::of(lang);
+            assert_eq!(catalog.term(MISSING), "⟦no-such-key⟧");
+            let no_total = Message::new("transport-step").with("step", 4_usize);
+            assert!(catalog.message(&no_total).contains("⟦$total⟧"), "{lang}");
+            // A selector without its value takes the default form, and says so.
+            let no_count = Message::new("transport-steps");
+            assert!(catalog.message(&no_count).contains("⟦$count⟧"), "{lang}");
+        }
+    }
+
+    #[test]
+    fn braces_in_a_value_are_left_alone() {
+        let saved = Message::new("status-saved").with("path", "{odd}.toml".to_owned());
+        let said = Catalog::of(Lang::En).message(&saved);
+        assert_eq!(said, "Saved to {odd}.toml");
+    }
+
+    #[test]
+    fn catalogues_are_shared_by_threads() {
+        std::thread::scope(|scope| {
+            for lang in Lang::ALL {
+                scope.spawn(move || assert_eq!(Catalog::of(lang).term("app-title"), "Clipscope"));
+            }
+        });
     }
 }

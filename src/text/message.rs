@@ -13,6 +13,7 @@ pub struct Message {
 
 impl Message {
     /// A message without arguments yet.
+    #[must_use]
     pub const fn new(key: &'static str) -> Self {
         Self {
             key,
@@ -109,6 +110,8 @@ pub enum Token {
     },
     /// A point in the plane.
     Point([f64; 2]),
+    /// Numbers after each other, set apart as the language does beside its decimal separator.
+    List(Vec<f64>),
     /// A key into the catalogue: a word, translated.
     Term(&'static str),
     /// What the arithmetic comes to: `= 3/8`, or `≈ 0.3827` where the shown number is rounded.
@@ -145,6 +148,12 @@ impl Formula {
     #[must_use]
     pub fn point(self, p: [f64; 2]) -> Self {
         self.push(Token::Point(p))
+    }
+
+    /// Appends several numbers: the arguments of `max`.
+    #[must_use]
+    pub fn list(self, numbers: &[f64]) -> Self {
+        self.push(Token::List(numbers.to_vec()))
     }
 
     /// Appends a word of the catalogue.

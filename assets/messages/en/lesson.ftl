@@ -19,3 +19,106 @@ lesson-not-translated = This text has not been translated yet.
 
 lesson-file-problem = { $file }, line { $line }: { $problem }
 lesson-empty = The course has no lessons.
+lesson-error = error
+lesson-warning = warning
+
+## What is wrong with a lesson file; the last part of the key is the problem’s code
+
+problem-toml = This is not valid TOML: { $reason }.
+problem-not-utf8 = The file is not UTF-8 text: the byte { $byte } does not belong here.
+problem-unreadable = The file cannot be read: { $reason }.
+problem-file-too-large = The file is larger than { $limit } MiB.
+problem-no-lessons = There is no lesson here.
+problem-too-many-lessons = There are more than { $limit } lessons: the rest are left out.
+problem-missing-file = This file is missing.
+problem-unknown-language = “{ $name }” is not a language of the course.
+problem-missing-language = There is no text in this language ({ $language }): English is shown instead.
+problem-unknown-field = There is no field “{ $name }” here.
+problem-missing-field = The field “{ $name }” is missing.
+problem-wrong-type = The value is of the wrong type: it is { $found }.
+problem-wrong-length =
+    { $count ->
+        [one] The list has the wrong length: { $count } value.
+       *[other] The list has the wrong length: { $count } values.
+    }
+problem-not-finite = This must be a finite number.
+problem-out-of-range = { $value } is out of range.
+problem-empty-text = This text is empty.
+problem-empty-window-x = The window is empty: xmin = { $min } is not below xmax = { $max }.
+problem-empty-window-y = The window is empty: ymin = { $min } is not below ymax = { $max }.
+problem-not-convex = The clip polygon is not convex: at this vertex it turns the other way.
+problem-degenerate = The clip polygon is degenerate: a vertex is repeated, or there is no area.
+problem-no-segments = There is no segment.
+problem-too-large = There are too many segments: { $count }, where a file may have { $limit }.
+problem-two-kinds-of-segments = Both “segments” and “random” are given: only one of the two may be.
+problem-no-such-focus =
+    { $count ->
+        [one] There is no segment { $focus }: there is { $count } segment, counted from 0.
+       *[other] There is no segment { $focus }: there are { $count } segments, counted from 0.
+    }
+problem-unknown-method = There is no method “{ $name }”.
+problem-unknown-lab = There is no lab “{ $name }”.
+problem-unknown-scene = There is no scene “{ $name }”.
+problem-unknown-lock = There is no handle “{ $name }”.
+problem-unknown-value = “{ $name }” is not one of the values that this field takes.
+problem-no-steps = The lesson has no steps.
+problem-bad-step-id = “{ $name }” cannot be the id of a step.
+problem-duplicate-step = There are two steps “{ $name }”.
+problem-bad-figure = “{ $name }” cannot be the name of a figure.
+problem-duplicate-figure = There are two figures “{ $name }”.
+problem-bad-moment = This does not name a moment.
+problem-moment-never-happens = The moment “{ $name }” never comes in the run of this scene.
+problem-unused-scene = No step shows this scene.
+problem-missing-title = The text has no title.
+problem-second-title = A lesson has one title, at the top.
+problem-bad-heading = This heading does not say which step it belongs to.
+problem-text-outside = This text belongs to no step.
+problem-unknown-step = The lesson has no step “{ $name }”.
+problem-missing-section = The text of the step “{ $name }” is missing.
+problem-duplicate-section = The step “{ $name }” has two texts.
+problem-empty-section = The step “{ $name }” has a heading but no text.
+problem-unsupported-markdown = This kind of Markdown has no place in a lesson.
+problem-stray-emphasis = These asterisks do not make the text bold.
+problem-more =
+    { $count ->
+        [one] { $count } more problem in this file is not shown.
+       *[other] { $count } more problems in this file are not shown.
+    }
+
+## What was expected in its place
+
+expect-did-you-mean = Did you mean “{ $name }”?
+expect-one-of = Expected: one of { $names }.
+expect-utf8 = Expected: text saved as UTF-8.
+expect-lesson-folder = Expected: a folder with lesson.toml and en.md, or a folder of such folders.
+expect-text = Expected: text in quotation marks.
+expect-number = Expected: a number.
+expect-whole = Expected: a whole number from { $min } to { $max }.
+expect-table = Expected: a table of fields.
+expect-window = Expected: [xmin, ymin, xmax, ymax], with xmin < xmax and ymin < ymax.
+expect-point = Expected: the two numbers of a point, [x, y].
+expect-segment = Expected: the four numbers of a segment, [x1, y1, x2, y2].
+expect-segments = Expected: a list of segments, [[x1, y1, x2, y2], …], or “random” with “count” and “seed”.
+expect-clip = Expected: at least three corners of a convex polygon, [[x, y], …], in either direction.
+expect-steps = Expected: at least one [[step]].
+expect-kebab = Expected: lower-case letters and digits, joined by single hyphens: nine-regions.
+expect-figure = Expected: at most 64 lower-case letters, digits and hyphens: nine-regions.
+expect-first-here = The first one is in line { $line }.
+expect-first-scene = The first step must name its scene; later steps keep it.
+expect-moment = Expected: start, end, or an event with its words, such as “cut left”.
+expect-moment-number = Expected: a number from 1 after “#”.
+expect-locks = Expected: a list of the handles that are locked, such as ["window"].
+expect-title = Expected: “# Title of the lesson” in the first line.
+expect-heading = Expected: a heading “## id: Title” for each step, with its text below.
+expect-markdown = Expected: paragraphs, **bold**, *italics*, `code`, lists, code blocks, and a block quote for an answer.
+expect-emphasis = Expected: **bold**, with no space inside the asterisks; next to a Chinese character, move punctuation outside them.
+
+## What a value is
+
+type-text = a text
+type-integer = a whole number
+type-float = a number with decimals
+type-boolean = true or false
+type-date = a date or time
+type-list = a list
+type-table = a table of fields

@@ -79,7 +79,7 @@ alg-sphere-cull = Descarte por esfera envolvente
 alg-back-face = Descarte de caras traseras
 alg-depth-buffer = Z-buffer
 alg-painter = Algoritmo del pintor
-alg-ray-casting = Trazado de rayos primarios
+alg-ray-casting = Lanzamiento de rayos
 alg-bresenham = Bresenham
 
 ## Verdicts, said of a segment, a polygon, a triangle or an object

@@ -19,3 +19,106 @@ lesson-not-translated = Este texto aún no está traducido.
 
 lesson-file-problem = { $file }, línea { $line }: { $problem }
 lesson-empty = El curso no tiene lecciones.
+lesson-error = error
+lesson-warning = aviso
+
+## What is wrong with a lesson file; the last part of the key is the problem’s code
+
+problem-toml = Esto no es TOML válido: { $reason }.
+problem-not-utf8 = El archivo no es texto UTF-8: el byte { $byte } no puede estar aquí.
+problem-unreadable = No se puede leer el archivo: { $reason }.
+problem-file-too-large = El archivo supera los { $limit } MiB.
+problem-no-lessons = Aquí no hay ninguna lección.
+problem-too-many-lessons = Hay más de { $limit } lecciones: las demás se omiten.
+problem-missing-file = Falta este archivo.
+problem-unknown-language = «{ $name }» no es un idioma del curso.
+problem-missing-language = No hay texto en este idioma ({ $language }): se muestra el inglés.
+problem-unknown-field = Aquí no existe el campo «{ $name }».
+problem-missing-field = Falta el campo «{ $name }».
+problem-wrong-type = El valor es del tipo equivocado: es { $found }.
+problem-wrong-length =
+    { $count ->
+        [one] La lista no tiene la longitud debida: { $count } valor.
+       *[other] La lista no tiene la longitud debida: { $count } valores.
+    }
+problem-not-finite = Debe ser un número finito.
+problem-out-of-range = { $value } está fuera del intervalo permitido.
+problem-empty-text = Este texto está vacío.
+problem-empty-window-x = La ventana está vacía: xmin = { $min } no es menor que xmax = { $max }.
+problem-empty-window-y = La ventana está vacía: ymin = { $min } no es menor que ymax = { $max }.
+problem-not-convex = El polígono de recorte no es convexo: en este vértice gira en sentido contrario.
+problem-degenerate = El polígono de recorte es degenerado: repite un vértice o no tiene área.
+problem-no-segments = No hay ningún segmento.
+problem-too-large = Hay demasiados segmentos: { $count }; un archivo admite { $limit }.
+problem-two-kinds-of-segments = Se dan a la vez «segments» y «random»: solo puede haber uno de los dos.
+problem-no-such-focus =
+    { $count ->
+        [one] No existe el segmento { $focus }: hay { $count } segmento, contando desde 0.
+       *[other] No existe el segmento { $focus }: hay { $count } segmentos, contando desde 0.
+    }
+problem-unknown-method = No existe el método «{ $name }».
+problem-unknown-lab = No existe el laboratorio «{ $name }».
+problem-unknown-scene = No existe la escena «{ $name }».
+problem-unknown-lock = No existe el tirador «{ $name }».
+problem-unknown-value = «{ $name }» no es un valor de este campo.
+problem-no-steps = La lección no tiene pasos.
+problem-bad-step-id = «{ $name }» no puede ser el id de un paso.
+problem-duplicate-step = Hay dos pasos «{ $name }».
+problem-bad-figure = «{ $name }» no puede ser el nombre de una figura.
+problem-duplicate-figure = Hay dos figuras «{ $name }».
+problem-bad-moment = Esto no nombra ningún momento.
+problem-moment-never-happens = El momento «{ $name }» no llega nunca en la ejecución de esta escena.
+problem-unused-scene = Ningún paso muestra esta escena.
+problem-missing-title = El texto no tiene título.
+problem-second-title = Una lección tiene un solo título, al principio.
+problem-bad-heading = Este encabezado no dice a qué paso pertenece.
+problem-text-outside = Este texto no pertenece a ningún paso.
+problem-unknown-step = La lección no tiene ningún paso «{ $name }».
+problem-missing-section = Falta el texto del paso «{ $name }».
+problem-duplicate-section = El paso «{ $name }» tiene dos textos.
+problem-empty-section = El paso «{ $name }» tiene encabezado, pero no texto.
+problem-unsupported-markdown = Este tipo de Markdown no se admite en una lección.
+problem-stray-emphasis = Estos asteriscos no ponen el texto en negrita.
+problem-more =
+    { $count ->
+        [one] No se muestra { $count } problema más de este archivo.
+       *[other] No se muestran { $count } problemas más de este archivo.
+    }
+
+## What was expected in its place
+
+expect-did-you-mean = ¿Querías decir «{ $name }»?
+expect-one-of = Se esperaba: uno de { $names }.
+expect-utf8 = Se esperaba: texto guardado como UTF-8.
+expect-lesson-folder = Se esperaba: una carpeta con lesson.toml y en.md, o una carpeta de carpetas así.
+expect-text = Se esperaba: texto entre comillas.
+expect-number = Se esperaba: un número.
+expect-whole = Se esperaba: un número entero de { $min } a { $max }.
+expect-table = Se esperaba: una tabla de campos.
+expect-window = Se esperaba: [xmin, ymin, xmax, ymax], con xmin < xmax e ymin < ymax.
+expect-point = Se esperaba: los dos números de un punto, [x, y].
+expect-segment = Se esperaba: los cuatro números de un segmento, [x1, y1, x2, y2].
+expect-segments = Se esperaba: una lista de segmentos, [[x1, y1, x2, y2], …], o bien «random» con «count» y «seed».
+expect-clip = Se esperaba: al menos tres vértices de un polígono convexo, [[x, y], …], en cualquier sentido.
+expect-steps = Se esperaba: al menos un [[step]].
+expect-kebab = Se esperaba: letras minúsculas sin tilde y cifras, unidas por guiones sencillos: nine-regions.
+expect-figure = Se esperaba: como mucho 64 letras minúsculas sin tilde, cifras y guiones: nine-regions.
+expect-first-here = El primero está en la línea { $line }.
+expect-first-scene = El primer paso debe nombrar su escena; los siguientes la conservan.
+expect-moment = Se esperaba: start, end o un suceso con sus palabras, como «cut left».
+expect-moment-number = Se esperaba: un número a partir de 1 después de «#».
+expect-locks = Se esperaba: una lista de los tiradores bloqueados, como ["window"].
+expect-title = Se esperaba: «# Título de la lección» en la primera línea.
+expect-heading = Se esperaba: un encabezado «## id: Título» para cada paso, con su texto debajo.
+expect-markdown = Se esperaba: párrafos, **negrita**, *cursiva*, `código`, listas, bloques de código y una cita para la respuesta.
+expect-emphasis = Se esperaba: **negrita**, sin espacios por dentro de los asteriscos; junto a un carácter chino, con la puntuación fuera.
+
+## What a value is
+
+type-text = un texto
+type-integer = un número entero
+type-float = un número con decimales
+type-boolean = verdadero o falso
+type-date = una fecha u hora
+type-list = una lista
+type-table = una tabla de campos

@@ -19,3 +19,106 @@ lesson-not-translated = Este texto ainda não foi traduzido.
 
 lesson-file-problem = { $file }, linha { $line }: { $problem }
 lesson-empty = O curso não tem lições.
+lesson-error = erro
+lesson-warning = aviso
+
+## What is wrong with a lesson file; the last part of the key is the problem’s code
+
+problem-toml = Isto não é TOML válido: { $reason }.
+problem-not-utf8 = O arquivo não é texto UTF-8: o byte { $byte } não pode estar aqui.
+problem-unreadable = Não é possível ler o arquivo: { $reason }.
+problem-file-too-large = O arquivo tem mais de { $limit } MiB.
+problem-no-lessons = Não há nenhuma lição aqui.
+problem-too-many-lessons = Há mais de { $limit } lições: as demais ficam de fora.
+problem-missing-file = Falta este arquivo.
+problem-unknown-language = “{ $name }” não é um idioma do curso.
+problem-missing-language = Não há texto neste idioma ({ $language }): o inglês é mostrado no lugar.
+problem-unknown-field = Aqui não existe o campo “{ $name }”.
+problem-missing-field = Falta o campo “{ $name }”.
+problem-wrong-type = O valor é do tipo errado: é { $found }.
+problem-wrong-length =
+    { $count ->
+        [one] A lista não tem o comprimento certo: { $count } valor.
+       *[other] A lista não tem o comprimento certo: { $count } valores.
+    }
+problem-not-finite = Deve ser um número finito.
+problem-out-of-range = { $value } está fora do intervalo permitido.
+problem-empty-text = Este texto está vazio.
+problem-empty-window-x = A janela está vazia: xmin = { $min } não é menor que xmax = { $max }.
+problem-empty-window-y = A janela está vazia: ymin = { $min } não é menor que ymax = { $max }.
+problem-not-convex = O polígono de recorte não é convexo: neste vértice ele vira para o lado contrário.
+problem-degenerate = O polígono de recorte é degenerado: repete um vértice ou não tem área.
+problem-no-segments = Não há nenhum segmento.
+problem-too-large = Há segmentos demais: { $count }; um arquivo admite { $limit }.
+problem-two-kinds-of-segments = “segments” e “random” foram dados ao mesmo tempo: só pode haver um dos dois.
+problem-no-such-focus =
+    { $count ->
+        [one] Não existe o segmento { $focus }: há { $count } segmento, contando a partir de 0.
+       *[other] Não existe o segmento { $focus }: há { $count } segmentos, contando a partir de 0.
+    }
+problem-unknown-method = Não existe o método “{ $name }”.
+problem-unknown-lab = Não existe o laboratório “{ $name }”.
+problem-unknown-scene = Não existe a cena “{ $name }”.
+problem-unknown-lock = Não existe a alça “{ $name }”.
+problem-unknown-value = “{ $name }” não é um valor deste campo.
+problem-no-steps = A lição não tem passos.
+problem-bad-step-id = “{ $name }” não pode ser o id de um passo.
+problem-duplicate-step = Há dois passos “{ $name }”.
+problem-bad-figure = “{ $name }” não pode ser o nome de uma figura.
+problem-duplicate-figure = Há duas figuras “{ $name }”.
+problem-bad-moment = Isto não nomeia nenhum momento.
+problem-moment-never-happens = O momento “{ $name }” nunca chega na execução desta cena.
+problem-unused-scene = Nenhum passo mostra esta cena.
+problem-missing-title = O texto não tem título.
+problem-second-title = Uma lição tem um só título, no início.
+problem-bad-heading = Este cabeçalho não diz a que passo pertence.
+problem-text-outside = Este texto não pertence a nenhum passo.
+problem-unknown-step = A lição não tem nenhum passo “{ $name }”.
+problem-missing-section = Falta o texto do passo “{ $name }”.
+problem-duplicate-section = O passo “{ $name }” tem dois textos.
+problem-empty-section = O passo “{ $name }” tem cabeçalho, mas não tem texto.
+problem-unsupported-markdown = Este tipo de Markdown não é aceito em uma lição.
+problem-stray-emphasis = Estes asteriscos não deixam o texto em negrito.
+problem-more =
+    { $count ->
+        [one] Mais { $count } problema deste arquivo não é mostrado.
+       *[other] Mais { $count } problemas deste arquivo não são mostrados.
+    }
+
+## What was expected in its place
+
+expect-did-you-mean = Você quis dizer “{ $name }”?
+expect-one-of = Esperado: um de { $names }.
+expect-utf8 = Esperado: texto salvo como UTF-8.
+expect-lesson-folder = Esperado: uma pasta com lesson.toml e en.md, ou uma pasta de pastas assim.
+expect-text = Esperado: texto entre aspas.
+expect-number = Esperado: um número.
+expect-whole = Esperado: um número inteiro de { $min } a { $max }.
+expect-table = Esperado: uma tabela de campos.
+expect-window = Esperado: [xmin, ymin, xmax, ymax], com xmin < xmax e ymin < ymax.
+expect-point = Esperado: os dois números de um ponto, [x, y].
+expect-segment = Esperado: os quatro números de um segmento, [x1, y1, x2, y2].
+expect-segments = Esperado: uma lista de segmentos, [[x1, y1, x2, y2], …], ou “random” com “count” e “seed”.
+expect-clip = Esperado: pelo menos três vértices de um polígono convexo, [[x, y], …], em qualquer sentido.
+expect-steps = Esperado: pelo menos um [[step]].
+expect-kebab = Esperado: letras minúsculas sem acento e algarismos, unidos por hifens simples: nine-regions.
+expect-figure = Esperado: no máximo 64 letras minúsculas sem acento, algarismos e hifens: nine-regions.
+expect-first-here = O primeiro está na linha { $line }.
+expect-first-scene = O primeiro passo deve nomear sua cena; os seguintes a mantêm.
+expect-moment = Esperado: start, end ou um evento com suas palavras, como “cut left”.
+expect-moment-number = Esperado: um número a partir de 1 depois de “#”.
+expect-locks = Esperado: uma lista das alças bloqueadas, como ["window"].
+expect-title = Esperado: “# Título da lição” na primeira linha.
+expect-heading = Esperado: um cabeçalho “## id: Título” para cada passo, com seu texto abaixo.
+expect-markdown = Esperado: parágrafos, **negrito**, *itálico*, `código`, listas, blocos de código e uma citação para a resposta.
+expect-emphasis = Esperado: **negrito**, sem espaços por dentro dos asteriscos; ao lado de um caractere chinês, com a pontuação fora.
+
+## What a value is
+
+type-text = um texto
+type-integer = um número inteiro
+type-float = um número com decimais
+type-boolean = verdadeiro ou falso
+type-date = uma data ou hora
+type-list = uma lista
+type-table = uma tabela de campos

@@ -19,3 +19,94 @@ lesson-not-translated = 这段文字尚未翻译。
 
 lesson-file-problem = { $file } 第 { $line } 行：{ $problem }
 lesson-empty = 课程中没有任何课。
+lesson-error = 错误
+lesson-warning = 警告
+
+## What is wrong with a lesson file; the last part of the key is the problem’s code
+
+problem-toml = 这不是有效的 TOML：{ $reason }。
+problem-not-utf8 = 文件不是 UTF-8 文本：此处不应出现字节 { $byte }。
+problem-unreadable = 无法读取文件：{ $reason }。
+problem-file-too-large = 文件大于 { $limit } MiB。
+problem-no-lessons = 这里没有任何课。
+problem-too-many-lessons = 课超过了 { $limit } 节：其余的已略去。
+problem-missing-file = 缺少这个文件。
+problem-unknown-language = “{ $name }”不是课程所用的语言。
+problem-missing-language = 没有这种语言（{ $language }）的文本：将显示英文。
+problem-unknown-field = 这里没有名为“{ $name }”的字段。
+problem-missing-field = 缺少字段“{ $name }”。
+problem-wrong-type = 值的类型不对：这是{ $found }。
+problem-wrong-length = 列表的长度不对：有 { $count } 个值。
+problem-not-finite = 这里必须是有限的数。
+problem-out-of-range = { $value } 超出了范围。
+problem-empty-text = 这段文本是空的。
+problem-empty-window-x = 窗口是空的：xmin = { $min } 不小于 xmax = { $max }。
+problem-empty-window-y = 窗口是空的：ymin = { $min } 不小于 ymax = { $max }。
+problem-not-convex = 裁剪多边形不是凸的：它在这个顶点处反向转弯。
+problem-degenerate = 裁剪多边形已退化：有重复的顶点，或没有面积。
+problem-no-segments = 没有线段。
+problem-too-large = 线段太多：有 { $count } 条，而一个文件最多可有 { $limit } 条。
+problem-two-kinds-of-segments = 同时给出了“segments”和“random”：只能给出其中之一。
+problem-no-such-focus = 没有第 { $focus } 条线段：共有 { $count } 条，从 0 数起。
+problem-unknown-method = 没有名为“{ $name }”的算法。
+problem-unknown-lab = 没有名为“{ $name }”的实验室。
+problem-unknown-scene = 没有名为“{ $name }”的场景。
+problem-unknown-lock = 没有名为“{ $name }”的控制柄。
+problem-unknown-value = “{ $name }”不是这个字段可取的值。
+problem-no-steps = 这节课没有步骤。
+problem-bad-step-id = “{ $name }”不能用作步骤的 id。
+problem-duplicate-step = 有两个步骤都叫“{ $name }”。
+problem-bad-figure = “{ $name }”不能用作插图的名称。
+problem-duplicate-figure = 有两幅插图都叫“{ $name }”。
+problem-bad-moment = 这没有指明任何时刻。
+problem-moment-never-happens = 在这个场景的运行过程中，时刻“{ $name }”从不出现。
+problem-unused-scene = 没有任何步骤用到这个场景。
+problem-missing-title = 文本没有标题。
+problem-second-title = 一节课只有一个标题，位于最前面。
+problem-bad-heading = 这个标题没有说明它属于哪一步。
+problem-text-outside = 这段文本不属于任何步骤。
+problem-unknown-step = 这节课没有步骤“{ $name }”。
+problem-missing-section = 缺少步骤“{ $name }”的文本。
+problem-duplicate-section = 步骤“{ $name }”有两段文本。
+problem-empty-section = 步骤“{ $name }”只有标题，没有文本。
+problem-unsupported-markdown = 课文中不能使用这种 Markdown。
+problem-stray-emphasis = 这些星号没有起到加粗的作用。
+problem-more = 此文件中还有 { $count } 个问题未显示。
+
+## What was expected in its place
+
+expect-did-you-mean = 是不是想写“{ $name }”？
+expect-one-of = 应为：{ $names } 之一。
+expect-utf8 = 应为：以 UTF-8 编码保存的文本。
+expect-lesson-folder = 应为：含有 lesson.toml 和 en.md 的文件夹，或由这样的文件夹组成的文件夹。
+expect-text = 应为：引号中的文本。
+expect-number = 应为：一个数。
+expect-whole = 应为：从 { $min } 到 { $max } 的整数。
+expect-table = 应为：由字段组成的表。
+expect-window = 应为：[xmin, ymin, xmax, ymax]，其中 xmin < xmax，ymin < ymax。
+expect-point = 应为：一个点的两个数：[x, y]。
+expect-segment = 应为：一条线段的四个数：[x1, y1, x2, y2]。
+expect-segments = 应为：线段的列表 [[x1, y1, x2, y2], …]，或带有“count”和“seed”的“random”。
+expect-clip = 应为：凸多边形的至少三个角 [[x, y], …]，方向不限。
+expect-steps = 应为：至少一个 [[step]]。
+expect-kebab = 应为：小写字母和数字，用单个连字符连接：nine-regions。
+expect-figure = 应为：最多 64 个小写字母、数字和连字符：nine-regions。
+expect-first-here = 前一个在第 { $line } 行。
+expect-first-scene = 第一步必须指明场景；之后的步骤沿用它。
+expect-moment = 应为：start、end，或事件名称及其词语，例如“cut left”。
+expect-moment-number = 应为：“#”之后为从 1 起的整数。
+expect-locks = 应为：被锁定的控制柄的列表，例如 ["window"]。
+expect-title = 应为：第一行为“# 本课标题”。
+expect-heading = 应为：每一步有一个标题“## id: 标题”，正文在其下。
+expect-markdown = 应为：段落、**加粗**、*斜体*、`代码`、列表、代码块，以及表示答案的引用块。
+expect-emphasis = 应为：**加粗**，星号内侧不留空格；若紧邻汉字，请将标点移到星号之外。
+
+## What a value is
+
+type-text = 文本
+type-integer = 整数
+type-float = 小数
+type-boolean = 真假值
+type-date = 日期或时间
+type-list = 列表
+type-table = 由字段组成的表

@@ -16,7 +16,8 @@
 //! 3. Reject as soon as u_min > u_max. Otherwise the answer is P(u_min) to P(u_max).
 //!
 //! u_min = u_max is one point, on the border: a touch, accepted. `max`, `min` and `>` on parameters are
-//! exact ([`Param::is_before`]), and an end is put on the border that set its parameter.
+//! exact ([`Param::compare`]); an end is put on the border that set its parameter, and at a touched corner
+//! both ends are that corner.
 //!
 //! *Conventions*: closed window, y up. *Degenerate*: a point has all p = 0 and is accepted if all q ≥ 0.
 //! *Bound*: four rows. *Cost*: at most 14 +, 4 ×, 6 ÷.
@@ -44,7 +45,8 @@ use crate::{
 
 use super::{
     End, Visible, WindowInput,
-    crossing::{Param, clamp_between, crossing, join, split},
+    crossing::{corner_between, on_border, split},
+    order::{Param, signed_distances},
     segment_between,
 };
 
@@ -211,7 +213,8 @@ impl Algorithm for LiangBarsky {
                 return None;
             }
         }
-        let ends = End::BOTH.map(|end| put(end, &interval[end.idx()], input, &mut emit));
+        let corner = touched_corner(&interval, input);
+        let ends = End::BOTH.map(|end| put(end, &interval[end.idx()], corner, input, &mut emit));
         let segment = segment_between(ends);
         emit(Event::Accept { segment });
         Some(segment)
@@ -289,7 +292,7 @@ struct Inequality<R> {
 
 /// Raises u_min or lowers u_max to q/p. False where nothing is left.
 fn shrink<R: Real>(
-    interval: &mut [Param<R>; 2],
+    interval: &mut [Param<R, Edge>; 2],
     Inequality { edge, p, q }: Inequality<R>,
     WindowInput { window, segment }: &WindowInput,
     emit: &mut impl FnMut(LiangBarskyEvent),
@@ -298,13 +301,14 @@ fn shrink<R: Real>(
     let leaving = p > R::new(0.0);
     let param = Param {
         u: quotient(q, p, segment, window, edge),
-        edge: Some(edge),
+        border: Some(edge),
         leaving,
     };
+    let distances = |edge| signed_distances(segment, window, edge);
     let r = param.u.get();
     let [u_min, u_max] = interval;
     if leaving {
-        let lowers = param.is_before(u_max, segment, window);
+        let lowers = param.is_before(u_max, distances);
         if lowers {
             *u_max = param;
         }
@@ -316,7 +320,7 @@ fn shrink<R: Real>(
             u_max,
         });
     } else {
-        let raises = u_min.is_before(&param, segment, window);
+        let raises = u_min.is_before(&param, distances);
         if raises {
             *u_min = param;
         }
@@ -328,7 +332,7 @@ fn shrink<R: Real>(
             u_min,
         });
     }
-    let empty = u_max.is_before(u_min, segment, window);
+    let empty = u_max.is_before(u_min, distances);
     emit(Event::Interval {
         u_min: u_min.u.get(),
         u_max: u_max.u.get(),
@@ -348,35 +352,34 @@ fn quotient<R: Real>(q: R, p: R, segment: &Segment, window: &Window, edge: Edge)
     R::new((0.5 * c - 0.5 * a1) / (0.5 * a2 - 0.5 * a1))
 }
 
+/// The corner that the line touches: there it comes in across one side and goes out across the other.
+fn touched_corner<R: Real>(
+    [u_min, u_max]: &[Param<R, Edge>; 2],
+    WindowInput { window, segment }: &WindowInput,
+) -> Option<Point> {
+    let edges = [u_min.border?, u_max.border?];
+    let order = u_min.compare(u_max, |edge| signed_distances(segment, window, edge));
+    order.is_eq().then(|| corner_between(window, edges))?
+}
+
 /// P(u), on the border that set u.
 fn put<R: Real>(
     end: End,
-    param: &Param<R>,
+    param: &Param<R, Edge>,
+    corner: Option<Point>,
     WindowInput { window, segment }: &WindowInput,
     emit: &mut impl FnMut(LiangBarskyEvent),
 ) -> Point {
-    let at = match param.edge {
-        None => end.of(segment),
-        Some(edge) => on_border::<R>(segment, window, edge),
+    let at = match (param.border, corner) {
+        (None, _) => end.of(segment),
+        (Some(_), Some(corner)) => corner,
+        (Some(edge), None) => on_border::<R>(segment, window, edge),
     };
     emit(LiangBarskyEvent::Put {
         end,
         u: param.u.get(),
-        edge: param.edge,
+        edge: param.border,
         at,
     });
     at
-}
-
-/// The crossing with a side, which is known to lie on the window's border: a computed coordinate that
-/// rounding has put beyond a corner is put back.
-pub(super) fn on_border<R: Real>(segment: &Segment, window: &Window, edge: Edge) -> Point {
-    let free = crossing::<R>(segment, window, edge).free;
-    let [_, low] = split::<R>(window.min(), edge.axis());
-    let [_, high] = split::<R>(window.max(), edge.axis());
-    join(
-        edge.axis(),
-        R::new(window.border(edge)),
-        clamp_between(free, low, high),
-    )
 }

@@ -9,8 +9,13 @@
 
 mod brute_force;
 mod cohen_sutherland;
+mod convex_border;
+mod corner_line;
 mod crossing;
+mod cyrus_beck;
 mod liang_barsky;
+mod nicholl_lee_nicholl;
+mod order;
 mod outcode;
 
 use serde::Serialize;
@@ -21,8 +26,14 @@ pub use brute_force::{BruteForce, BruteForceEvent, BruteForceState};
 pub use cohen_sutherland::{
     CohenSutherland, CohenSutherlandEvent, CohenSutherlandInput, CohenSutherlandState,
 };
-pub use crossing::{Param, Ratio};
+pub use corner_line::{CornerLine, Turn};
+pub use crossing::Ratio;
+pub use cyrus_beck::{CyrusBeck, CyrusBeckEvent, CyrusBeckInput, CyrusBeckRow, CyrusBeckState};
 pub use liang_barsky::{LiangBarsky, LiangBarskyEvent, LiangBarskyState, Row};
+pub use nicholl_lee_nicholl::{
+    NichollLeeNicholl, NichollLeeNichollEvent, NichollLeeNichollState, Question, Region,
+};
+pub use order::Param;
 pub use outcode::{BitOrder, Outcode};
 
 /// The visible part of a segment; `None` where there is none.

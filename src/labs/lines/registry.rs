@@ -67,7 +67,13 @@ const fn info<A: Demo>() -> MethodInfo {
 }
 
 /// Every method, in the order in which they are taught.
-pub static METHODS: [MethodInfo; 1] = [info::<line::CohenSutherland>()];
+pub static METHODS: [MethodInfo; 5] = [
+    info::<line::BruteForce>(),
+    info::<line::CohenSutherland>(),
+    info::<line::LiangBarsky>(),
+    info::<line::CyrusBeck>(),
+    info::<line::NichollLeeNicholl>(),
+];
 
 /// One of [`METHODS`].
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -7,13 +7,14 @@ use egui::{Pos2, pos2};
 use super::*;
 
 const SIZE: [usize; 2] = [32, 24];
-const FONT_TEXTURE: TextureId = TextureId::Managed(0);
+/// Not 0, which is egui's font atlas.
+const TEXTURE: TextureId = TextureId::Managed(1);
 
-/// A painter whose texture 0 is white, as egui's is at its corner.
+/// A painter with one texture.
 fn painter_with(image: ColorImage, options: TextureOptions) -> CpuPainter {
     let mut painter = CpuPainter::new();
     let mut delta = TexturesDelta::default();
-    delta.push(FONT_TEXTURE, ImageDelta::full(image, options));
+    delta.push(TEXTURE, ImageDelta::full(image, options));
     painter.apply(&mut delta);
     assert!(delta.is_empty());
     painter
@@ -31,7 +32,7 @@ fn vertex(pos: Pos2, uv: Pos2, color: Color32) -> Vertex {
 }
 
 fn mesh(corners: &[Pos2], indices: &[u32], color: Color32) -> Mesh {
-    let mut mesh = Mesh::with_texture(FONT_TEXTURE);
+    let mut mesh = Mesh::with_texture(TEXTURE);
     mesh.vertices = corners
         .iter()
         .map(|&corner| vertex(corner, Pos2::ZERO, color))
@@ -186,7 +187,7 @@ fn nothing_is_painted_outside_the_clip_rectangle() {
 
 /// A rectangle that shows the whole texture.
 fn textured(rect: Rect) -> Mesh {
-    let mut mesh = Mesh::with_texture(FONT_TEXTURE);
+    let mut mesh = Mesh::with_texture(TEXTURE);
     let uv = Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0));
     mesh.add_rect_with_uv(rect, uv, Color32::WHITE);
     mesh
@@ -242,16 +243,16 @@ fn a_part_of_a_texture_can_be_replaced() {
     let mut delta = TexturesDelta::default();
     let patch = ColorImage::filled([2, 2], Color32::RED);
     delta.push(
-        FONT_TEXTURE,
+        TEXTURE,
         ImageDelta::partial([1, 2], patch.clone(), TextureOptions::NEAREST),
     );
     // Reaches over the edge, and lies wholly outside: what does not fit is dropped.
     delta.push(
-        FONT_TEXTURE,
+        TEXTURE,
         ImageDelta::partial([3, 3], patch.clone(), TextureOptions::NEAREST),
     );
     delta.push(
-        FONT_TEXTURE,
+        TEXTURE,
         ImageDelta::partial([9, 9], patch, TextureOptions::NEAREST),
     );
     painter.apply(&mut delta);
@@ -274,7 +275,7 @@ fn a_freed_texture_lasts_to_the_end_of_its_frame() {
     let white = mesh(&everywhere, &[0, 1, 2], Color32::WHITE);
 
     let mut delta = TexturesDelta::default();
-    delta.free(FONT_TEXTURE);
+    delta.free(TEXTURE);
     painter.apply(&mut delta);
     let last = paint(&painter, white.clone(), Color32::BLACK);
     assert_eq!(pixel(&last, 1, 1)[0], 255);
@@ -321,7 +322,7 @@ fn huge_triangles_and_wild_coordinates_are_survived() {
     let mut seed = 3;
     for power in 0..38 {
         let reach = 10_f32.powi(power);
-        let mut wild = Mesh::with_texture(FONT_TEXTURE);
+        let mut wild = Mesh::with_texture(TEXTURE);
         for i in 0..3 {
             let mut at = || (noise(&mut seed) - 0.5) * reach;
             let uv = if i == 2 {
@@ -348,7 +349,7 @@ fn huge_triangles_and_wild_coordinates_are_survived() {
 
 #[test]
 fn colours_change_evenly_between_corners() {
-    let mut ramp = Mesh::with_texture(FONT_TEXTURE);
+    let mut ramp = Mesh::with_texture(TEXTURE);
     for (x, y, gray) in [(0., 0., 0), (32., 0., 255), (32., 24., 255), (0., 24., 0)] {
         ramp.vertices
             .push(vertex(pos2(x, y), Pos2::ZERO, Color32::from_gray(gray)));
@@ -365,4 +366,33 @@ fn colours_change_evenly_between_corners() {
             );
         }
     }
+}
+
+#[test]
+fn a_glyph_at_the_rim_of_the_atlas_fades_out_like_any_other() {
+    // A white texel in the corner, and the same glyph at the left rim and inside.
+    let mut atlas = ColorImage::filled([8, 8], Color32::TRANSPARENT);
+    for at in [(0, 0), (0, 4), (1, 4), (3, 4), (4, 4)] {
+        atlas[at] = Color32::WHITE;
+    }
+    let mut painter = CpuPainter::new();
+    let mut delta = TexturesDelta::default();
+    delta.push(
+        TextureId::default(),
+        ImageDelta::full(atlas, TextureOptions::LINEAR),
+    );
+    painter.apply(&mut delta);
+    let draw = |x: f32| {
+        let mut glyph = Mesh::with_texture(TextureId::default());
+        let uv = Rect::from_min_max(pos2(x / 8.0, 0.5), pos2((x + 2.0) / 8.0, 0.625));
+        let rect = Rect::from_min_max(pos2(3.3, 4.4), pos2(9.9, 8.8));
+        glyph.add_rect_with_uv(rect, uv, Color32::WHITE);
+        glyph.add_colored_rect(
+            Rect::from_min_max(pos2(20., 9.), pos2(22., 11.)),
+            Color32::RED,
+        );
+        paint(&painter, glyph, Color32::BLACK)
+    };
+    assert!(draw(0.0) == draw(3.0));
+    assert_eq!(pixel(&draw(0.0), 21, 10), [255, 0, 0, 255]);
 }

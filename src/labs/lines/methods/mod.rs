@@ -1,4 +1,8 @@
 //! One file a method: its sentences, marks and watched values.
 
+mod brute_force;
 mod cohen_sutherland;
+mod cyrus_beck;
+mod liang_barsky;
+mod nicholl_lee_nicholl;
 mod shared;

@@ -2,7 +2,7 @@
 
 use crate::{
     algo::line::{End, Ratio, Visible},
-    figure::{Caption, Link, Mark, Role, Shape},
+    figure::{Caption, Link, Mark, Role, Shape, WatchRow},
     geom::{Axis, Edge, Point, Segment, Window},
     text::{Formula, Message, Value},
 };
@@ -207,6 +207,70 @@ pub fn segment_marks(original: &Segment, ends: [Point; 2], verdict: Option<Visib
     marks
 }
 
+/// The segment with the part for parameters in `interval` standing out: all of it is still there, only the
+/// bounds move.
+pub fn whole_segment_marks(segment: &Segment, [from, to]: [f64; 2]) -> Vec<Mark> {
+    let ends = [segment.p1, segment.p2];
+    let mut marks: Vec<Mark> = segment_marks(segment, ends, None);
+    if (from, to) != (0.0, 1.0) {
+        let whole = Shape::Segment(ends.map(Point::to_array));
+        marks[0] = Mark::new(Role::Discarded, whole);
+        if from <= to {
+            let left = Shape::Segment([on_line(segment, from), on_line(segment, to)]);
+            marks.insert(1, Mark::new(Role::Accent, left).linked("segment"));
+        }
+    }
+    marks
+}
+
+/// P(u), to place a mark: the algorithm itself never computes points that it does not put out.
+pub fn on_line(segment: &Segment, u: f64) -> [f64; 2] {
+    let ([x1, y1], [x2, y2]) = (segment.p1.to_array(), segment.p2.to_array());
+    [x1 * (1.0 - u) + x2 * u, y1 * (1.0 - u) + y2 * u]
+}
+
+/// Rows for both ends of what is left.
+pub fn ends_rows(ends: [Point; 2]) -> Vec<WatchRow> {
+    End::BOTH
+        .into_iter()
+        .map(|end| {
+            let at = ends[end.idx()].to_array();
+            WatchRow::new(end_name(end), Some(Value::Point(at))).linked(end_link(end))
+        })
+        .collect()
+}
+
+/// `Δx = 0`: why there is no crossing.
+pub fn parallel_formula(segment: &Segment, edge: Edge) -> Formula {
+    let (symbol, axis) = match edge.axis() {
+        Axis::X => ("x₁ = x₂ = ", Axis::X),
+        Axis::Y => ("y₁ = y₂ = ", Axis::Y),
+    };
+    Formula::default()
+        .sym(symbol)
+        .num(along(segment.p1, axis)[0])
+}
+
+/// Is anything left of the interval?
+pub fn interval_caption(symbols: [&'static str; 2], [min, max]: [f64; 2], empty: bool) -> Caption {
+    let (key, relation) = match (empty, min == max) {
+        (true, _) => ("param-empty", " > "),
+        (false, true) => ("param-touch", " = "),
+        (false, false) => ("param-left", " < "),
+    };
+    let message = Message::new(key)
+        .with("min", name(symbols[0]))
+        .with("max", name(symbols[1]));
+    Caption::new(message).so(Formula::default()
+        .sym(symbols[0])
+        .sym(" = ")
+        .num(min)
+        .sym(relation)
+        .sym(symbols[1])
+        .sym(" = ")
+        .num(max))
+}
+
 /// The line of a side, as this step's subject.
 pub fn border_mark(window: &Window, edge: Edge) -> Mark {
     Mark::new(
@@ -226,4 +290,56 @@ pub fn crossing_mark(at: Point, symbol: &'static str, u: Ratio) -> Mark {
     Mark::new(Role::Signal, Shape::Dot(at.to_array()))
         .labelled(label)
         .strong()
+}
+
+/// Catalogue key of the region of a point that lies beyond the sides for which `beyond` is true.
+pub fn region_key(beyond: impl Fn(Edge) -> bool) -> &'static str {
+    let column = usize::from(beyond(Edge::Right)) + 1 - usize::from(beyond(Edge::Left));
+    let row = usize::from(beyond(Edge::Top)) + 1 - usize::from(beyond(Edge::Bottom));
+    [
+        ["region-below-left", "region-below", "region-below-right"],
+        ["region-left", "region-inside", "region-right"],
+        ["region-above-left", "region-above", "region-above-right"],
+    ][row][column]
+}
+
+/// What parametric clippers show of the segment: bounds that move, then the ends put in place.
+pub fn parametric_marks(
+    segment: &Segment,
+    interval: [f64; 2],
+    verdict: Option<Visible>,
+) -> Vec<Mark> {
+    match verdict {
+        None => whole_segment_marks(segment, interval),
+        Some(visible) => {
+            let ends = visible.unwrap_or(*segment);
+            segment_marks(segment, [ends.p1, ends.p2], verdict)
+        }
+    }
+}
+
+/// `u_min = max(0, 1/4) = 1/4`.
+pub fn bound_formula(call: &'static str, [old, r]: [f64; 2], new: f64) -> Formula {
+    Formula::default()
+        .sym(call)
+        .list(&[old, r])
+        .sym(")")
+        .equals(new)
+}
+
+/// Rows for the ends that have been put in place.
+pub fn moved_ends_rows(ends: [Option<Point>; 2]) -> impl Iterator<Item = WatchRow> {
+    End::BOTH.into_iter().filter_map(move |end| {
+        let at = ends[end.idx()]?.to_array();
+        Some(WatchRow::new(end_name_now(end, true), Some(Value::Point(at))).linked(end_link(end)))
+    })
+}
+
+/// `12` as `₁₂`.
+pub fn subscript(n: usize) -> String {
+    const DIGITS: [char; 10] = ['₀', '₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉'];
+    n.to_string()
+        .bytes()
+        .map(|digit| DIGITS[usize::from(digit - b'0')])
+        .collect()
 }

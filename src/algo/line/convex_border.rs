@@ -1,0 +1,102 @@
+//! An edge of a convex polygon as a border: how far both ends of a segment lie inside, and where it crosses.
+//!
+//! ```text
+//!   P₁ ●
+//!       │d1 ╲            d = n·(P − E), in lengths of n
+//!   ────┴─────×─────┬──  border through E
+//!         ↓ n   ╲ −d2    crossing: (P₁·d2 − P₂·d1) / (d2 − d1)
+//!                 ● P₂
+//! ```
+
+use crate::{
+    geom::{Axis, ConvexPolygon, HalfPlane, Point, Segment},
+    trace::Real,
+};
+
+use super::{
+    End,
+    crossing::{clamp_between, on_line, split, weighted_mean},
+};
+
+/// An edge that the line crosses.
+#[derive(Clone, Copy)]
+pub struct Border {
+    /// From vertex `edge_idx` to the next.
+    pub edge_idx: usize,
+    /// Its inside.
+    pub plane: HalfPlane,
+    /// Of both ends of the segment: see [`plane_distances`].
+    pub distances: [f64; 2],
+}
+
+impl Border {
+    /// Is x constant along it?
+    pub fn is_vertical(&self) -> bool {
+        self.plane.normal()[1] == 0.0
+    }
+
+    /// Where the segment crosses it: within the boxes of the segment and of the edge, whatever rounding
+    /// does.
+    pub fn crossing<R: Real>(&self, segment: &Segment, clip: &ConvexPolygon) -> Point {
+        let vertices = clip.vertices();
+        let i = self.edge_idx;
+        let edge = [vertices[i], vertices[(i + 1) % vertices.len()]];
+        let origin = self.plane.origin();
+        match self.plane.normal() {
+            [_, 0.0] => on_line::<R>(segment, Axis::X, origin.x(), edge),
+            [0.0, _] => on_line::<R>(segment, Axis::Y, origin.y(), edge),
+            _ => {
+                let [d1, d2] = self.distances;
+                let whole = R::new(d2) - R::new(d1);
+                let [x, y] = [Axis::X, Axis::Y].map(|axis| {
+                    let of = |p: Point| split::<R>(p, axis)[0];
+                    let ends = [of(segment.p1), of(segment.p2)];
+                    let mean = weighted_mean(ends, [R::new(-d1), R::new(d2)], whole, [d1, d2, 0.0]);
+                    let mean = clamp_between(mean, ends[0], ends[1]);
+                    clamp_between(mean, of(edge[0]), of(edge[1])).get()
+                });
+                Point::from_finite(x, y)
+            }
+        }
+    }
+}
+
+/// n·(P − E) for both ends. Where the numbers are too large or too small to be multiplied, both distances
+/// come scaled by the same power of two: only their ratio counts.
+pub fn plane_distances<R: Real>(segment: &Segment, plane: &HalfPlane) -> [R; 2] {
+    let (normal, origin) = (plane.normal(), plane.origin().to_array());
+    let distances = End::BOTH.map(|end| {
+        let p = end.of(segment).to_array();
+        let product = |axis: usize| R::new(normal[axis]) * (R::new(p[axis]) - R::new(origin[axis]));
+        match normal {
+            [_, 0.0] => product(0),
+            [0.0, _] => product(1),
+            _ => product(0) + product(1),
+        }
+    });
+    let [d1, d2] = distances.map(R::get);
+    let largest = normal[0].abs().max(normal[1].abs());
+    if (d2 - d1).is_finite() && largest > 2f64.powi(-500) {
+        distances
+    } else {
+        scaled_distances(segment, normal, origin).map(R::new)
+    }
+}
+
+/// [`plane_distances`] with the normal brought near length 1, and all coordinates divided by 8: no sum of four
+/// of them overflows.
+#[cold]
+fn scaled_distances(segment: &Segment, normal: [f64; 2], origin: [f64; 2]) -> [f64; 2] {
+    let mut normal = normal;
+    while normal[0].abs().max(normal[1].abs()) > 1.0 {
+        normal = normal.map(|n| n * 0.5);
+    }
+    while normal[0].abs().max(normal[1].abs()) < 0.5 {
+        normal = normal.map(|n| n * 2.0);
+    }
+    End::BOTH.map(|end| {
+        let p = end.of(segment).to_array();
+        let product = |axis: usize| normal[axis] * (0.125 * p[axis] - 0.125 * origin[axis]);
+        product(0) + product(1)
+    })
+}

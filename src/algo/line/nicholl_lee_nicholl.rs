@@ -1,0 +1,352 @@
+//! Nicholl–Lee–Nicholl: find out which sides are crossed first; compute no crossing that is not output.
+//!
+//! The lines from P₁ through the window's corners cut the plane into sectors. The sector in which P₂ lies
+//! tells by which side the segment comes in and by which it goes out:
+//!
+//! ```text
+//!    P₁ inside              P₁ beyond one side          P₁ beyond two sides
+//!
+//!    ╲  out by top  ╱            miss   ╱                P₁ ●┄┄┄┄┄┄┄┄┄┄┄┄┄  miss
+//!     ┌────────────┐               ┌───────────┐           ┊ ╲┌────────────┐
+//!     │╲          ╱│              ╱│  top    ╱ │           ┊  │╲  in by the top
+//!     │     ●P₁    │ right    P₁ ● │     right │           ┊  │  ╲         │
+//!     │╱          ╲│              ╲│  bottom ╲ │           ┊  │    ╲       │
+//!     └────────────┘               └───────────┘           ┊  └──────╲─────┘
+//!    ╱              ╲            miss   ╲                  miss   in by the left
+//! ```
+//!
+//! 1. Find the regions of P₁ and P₂. Both beyond one side: reject.
+//! 2. P₁ inside: it stays. Beyond one side: the segment comes in there, if anywhere. Beyond two: the line
+//!    to their corner decides between them.
+//! 3. P₂ beyond a side next to the one where it comes in: on the far side of their corner's line it
+//!    misses the window: reject.
+//! 4. P₂ inside: it stays. Beyond one side: the segment goes out there. Beyond two: their corner's line
+//!    decides.
+//! 5. Compute the one or two crossings found.
+//!
+//! The paper turns and mirrors every case into one of three. Here the sides change names instead of the
+//! points' coordinates (the side where the segment comes in, the ones next to it, the one across), so that
+//! nothing is rounded. On which side of a corner's line P₂ lies compares two products, done exactly: the
+//! decisions are those of Liang–Barsky.
+//!
+//! *Conventions*: closed window, y up; a line through a corner belongs to the vertical side. *Degenerate*: a
+//! point is accepted or rejected by its region; a touched corner is both ends. *Bound*: at most three corners
+//! are looked at. *Cost*: up to 8 comparisons for the regions, 4 +, 2 ×, 1 comparison a corner; 4 +, 2 ×, 1 ÷
+//! and 4 to 8 comparisons a cut.
+//!
+//! *Source*: Tina M. Nicholl, D. T. Lee and Robin A. Nicholl, "An Efficient New Algorithm for 2-D Line
+//! Clipping: Its Development and Analysis", SIGGRAPH '87, Computer Graphics 21(4), pp. 253–262,
+//! doi:10.1145/37401.37432.
+//!
+//! ```
+//! use clipscope::{algo::line::{NichollLeeNicholl, WindowInput}, geom::{Segment, Window}, trace::silent};
+//! let window = Window::new(-1.0, -1.0, 1.0, 1.0)?;
+//! let segment = Segment::new(-2.0, -1.0, 2.0, 1.5)?;
+//! assert_eq!(
+//!     silent::<NichollLeeNicholl>(&WindowInput { window, segment }),
+//!     Some(Segment::new(-1.0, -0.375, 1.0, 0.875)?),
+//! );
+//! # Ok::<(), clipscope::geom::GeomError>(())
+//! ```
+
+use serde::Serialize;
+
+use crate::{
+    geom::{Axis, Edge, Point, Segment, Window},
+    trace::{Algorithm, Real},
+};
+
+use super::{
+    End, Ratio, Visible, WindowInput,
+    corner_line::CornerLine,
+    crossing::{crossing, on_border},
+    segment_between,
+};
+
+/// The algorithm; see the module.
+#[derive(Clone, Copy, Debug)]
+pub struct NichollLeeNicholl;
+
+/// One of the nine regions: the sides that a point lies beyond.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
+pub struct Region {
+    /// Left or right, if either.
+    pub x: Option<Edge>,
+    /// Bottom or top, if either.
+    pub y: Option<Edge>,
+}
+
+impl Region {
+    /// The region of a point. A point on a border is inside it.
+    pub fn of<R: Real>([x, y]: [R; 2], window: &Window) -> Self {
+        let beyond = |a: R, low: Edge, high: Edge| {
+            if a < R::new(window.border(low)) {
+                Some(low)
+            } else if a > R::new(window.border(high)) {
+                Some(high)
+            } else {
+                None
+            }
+        };
+        Self {
+            x: beyond(x, Edge::Left, Edge::Right),
+            y: beyond(y, Edge::Bottom, Edge::Top),
+        }
+    }
+
+    /// The sides that the point lies beyond: none, one or two.
+    pub fn edges(self) -> impl Iterator<Item = Edge> {
+        self.x.into_iter().chain(self.y)
+    }
+
+    /// Its vertical and its horizontal side, where it is one of the four corner regions.
+    #[must_use]
+    pub fn corner(self) -> Option<[Edge; 2]> {
+        Some([self.x?, self.y?])
+    }
+
+    /// The side that two regions both lie beyond.
+    #[must_use]
+    pub fn shared(self, other: Self) -> Option<Edge> {
+        let same = |a: Option<Edge>, b| if a == b { a } else { None };
+        same(self.x, other.x).or(same(self.y, other.y))
+    }
+}
+
+/// What happens, in order.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
+#[serde(tag = "event", rename_all = "kebab-case")]
+pub enum NichollLeeNichollEvent {
+    /// The region that an end lies in.
+    Region {
+        /// Which end.
+        end: End,
+        /// The sides that it lies beyond.
+        region: Region,
+    },
+    /// The side of a corner's line on which P₂ lies.
+    Side {
+        /// What it decides.
+        question: Question,
+        /// The line from P₁ through the corner, and P₂ beside it.
+        #[serde(flatten)]
+        line: CornerLine,
+    },
+    /// The sector in which P₂ lies.
+    Sector {
+        /// Where the segment comes in; `None` where P₁ is inside.
+        enters: Option<Edge>,
+        /// Where it goes out; `None` where P₂ is inside.
+        leaves: Option<Edge>,
+    },
+    /// An end moves to its crossing.
+    Cut {
+        /// Which end.
+        end: End,
+        /// The side.
+        edge: Edge,
+        /// Where on the original segment.
+        u: Ratio,
+        /// From where.
+        from: Point,
+        /// To where.
+        to: Point,
+    },
+    /// What is left is visible.
+    Accept {
+        /// The visible part.
+        segment: Segment,
+    },
+    /// Nothing is visible.
+    Reject {
+        /// The side that both ends lie beyond, or that the segment is beyond where it should come in.
+        edge: Edge,
+        /// The corner that it misses the window by; `None` where both ends lie beyond the side.
+        corner: Option<Point>,
+    },
+}
+
+/// What a corner's line is asked.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Question {
+    /// By which of two sides does the segment come in?
+    Enters,
+    /// Does it meet the window at all?
+    Meets,
+    /// By which of two sides does it go out?
+    Leaves,
+}
+
+/// What the picture of a step needs.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct NichollLeeNichollState {
+    /// The regions of both ends, once known.
+    pub regions: [Option<Region>; 2],
+    /// The corner lines looked at so far, in order.
+    pub lines: [Option<(Question, CornerLine)>; 3],
+    /// Where it comes in and goes out, once known; see [`NichollLeeNichollEvent::Sector`].
+    pub sector: Option<[Option<Edge>; 2]>,
+    /// The ends, cut ones at their crossings.
+    pub ends: [Point; 2],
+    /// Crossings computed so far; each is an end of the answer.
+    pub n_cuts: usize,
+    /// The answer, once known.
+    pub verdict: Option<Visible>,
+}
+
+impl Algorithm for NichollLeeNicholl {
+    type Input = WindowInput;
+    type Output = Visible;
+    type Event = NichollLeeNichollEvent;
+    type State = NichollLeeNichollState;
+
+    fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Visible {
+        use NichollLeeNichollEvent as Event;
+        let WindowInput { window, segment } = input;
+        let regions = End::BOTH.map(|end| {
+            let region = Region::of(end.of(segment).to_array().map(R::new), window);
+            emit(Event::Region { end, region });
+            region
+        });
+        let sector = match find_sector::<R>(input, regions, &mut emit) {
+            Ok(sector) => sector,
+            Err(Miss { edge, corner }) => {
+                emit(Event::Reject { edge, corner });
+                return None;
+            }
+        };
+        let [enters, leaves] = sector.edges;
+        emit(Event::Sector { enters, leaves });
+        let ends = End::BOTH.map(|end| match sector.edges[end.idx()] {
+            None => end.of(segment),
+            Some(edge) => cut::<R>(end, edge, sector.touch, input, &mut emit),
+        });
+        let segment = segment_between(ends);
+        emit(Event::Accept { segment });
+        Some(segment)
+    }
+
+    fn start(input: &Self::Input) -> Self::State {
+        NichollLeeNichollState {
+            regions: [None; 2],
+            lines: [None; 3],
+            sector: None,
+            ends: [input.segment.p1, input.segment.p2],
+            n_cuts: 0,
+            verdict: None,
+        }
+    }
+
+    fn apply(state: &mut Self::State, event: Self::Event) {
+        use NichollLeeNichollEvent as Event;
+        match event {
+            Event::Region { end, region } => state.regions[end.idx()] = Some(region),
+            Event::Side { question, line } => {
+                if let Some(free) = state.lines.iter_mut().find(|line| line.is_none()) {
+                    *free = Some((question, line));
+                }
+            }
+            Event::Sector { enters, leaves } => state.sector = Some([enters, leaves]),
+            Event::Cut { end, to, .. } => {
+                state.ends[end.idx()] = to;
+                state.n_cuts += 1;
+            }
+            Event::Accept { segment } => state.verdict = Some(Some(segment)),
+            Event::Reject { .. } => state.verdict = Some(None),
+        }
+    }
+
+    fn finish(state: &Self::State) -> Visible {
+        state.verdict.flatten()
+    }
+
+    /// Two regions, three corners, a sector, two cuts, a verdict.
+    fn max_events(_: &Self::Input) -> usize {
+        2 + 3 + 1 + 2 + 1
+    }
+}
+
+/// Where the segment comes in and goes out.
+struct Sector {
+    edges: [Option<Edge>; 2],
+    /// The corner that is all that it meets of the window.
+    touch: Option<Point>,
+}
+
+/// Why nothing is visible; see [`NichollLeeNichollEvent::Reject`].
+struct Miss {
+    edge: Edge,
+    corner: Option<Point>,
+}
+
+/// Steps 1 to 4.
+fn find_sector<R: Real>(
+    input: &WindowInput,
+    [region1, region2]: [Region; 2],
+    emit: &mut impl FnMut(NichollLeeNichollEvent),
+) -> Result<Sector, Miss> {
+    if let Some(edge) = region1.shared(region2) {
+        return Err(Miss { edge, corner: None });
+    }
+    let mut ask = |question, edges| {
+        let line = CornerLine::beside::<R>(edges, &input.window, &input.segment);
+        emit(NichollLeeNichollEvent::Side { question, line });
+        line
+    };
+    let enters = match region1.corner() {
+        // P₁ has both sides to cross, and comes in by the second of them.
+        Some([x, y]) => match ask(Question::Enters, [x, y]).first {
+            Some(first) if first == x => Some(y),
+            _ => Some(x),
+        },
+        None => region1.edges().next(),
+    };
+    let mut touch = None;
+    if let Some(enters) = enters
+        && let Some(next) = region2.edges().find(|e| e.axis() != enters.axis())
+    {
+        let line = ask(Question::Meets, in_order([enters, next]));
+        match line.first {
+            Some(first) if first == next => {
+                let (edge, corner) = (next, Some(line.corner));
+                return Err(Miss { edge, corner });
+            }
+            Some(_) => {}
+            None => touch = Some((next, line.corner)),
+        }
+    }
+    let leaves = match region2.corner() {
+        Some([x, y]) => ask(Question::Leaves, [x, y]).first.or(Some(x)),
+        None => region2.edges().next(),
+    };
+    // Through the corner and out by the other side is more than a touch.
+    let touch = touch.and_then(|(next, corner)| (leaves == Some(next)).then_some(corner));
+    let edges = [enters, leaves];
+    Ok(Sector { edges, touch })
+}
+
+/// Two sides that meet at a corner: the vertical one first.
+fn in_order([e, f]: [Edge; 2]) -> [Edge; 2] {
+    if e.axis() == Axis::X { [e, f] } else { [f, e] }
+}
+
+/// Step 5: an end moves to its crossing.
+fn cut<R: Real>(
+    end: End,
+    edge: Edge,
+    touch: Option<Point>,
+    WindowInput { window, segment }: &WindowInput,
+    emit: &mut impl FnMut(NichollLeeNichollEvent),
+) -> Point {
+    let to = touch.unwrap_or_else(|| on_border::<R>(segment, window, edge));
+    let [num, den] = crossing::<f64>(segment, window, edge).ratio;
+    emit(NichollLeeNichollEvent::Cut {
+        end,
+        edge,
+        u: Ratio { num, den },
+        from: end.of(segment),
+        to,
+    });
+    to
+}

@@ -1,0 +1,205 @@
+//! Brute force, shown.
+
+use crate::{
+    algo::line::{
+        BruteForce, BruteForceEvent as Event, BruteForceState as State, End, Ratio, WindowInput,
+    },
+    figure::{Caption, Mark, Role, Shape, Tick, Watch, WatchRow, WatchSection},
+    geom::{Edge, Segment, Window},
+    labs::lines::{
+        Scene,
+        demo::{Demo, Step},
+        registry::{CodeLine, code_line},
+    },
+    text::{Formula, Message, Value},
+};
+
+use super::shared::{
+    accepted, along, axis_symbol, border_equation, border_mark, crossing_mark, edge_link,
+    edge_name, end_name, ends_rows, free_formula, opening, parallel_formula, parameter_formula,
+    segment_marks,
+};
+
+const EACH: usize = 0;
+const INTERSECT: usize = 1;
+const REJECT: usize = 2;
+const CUT: usize = 3;
+const ACCEPT: usize = 4;
+
+impl Demo for BruteForce {
+    const ID: &'static str = "brute-force";
+    const NAME_KEY: &'static str = "alg-brute-force";
+    const SOURCE: &'static str = "Rogers, 1998, §3-1";
+    const CODE: &'static [CodeLine] = &[
+        code_line(0, "code-bf-each", "words-bf-each"),
+        code_line(1, "code-bf-intersect", "words-bf-intersect"),
+        code_line(1, "code-bf-reject", "words-bf-reject"),
+        code_line(1, "code-bf-cut", "words-bf-cut"),
+        code_line(0, "code-bf-accept", "words-bf-accept"),
+    ];
+
+    fn input(scene: &Scene, segment: Segment) -> WindowInput {
+        WindowInput {
+            window: scene.window,
+            segment,
+        }
+    }
+
+    fn tick(event: &Event) -> Tick {
+        match event {
+            Event::Intersect { .. } => Tick::Phase,
+            Event::Parallel { .. } | Event::Keep { .. } => Tick::Test,
+            Event::Cut { .. } => Tick::Cut,
+            Event::Accept { .. } => Tick::Accept,
+            Event::Reject { .. } => Tick::Reject,
+        }
+    }
+
+    fn code_line(event: &Event, _: &State) -> usize {
+        match event {
+            Event::Parallel { .. } => EACH,
+            Event::Intersect { .. } => INTERSECT,
+            Event::Reject { .. } => REJECT,
+            Event::Keep { .. } | Event::Cut { .. } => CUT,
+            Event::Accept { .. } => ACCEPT,
+        }
+    }
+
+    fn opening(input: &WindowInput) -> Caption {
+        opening(&input.segment)
+    }
+
+    fn caption(event: &Event, before: &State, input: &WindowInput) -> Caption {
+        let WindowInput { window, segment } = input;
+        match *event {
+            Event::Intersect { edge, u, at } => {
+                let message = Message::new("bf-intersect").with("edge", edge_name(edge));
+                let free = along(at, edge.axis())[1];
+                Caption::new(message)
+                    .so(parameter_formula("t", segment, window, edge, u))
+                    .so(free_formula(segment, window, edge, free))
+            }
+            Event::Parallel { edge } => {
+                Caption::new(Message::new("line-parallel").with("edge", edge_name(edge)))
+                    .so(parallel_formula(segment, edge))
+            }
+            Event::Keep { edge } => {
+                Caption::new(Message::new("bf-keep").with("edge", edge_name(edge)))
+                    .so(both_sides(before, window, edge))
+            }
+            Event::Cut { end, edge, to, .. } => Caption::new(
+                Message::new("bf-cut")
+                    .with("end", end_name(end))
+                    .with("border", border_equation(window, edge))
+                    .with("to", to.to_array()),
+            )
+            .so(both_sides(before, window, edge)),
+            Event::Accept { segment } => accepted(&segment),
+            Event::Reject { edge } => {
+                Caption::new(Message::new("line-reject-edge").with("edge", edge_name(edge)))
+                    .so(both_sides(before, window, edge))
+            }
+        }
+    }
+
+    fn marks(step: &Step<'_, Self>) -> Vec<Mark> {
+        let WindowInput { window, segment } = step.input;
+        let current = match step.event {
+            Some(
+                Event::Intersect { edge, .. }
+                | Event::Parallel { edge }
+                | Event::Keep { edge }
+                | Event::Cut { edge, .. }
+                | Event::Reject { edge },
+            ) => Some(edge),
+            _ => None,
+        };
+        let mut marks: Vec<Mark> = Edge::ALL
+            .into_iter()
+            .filter(|&edge| Some(edge) != current)
+            .map(|edge| {
+                let border = Shape::Border(edge.axis(), window.border(edge));
+                Mark::new(Role::Faint, border).linked(edge_link(edge))
+            })
+            .collect();
+        marks.push(Mark::new(
+            Role::Faint,
+            Shape::Line([segment.p1.to_array(), segment.p2.to_array()]),
+        ));
+        marks.extend(current.map(|edge| border_mark(window, edge)));
+        marks.extend(segment_marks(segment, step.state.ends, step.state.verdict));
+        for edge in Edge::ALL {
+            let Some((at, u)) = step.state.crossings[edge as usize] else {
+                continue;
+            };
+            let used = step.state.ends.contains(&at);
+            if used && step.state.verdict.is_some() {
+                continue;
+            }
+            marks.push(if Some(edge) == current && step.state.verdict.is_none() {
+                crossing_mark(at, "t", u).linked(edge_link(edge))
+            } else if used {
+                Mark::new(Role::Accent, Shape::Dot(at.to_array())).linked(edge_link(edge))
+            } else {
+                Mark::new(Role::Discarded, Shape::Cross(at.to_array())).linked(edge_link(edge))
+            });
+        }
+        marks
+    }
+
+    fn watch(step: &Step<'_, Self>) -> Watch {
+        let mut rows = ends_rows(step.state.ends);
+        let n_crossings = step.state.crossings.iter().flatten().count();
+        rows.push(WatchRow::new(
+            Value::Term("watch-crossings"),
+            Some(Value::Count(n_crossings)),
+        ));
+        rows.push(WatchRow::new(
+            Value::Term("watch-crossings-used"),
+            Some(Value::Count(step.state.n_used)),
+        ));
+        let table = Edge::ALL
+            .into_iter()
+            .map(|edge| {
+                let crossing = step.state.crossings[edge as usize];
+                let cells = vec![
+                    crossing.map(|(_, Ratio { num, den })| Value::Ratio { num, den }),
+                    crossing.map(|(at, _)| Value::Point(at.to_array())),
+                ];
+                WatchRow::table(edge_name(edge), cells).linked(edge_link(edge))
+            })
+            .collect();
+        vec![
+            WatchSection::list(rows),
+            WatchSection::table(vec!["t", "P(t)"], table),
+        ]
+    }
+}
+
+/// `x₁ = −2, x₂ = 2; −1`: both ends' coordinates beside the border that they are compared with.
+fn both_sides(before: &State, window: &Window, edge: Edge) -> Formula {
+    let (axis, c) = (edge.axis(), window.border(edge));
+    End::BOTH
+        .into_iter()
+        .fold(Formula::default(), |formula, end| {
+            let [a, _] = along(before.ends[end.idx()], axis);
+            let beyond = if edge.is_max() { a > c } else { a < c };
+            let relation = match (beyond, edge.is_max()) {
+                (true, false) | (false, true) if a != c => " < ",
+                (true, true) | (false, false) if a != c => " > ",
+                _ => " = ",
+            };
+            let subscript = ["₁ = ", "₂ = "][end.idx()];
+            let formula = if end == End::P2 {
+                formula.sym(",  ")
+            } else {
+                formula
+            };
+            formula
+                .sym(axis_symbol(axis))
+                .sym(subscript)
+                .num(a)
+                .sym(relation)
+                .num(c)
+        })
+}

@@ -1,0 +1,86 @@
+//! Where lesson files come from: the binary itself, a folder, or a map in memory.
+
+use std::collections::BTreeMap;
+
+use include_dir::{Dir, DirEntry, include_dir};
+
+/// A larger file is refused: no lesson is that long, so it is something else.
+pub const MAX_FILE_BYTES: usize = 4 << 20;
+
+/// Why a file could not be had.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum FileError {
+    /// Larger than [`MAX_FILE_BYTES`].
+    TooLarge,
+    /// In the words of the system.
+    Unreadable(String),
+}
+
+/// A set of files. Paths are relative and use `/`.
+pub trait Files {
+    /// The paths of all files that could belong to a lesson, `01-name/lesson.toml`, in any order.
+    ///
+    /// # Errors
+    /// [`FileError`] where not even the list can be had.
+    fn list(&self) -> Result<Vec<String>, FileError>;
+
+    /// What a file holds.
+    ///
+    /// # Errors
+    /// [`FileError`] where it is too large, cannot be read, or is not there any more.
+    fn read(&self, path: &str) -> Result<Vec<u8>, FileError>;
+
+    /// The path by which a person knows a file; the path of the whole for `""`.
+    fn shown(&self, path: &str) -> String {
+        path.to_owned()
+    }
+}
+
+/// The course that is compiled in.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Embedded;
+
+static LESSONS: Dir<'static> = include_dir!("$CARGO_MANIFEST_DIR/lessons");
+
+impl Files for Embedded {
+    fn list(&self) -> Result<Vec<String>, FileError> {
+        fn walk(dir: &Dir<'_>, paths: &mut Vec<String>) {
+            for entry in dir.entries() {
+                match entry {
+                    DirEntry::Dir(dir) => walk(dir, paths),
+                    DirEntry::File(file) => paths.push(file.path().to_string_lossy().into_owned()),
+                }
+            }
+        }
+        let mut paths = Vec::new();
+        walk(&LESSONS, &mut paths);
+        Ok(paths)
+    }
+
+    fn read(&self, path: &str) -> Result<Vec<u8>, FileError> {
+        let file = LESSONS.get_file(path).ok_or_else(no_such_file)?;
+        Ok(file.contents().to_vec())
+    }
+
+    fn shown(&self, path: &str) -> String {
+        format!("lessons/{path}")
+    }
+}
+
+impl Files for BTreeMap<String, Vec<u8>> {
+    fn list(&self) -> Result<Vec<String>, FileError> {
+        Ok(self.keys().cloned().collect())
+    }
+
+    fn read(&self, path: &str) -> Result<Vec<u8>, FileError> {
+        let bytes = self.get(path).ok_or_else(no_such_file)?;
+        if bytes.len() > MAX_FILE_BYTES {
+            return Err(FileError::TooLarge);
+        }
+        Ok(bytes.clone())
+    }
+}
+
+fn no_such_file() -> FileError {
+    FileError::Unreadable("no such file".to_owned())
+}

@@ -1,0 +1,120 @@
+//! Lessons in a folder on disk. The one place in the pure half that touches files: it lies here, beside the
+//! trait it implements, so that `check`, `export` and the app read a folder the same way; a browser has none.
+
+use std::{
+    fs,
+    io::{self, Read},
+    path::{Path, PathBuf},
+};
+
+use super::{
+    course::{LESSON_FILE, MAX_LESSONS},
+    files::{FileError, Files, MAX_FILE_BYTES},
+};
+
+/// A folder of lessons, or one lesson's own folder.
+#[derive(Clone, Debug)]
+pub struct Folder {
+    root: PathBuf,
+    /// The lesson's id, where `root` is that lesson's folder.
+    single: Option<String>,
+}
+
+impl Folder {
+    /// A folder that holds a `lesson.toml` is a lesson; any other is a folder of lessons.
+    #[must_use]
+    pub fn new(root: impl Into<PathBuf>) -> Self {
+        let root = root.into();
+        let single = root.join(LESSON_FILE).is_file().then(|| {
+            let full = fs::canonicalize(&root).unwrap_or_else(|_| root.clone());
+            let name = full.file_name().map(|name| name.to_string_lossy());
+            name.map_or_else(|| "lesson".to_owned(), std::borrow::Cow::into_owned)
+        });
+        Self { root, single }
+    }
+
+    /// The folder itself: what to watch for changes.
+    #[must_use]
+    pub fn root(&self) -> &Path {
+        &self.root
+    }
+
+    fn path(&self, path: &str) -> PathBuf {
+        match (&self.single, path.split_once('/')) {
+            (Some(_), Some((_, name))) => self.root.join(name),
+            (Some(_), None) => self.root.clone(),
+            (None, _) => self.root.join(path),
+        }
+    }
+}
+
+impl Files for Folder {
+    fn list(&self) -> Result<Vec<String>, FileError> {
+        if let Some(id) = &self.single {
+            let names = names(&self.root).map_err(|error| unreadable(&error))?;
+            return Ok(names.iter().map(|name| format!("{id}/{name}")).collect());
+        }
+        let mut paths = Vec::new();
+        let mut n_folders = 0;
+        for id in names(&self.root).map_err(|error| unreadable(&error))? {
+            let folder = self.root.join(&id);
+            // A folder that may not be opened is not a lesson of this person's.
+            let Ok(names) = names(&folder) else { continue };
+            let before = paths.len();
+            paths.extend(names.iter().map(|name| format!("{id}/{name}")));
+            n_folders += usize::from(paths.len() > before);
+            if n_folders > MAX_LESSONS {
+                break;
+            }
+        }
+        Ok(paths)
+    }
+
+    fn read(&self, path: &str) -> Result<Vec<u8>, FileError> {
+        let path = self.path(path);
+        read(&path)
+    }
+
+    fn shown(&self, path: &str) -> String {
+        let path = if path.is_empty() {
+            self.root.clone()
+        } else {
+            self.path(path)
+        };
+        path.display().to_string()
+    }
+}
+
+/// Sorted names of what could belong to a lesson, or be one; a name that is not Unicode could not.
+fn names(folder: &Path) -> io::Result<Vec<String>> {
+    let mut names = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        if let Ok(name) = entry?.file_name().into_string() {
+            names.push(name);
+        }
+    }
+    names.sort();
+    Ok(names)
+}
+
+/// Reads a regular file, and never more of it than is allowed.
+fn read(path: &Path) -> Result<Vec<u8>, FileError> {
+    let open = || -> io::Result<Vec<u8>> {
+        if !fs::metadata(path)?.is_file() {
+            return Err(io::Error::other("not a file"));
+        }
+        let mut bytes = Vec::new();
+        let limit = MAX_FILE_BYTES as u64 + 1;
+        fs::File::open(path)?.take(limit).read_to_end(&mut bytes)?;
+        Ok(bytes)
+    };
+    match open() {
+        Ok(bytes) if bytes.len() > MAX_FILE_BYTES => Err(FileError::TooLarge),
+        Ok(bytes) => Ok(bytes),
+        Err(error) => Err(unreadable(&error)),
+    }
+}
+
+fn unreadable(error: &io::Error) -> FileError {
+    FileError::Unreadable(error.to_string())
+}

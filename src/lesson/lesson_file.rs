@@ -1,0 +1,332 @@
+//! `lesson.toml`: scenes by name, and the steps that show them.
+
+use std::{collections::BTreeMap, ops::Range, sync::Arc};
+
+use crate::{
+    figure::{Moment, MomentError, Run},
+    labs::lines::{Lock, MAX_SEGMENTS, Scene},
+    text::{Lang, Message},
+};
+
+use super::{
+    course::{CodeView, Lab, Lesson, LessonText, Step},
+    nearest::nearest,
+    scene_file::{self, with_toml},
+    sink::Sink,
+    toml_fields::{Fields, Item, list, named, one_of, suggestion, text},
+};
+
+const LESSON_FIELDS: [&str; 4] = ["lab", "source", "scenes", "step"];
+const STEP_FIELDS: [&str; 6] = ["id", "scene", "at", "figure", "lock", "code"];
+
+/// A lesson without its texts.
+pub(super) struct Skeleton {
+    /// The steps' ids, in order; `None` where one of them is not known for sure.
+    pub ids: Option<Vec<String>>,
+    /// `None` where there is a mistake.
+    lesson: Option<(Lab, String, Vec<Step>)>,
+}
+
+impl Skeleton {
+    /// Adds the texts; `None` where something is missing.
+    pub fn into_lesson(self, id: &str, mut texts: BTreeMap<Lang, LessonText>) -> Option<Lesson> {
+        let (lab, source, steps) = self.lesson?;
+        Some(Lesson {
+            id: id.to_owned(),
+            lab,
+            source,
+            steps,
+            english: texts.remove(&Lang::En)?,
+            translations: texts,
+        })
+    }
+}
+
+/// Reads a `lesson.toml`, reporting all its mistakes.
+pub(super) fn read(sink: &mut Sink<'_>) -> Option<Skeleton> {
+    with_toml(sink, |table, sink| {
+        let fields = Fields::of_file(table, &LESSON_FIELDS, sink);
+        let lab = fields.require("lab", sink).and_then(|item| {
+            let known = Lab::ALL.map(Lab::id);
+            one_of(item, &known, "problem-unknown-lab", sink, |name| {
+                Lab::ALL.into_iter().find(|lab| lab.id() == name)
+            })
+        });
+        let source = fields
+            .require("source", sink)
+            .and_then(|item| text(item, sink));
+        let mut reader = Steps {
+            scenes: scenes(&fields, sink),
+            ids: Names::default(),
+            figures: Names::default(),
+            current: Current::None,
+        };
+        let (ids, steps) = reader.read(&fields, sink);
+        for scene in reader.scenes.values().filter(|scene| !scene.is_used) {
+            sink.warning(scene.span.clone(), Message::new("problem-unused-scene"), []);
+        }
+        let complete = sink.n_errors() == 0;
+        Some(Skeleton {
+            ids,
+            lesson: (|| Some((lab?, source?.to_owned(), steps?)))().filter(|_| complete),
+        })
+    })
+}
+
+/// A scene of the lesson, and its focused segment's run.
+struct NamedScene {
+    span: Range<usize>,
+    /// `None` where it has a mistake.
+    recorded: Option<(Arc<Scene>, Box<dyn Run>)>,
+    is_used: bool,
+}
+
+fn scenes(fields: &Fields<'_>, sink: &mut Sink<'_>) -> BTreeMap<String, NamedScene> {
+    let mut segments_left = MAX_SEGMENTS;
+    let mut scenes = BTreeMap::new();
+    let Some(table) = fields.get("scenes").and_then(|item| named(item, sink)) else {
+        return scenes;
+    };
+    for (key, item) in table {
+        let scene = Fields::of(item, &scene_file::FIELDS, sink)
+            .and_then(|fields| scene_file::scene(&fields, &mut segments_left, sink));
+        let recorded = scene.map(|scene| {
+            let run = scene.method.record(&scene, scene.focused());
+            (Arc::new(scene), run)
+        });
+        let scene = NamedScene {
+            span: key.span(),
+            recorded,
+            is_used: false,
+        };
+        scenes.insert(key.get_ref().to_string(), scene);
+    }
+    scenes
+}
+
+/// Names that must not come twice, and the line of each.
+#[derive(Default)]
+struct Names(BTreeMap<String, usize>);
+
+impl Names {
+    /// Takes a well-formed name that is new.
+    fn take(
+        &mut self,
+        item: &Item<'_>,
+        is_valid: fn(&str) -> bool,
+        [invalid, expect, duplicate]: [&'static str; 3],
+        sink: &mut Sink<'_>,
+    ) -> Option<String> {
+        let name = text(item, sink)?;
+        let about = |key| Message::new(key).with("name", name.to_owned());
+        if !is_valid(name) {
+            sink.error(item.span(), about(invalid), [Message::new(expect)]);
+            return None;
+        }
+        if let Some(line) = self.0.get(name) {
+            let first = Message::new("expect-first-here").with("line", line.to_string());
+            sink.error(item.span(), about(duplicate), [first]);
+            return None;
+        }
+        let line = sink.source().line(item.span().start);
+        self.0.insert(name.to_owned(), line);
+        Some(name.to_owned())
+    }
+}
+
+/// The scene that a step without one keeps.
+enum Current {
+    None,
+    /// Named, but not there or not valid: reported already.
+    Broken,
+    Scene(String),
+}
+
+struct Steps {
+    scenes: BTreeMap<String, NamedScene>,
+    ids: Names,
+    figures: Names,
+    current: Current,
+}
+
+impl Steps {
+    /// The ids where all are known, and the steps where all are valid.
+    fn read(
+        &mut self,
+        fields: &Fields<'_>,
+        sink: &mut Sink<'_>,
+    ) -> (Option<Vec<String>>, Option<Vec<Step>>) {
+        let items = match fields.get("step") {
+            Some(item) => match list(item, "expect-steps", sink) {
+                Some(items) => items,
+                None => return (None, None),
+            },
+            None if fields.is_misspelt("step") => return (None, None),
+            None => &[],
+        };
+        if items.is_empty() {
+            let expected = [Message::new("expect-steps")];
+            sink.error(fields.span(), Message::new("problem-no-steps"), expected);
+            return (None, None);
+        }
+        let (mut ids, mut steps) = (Some(Vec::new()), Some(Vec::new()));
+        for item in items {
+            let (id, step) = self.step(item, sink);
+            ids = ids.zip(id).map(|(mut ids, id)| {
+                ids.push(id);
+                ids
+            });
+            steps = steps.zip(step).map(|(mut steps, step)| {
+                steps.push(step);
+                steps
+            });
+        }
+        (ids, steps)
+    }
+
+    fn step(&mut self, item: &Item<'_>, sink: &mut Sink<'_>) -> (Option<String>, Option<Step>) {
+        let Some(fields) = Fields::of(item, &STEP_FIELDS, sink) else {
+            return (None, None);
+        };
+        let id = fields.require("id", sink).and_then(|item| {
+            let keys = [
+                "problem-bad-step-id",
+                "expect-kebab",
+                "problem-duplicate-step",
+            ];
+            self.ids.take(item, is_kebab, keys, sink)
+        });
+        self.choose_scene(&fields, sink);
+        let stop = self.stop(&fields, sink);
+        let figure = fields.get("figure").and_then(|item| {
+            let keys = [
+                "problem-bad-figure",
+                "expect-figure",
+                "problem-duplicate-figure",
+            ];
+            self.figures.take(item, is_figure_name, keys, sink)
+        });
+        let locks = fields.get("lock").map(|item| locks(item, sink));
+        let code = fields.get("code").and_then(|item| {
+            let known = CodeView::ALL.map(CodeView::id);
+            one_of(item, &known, "problem-unknown-value", sink, |name| {
+                CodeView::ALL.into_iter().find(|view| view.id() == name)
+            })
+        });
+        let step = id
+            .clone()
+            .zip(stop)
+            .map(|(id, (scene, moment, position))| Step {
+                id,
+                scene,
+                moment,
+                position,
+                figure,
+                locks: locks.unwrap_or_default(),
+                code: code.unwrap_or_default(),
+            });
+        (id, step)
+    }
+
+    fn choose_scene(&mut self, fields: &Fields<'_>, sink: &mut Sink<'_>) {
+        let Some(item) = fields.get("scene") else {
+            if matches!(self.current, Current::None) && !fields.is_misspelt("scene") {
+                let message =
+                    Message::new("problem-missing-field").with("name", "scene".to_owned());
+                sink.error(fields.span(), message, [Message::new("expect-first-scene")]);
+            }
+            if matches!(self.current, Current::None) {
+                self.current = Current::Broken;
+            }
+            return;
+        };
+        let known: Vec<&str> = self.scenes.keys().map(String::as_str).collect();
+        let name = one_of(item, &known, "problem-unknown-scene", sink, |name| {
+            known.contains(&name).then(|| name.to_owned())
+        });
+        self.current = name.map_or(Current::Broken, Current::Scene);
+        if let Current::Scene(name) = &self.current
+            && let Some(scene) = self.scenes.get_mut(name)
+        {
+            scene.is_used = true;
+        }
+    }
+
+    /// The step's scene, and where in its run the lesson stops.
+    fn stop(
+        &self,
+        fields: &Fields<'_>,
+        sink: &mut Sink<'_>,
+    ) -> Option<(Arc<Scene>, Moment, usize)> {
+        let moment = match fields.get("at") {
+            None => Some(Moment::Start),
+            Some(item) => moment(item, sink),
+        };
+        let Current::Scene(name) = &self.current else {
+            return None;
+        };
+        let (scene, run) = self.scenes.get(name)?.recorded.as_ref()?;
+        let moment = moment?;
+        let position = run.find(&moment);
+        if let (None, Some(item)) = (position, fields.get("at")) {
+            never_happens(&moment, &**run, item.span(), sink);
+        }
+        Some((Arc::clone(scene), moment, position?))
+    }
+}
+
+fn moment(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Moment> {
+    let error = match text(item, sink)?.parse() {
+        Ok(moment) => return Some(moment),
+        Err(error) => error,
+    };
+    let expected = match error {
+        MomentError::Empty => "expect-moment",
+        MomentError::BadNumber => "expect-moment-number",
+    };
+    sink.error(
+        item.span(),
+        Message::new("problem-bad-moment"),
+        [Message::new(expected)],
+    );
+    None
+}
+
+/// The most moments that an error lists.
+const MAX_MOMENTS: usize = 60;
+
+fn never_happens(moment: &Moment, run: &dyn Run, span: Range<usize>, sink: &mut Sink<'_>) {
+    let mut moments: Vec<String> = (0..=run.n_steps().min(MAX_MOMENTS))
+        .map(|step| run.moment(step).to_string())
+        .collect();
+    moments.push(Moment::End.to_string());
+    let wanted = moment.to_string();
+    let names: Vec<&str> = moments.iter().map(String::as_str).collect();
+    let meant = nearest(&wanted, names.iter().copied());
+    let message = Message::new("problem-moment-never-happens").with("name", wanted.clone());
+    sink.error(span, message, suggestion(meant, &names));
+}
+
+fn locks(item: &Item<'_>, sink: &mut Sink<'_>) -> Vec<Lock> {
+    let items = list(item, "expect-locks", sink).unwrap_or_default();
+    items
+        .iter()
+        .filter_map(|item| {
+            one_of(item, &Lock::ALL, "problem-unknown-lock", sink, |name| {
+                name.parse().ok()
+            })
+        })
+        .collect()
+}
+
+fn is_kebab(id: &str) -> bool {
+    is_figure_name(id) && id.split('-').all(|part| !part.is_empty())
+}
+
+/// Nothing that a path could be made of.
+fn is_figure_name(name: &str) -> bool {
+    name.len() <= 64
+        && name
+            .bytes()
+            .all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'-')
+}

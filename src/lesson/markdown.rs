@@ -1,0 +1,270 @@
+//! The part of Markdown that lesson texts are written in, parsed once into blocks that are only laid out.
+
+use std::ops::Range;
+
+use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Parser, Tag, TagEnd};
+
+use crate::text::Message;
+
+use super::{problem::is_wide, sink::Sink};
+
+/// A piece of text that stands on its own.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Block {
+    /// Running text.
+    Paragraph(Vec<Inline>),
+    /// An item of a list.
+    ListItem {
+        /// 0 for a list that is not in another.
+        depth: usize,
+        /// What stands before it.
+        marker: Marker,
+        /// Its text.
+        text: Vec<Inline>,
+    },
+    /// Lines of code, each ended by a line break.
+    Code(String),
+    /// Hidden until the reader asks for it.
+    Answer(Vec<Self>),
+}
+
+/// What stands before an item of a list.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Marker {
+    /// A bullet.
+    Bullet,
+    /// `1.`
+    Number(u64),
+    /// Nothing: another paragraph of the item above.
+    Continued,
+}
+
+/// A stretch of text in one style.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Inline {
+    /// Spaces between words are its own; `\n` breaks the line.
+    pub text: String,
+    /// Bold.
+    pub strong: bool,
+    /// Italics.
+    pub emphasis: bool,
+    /// Monospaced.
+    pub code: bool,
+}
+
+/// A part of a lesson's text: a heading, or a block of its body.
+pub(super) enum Part {
+    /// `# …` is level 1, `## …` level 2.
+    Heading {
+        level: usize,
+        title: String,
+    },
+    Block(Block),
+}
+
+/// Reads a file; what the format has no place for is reported.
+pub(super) fn parse(sink: &mut Sink<'_>) -> Vec<(Part, Range<usize>)> {
+    let text = &*sink.source().text;
+    let mut reader = Reader::default();
+    for (event, span) in Parser::new(text).into_offset_iter() {
+        reader.event(event, span, sink);
+    }
+    reader.parts
+}
+
+#[derive(Default)]
+struct Reader {
+    parts: Vec<(Part, Range<usize>)>,
+    inlines: Vec<Inline>,
+    strong: usize,
+    emphasis: usize,
+    code_block: Option<String>,
+    /// The next number of each open list, outermost first.
+    lists: Vec<Option<u64>>,
+    /// The marker of the item that has not begun yet.
+    marker: Option<Marker>,
+    /// Blocks of the open answer, and how many quotes are open.
+    answer: Vec<Block>,
+    quotes: usize,
+    is_heading: bool,
+}
+
+impl Reader {
+    fn event(&mut self, event: Event<'_>, span: Range<usize>, sink: &mut Sink<'_>) {
+        match event {
+            Event::Start(tag) => self.start(tag, &span, sink),
+            Event::End(tag) => self.end(tag, span, sink),
+            Event::Text(text) => match &mut self.code_block {
+                Some(code) => code.push_str(&text),
+                None => self.push(&text, false),
+            },
+            Event::Code(code) => self.push(&code, true),
+            Event::SoftBreak => self.push("\u{2028}", false),
+            Event::HardBreak => self.push("\n", false),
+            Event::InlineHtml(_) | Event::Html(_) | Event::Rule => unsupported(span, sink),
+            // Extensions that are not switched on.
+            Event::InlineMath(_)
+            | Event::DisplayMath(_)
+            | Event::FootnoteReference(_)
+            | Event::TaskListMarker(_) => {}
+        }
+    }
+
+    fn start(&mut self, tag: Tag<'_>, span: &Range<usize>, sink: &mut Sink<'_>) {
+        match tag {
+            Tag::Strong => self.strong += 1,
+            Tag::Emphasis => self.emphasis += 1,
+            Tag::CodeBlock(CodeBlockKind::Fenced(_) | CodeBlockKind::Indented) => {
+                self.code_block = Some(String::new());
+            }
+            Tag::List(first) => {
+                // The text of an item that has a list in it ends here.
+                self.end_of_text(span.clone(), sink);
+                self.lists.push(first);
+            }
+            Tag::Item => {
+                self.marker = Some(match self.lists.last_mut() {
+                    Some(Some(number)) => {
+                        *number += 1;
+                        Marker::Number(*number - 1)
+                    }
+                    _ => Marker::Bullet,
+                });
+            }
+            Tag::BlockQuote(_) => {
+                self.end_of_text(span.clone(), sink);
+                self.quotes += 1;
+                if self.quotes > 1 || !self.lists.is_empty() {
+                    unsupported(span.clone(), sink);
+                }
+            }
+            Tag::Heading { .. } => {
+                self.is_heading = true;
+                if self.quotes > 0 || !self.lists.is_empty() {
+                    unsupported(span.clone(), sink);
+                }
+            }
+            Tag::Link { .. } | Tag::Image { .. } => unsupported(span.clone(), sink),
+            _ => {}
+        }
+    }
+
+    fn end(&mut self, tag: TagEnd, span: Range<usize>, sink: &mut Sink<'_>) {
+        match tag {
+            TagEnd::Strong => self.strong -= 1,
+            TagEnd::Emphasis => self.emphasis -= 1,
+            TagEnd::Paragraph | TagEnd::Item => self.end_of_text(span, sink),
+            TagEnd::List(_) => {
+                self.lists.pop();
+                self.marker = None;
+            }
+            TagEnd::CodeBlock => {
+                let code = self.code_block.take().unwrap_or_default();
+                self.block(Block::Code(code), span);
+            }
+            TagEnd::BlockQuote(_) => {
+                self.quotes -= 1;
+                if self.quotes == 0 {
+                    let answer = std::mem::take(&mut self.answer);
+                    self.block(Block::Answer(answer), span);
+                }
+            }
+            TagEnd::Heading(level) => self.heading(level, span, sink),
+            _ => {}
+        }
+    }
+
+    fn heading(&mut self, level: HeadingLevel, span: Range<usize>, sink: &mut Sink<'_>) {
+        self.is_heading = false;
+        let title: String = self.inlines().into_iter().map(|part| part.text).collect();
+        if level > HeadingLevel::H2 {
+            unsupported(span, sink);
+            return;
+        }
+        let level = level as usize;
+        self.parts.push((Part::Heading { level, title }, span));
+    }
+
+    /// Ends a paragraph or the text of an item, where one is open.
+    fn end_of_text(&mut self, span: Range<usize>, sink: &mut Sink<'_>) {
+        let text = self.inlines();
+        if text.is_empty() {
+            return;
+        }
+        let is_stray = |part: &Inline| !part.code && part.text.contains("**");
+        if text.iter().any(is_stray) {
+            let at = sink.source().text[span.clone()].find("**").unwrap_or(0);
+            let start = span.start + at;
+            let expected = [Message::new("expect-emphasis")];
+            sink.error(
+                start..start + 2,
+                Message::new("problem-stray-emphasis"),
+                expected,
+            );
+        }
+        let block = if self.lists.is_empty() {
+            Block::Paragraph(text)
+        } else {
+            Block::ListItem {
+                depth: self.lists.len() - 1,
+                marker: self.marker.take().unwrap_or(Marker::Continued),
+                text,
+            }
+        };
+        self.block(block, span);
+    }
+
+    fn block(&mut self, block: Block, span: Range<usize>) {
+        if self.quotes > 0 {
+            self.answer.push(block);
+        } else {
+            self.parts.push((Part::Block(block), span));
+        }
+    }
+
+    fn push(&mut self, text: &str, code: bool) {
+        let (strong, emphasis) = (self.strong > 0, self.emphasis > 0);
+        match self.inlines.last_mut() {
+            Some(last) if (last.strong, last.emphasis, last.code) == (strong, emphasis, code) => {
+                last.text.push_str(text);
+            }
+            _ => self.inlines.push(Inline {
+                text: text.to_owned(),
+                strong,
+                emphasis,
+                code,
+            }),
+        }
+    }
+
+    /// The text so far, its soft line breaks resolved.
+    fn inlines(&mut self) -> Vec<Inline> {
+        let mut inlines = std::mem::take(&mut self.inlines);
+        let all: Vec<char> = inlines.iter().flat_map(|part| part.text.chars()).collect();
+        let mut i = 0_usize;
+        for part in &mut inlines {
+            let resolve = |c: char| {
+                i += 1;
+                if c != SOFT_BREAK {
+                    return Some(c);
+                }
+                // Between two Chinese characters a line break is no space.
+                let before = i.checked_sub(2).and_then(|i| all.get(i)).copied();
+                let after = all.get(i).copied();
+                let joins = before.is_some_and(is_wide) && after.is_some_and(is_wide);
+                (!joins).then_some(' ')
+            };
+            part.text = part.text.chars().filter_map(resolve).collect();
+        }
+        inlines.retain(|part| !part.text.is_empty());
+        inlines
+    }
+}
+
+/// Stands for a line break in the file until its neighbours are known.
+const SOFT_BREAK: char = '\u{2028}';
+
+fn unsupported(span: Range<usize>, sink: &mut Sink<'_>) {
+    let expected = [Message::new("expect-markdown")];
+    sink.error(span, Message::new("problem-unsupported-markdown"), expected);
+}

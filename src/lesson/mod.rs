@@ -1,0 +1,37 @@
+//! Lessons: a folder each, with the scenes and steps in `lesson.toml` and the text of the steps in one
+//! Markdown file a language. Here they are read, checked and resolved to places in recorded runs.
+//!
+//! ```text
+//! Files ──► Source ──► toml::Fields ──► scenes, steps ──┐
+//! (bytes)   (UTF-8)    markdown::parse ──► texts ───────┴──► Course
+//!              └────────────┴── mistakes ──► Sink ──► Vec<Problem>
+//! ```
+//!
+//! A mistake never stops the reading: every mistake of every file is a [`Problem`] with its place, and a
+//! lesson with one is left out while the others stay. Nothing here knows of a file system but `folder.rs`.
+
+mod course;
+mod files;
+#[cfg(not(target_arch = "wasm32"))]
+mod folder;
+mod lesson_file;
+mod markdown;
+mod nearest;
+mod problem;
+mod random;
+mod scene_file;
+mod sections;
+mod sink;
+mod source;
+#[cfg(test)]
+mod tests;
+mod toml_fields;
+
+pub use course::{CodeView, Course, Lab, Lesson, LessonText, Loaded, MAX_LESSONS, Step, StepText};
+pub use files::{Embedded, FileError, Files, MAX_FILE_BYTES};
+#[cfg(not(target_arch = "wasm32"))]
+pub use folder::Folder;
+pub use markdown::{Block, Inline, Marker};
+pub use problem::{Place, Problem, Severity};
+pub use random::random_segments;
+pub use scene_file::{scene_from_toml, scene_to_toml};

@@ -1,0 +1,58 @@
+//! "Did you mean …?": the known name that a misspelt one is nearest to.
+
+/// The known name within a third of the given one's length, at least one edit, at most three.
+pub(super) fn nearest<'n>(name: &str, known: impl IntoIterator<Item = &'n str>) -> Option<&'n str> {
+    let given: Vec<char> = name.to_lowercase().chars().collect();
+    // Longer than any name there is: not a slip of the finger.
+    if given.len() > 64 {
+        return None;
+    }
+    let allowed = (given.len() / 3).clamp(1, 3);
+    known
+        .into_iter()
+        .map(|known| (distance(&given, &known.chars().collect::<Vec<_>>()), known))
+        .filter(|&(distance, _)| distance <= allowed)
+        .min_by_key(|&(distance, _)| distance)
+        .map(|(_, known)| known)
+}
+
+/// Insertions, deletions, replacements and swaps of neighbours (optimal string alignment).
+fn distance(a: &[char], b: &[char]) -> usize {
+    let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
+    for (i, row) in rows.iter_mut().enumerate() {
+        row[0] = i;
+    }
+    rows[0] = (0..=b.len()).collect();
+    for i in 1..=a.len() {
+        for j in 1..=b.len() {
+            let replaced = rows[i - 1][j - 1] + usize::from(a[i - 1] != b[j - 1]);
+            let mut best = replaced.min(rows[i - 1][j] + 1).min(rows[i][j - 1] + 1);
+            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                best = best.min(rows[i - 2][j - 2] + 1);
+            }
+            rows[i][j] = best;
+        }
+    }
+    rows[a.len()][b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slips_are_recognised_and_other_words_are_not() {
+        let known = ["window", "segments", "focus", "at"];
+        for (given, expected) in [
+            ("windw", Some("window")),
+            ("Window", Some("window")),
+            ("segmetns", Some("segments")),
+            ("segment", Some("segments")),
+            ("foucs", Some("focus")),
+            ("colour", None),
+            ("x", None),
+        ] {
+            assert_eq!(nearest(given, known), expected, "{given}");
+        }
+    }
+}

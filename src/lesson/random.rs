@@ -1,0 +1,72 @@
+//! Seeded segments around a window: the same on every machine.
+
+use crate::geom::{Point, Segment, Window};
+
+/// `count` segments whose ends lie in a box of twice the window's size around it, on a grid of "short"
+/// decimals. Only +, −, ×, ÷ and rounding are used, which IEEE 754 defines to the last bit.
+#[must_use]
+pub fn random_segments(window: &Window, count: usize, seed: u64) -> Vec<Segment> {
+    let mut bits = SplitMix64(seed);
+    let x = Span::around(window.min().x(), window.max().x());
+    let y = Span::around(window.min().y(), window.max().y());
+    let mut point = || {
+        let (u, v) = (bits.unit(), bits.unit());
+        Point::from_finite(x.at(u), y.at(v))
+    };
+    (0..count)
+        .map(|_| Segment {
+            p1: point(),
+            p2: point(),
+        })
+        .collect()
+}
+
+/// An interval of twice the window's extent, and the grid on it.
+struct Span {
+    min: f64,
+    max: f64,
+    /// Grid lines per unit, a power of ten; `None` where the window is too small for decimals.
+    per_unit: Option<f64>,
+}
+
+impl Span {
+    fn around(min: f64, max: f64) -> Self {
+        let half = max / 2.0 - min / 2.0;
+        let mut per_unit = 1.0;
+        // At least 100 grid lines across half the window; 10¹⁵ is still an exact double.
+        while half * per_unit < 100.0 && per_unit < 1e15 {
+            per_unit *= 10.0;
+        }
+        Self {
+            min: (min - half).max(f64::MIN),
+            max: (max + half).min(f64::MAX),
+            per_unit: (half * per_unit >= 100.0).then_some(per_unit),
+        }
+    }
+
+    fn at(&self, u: f64) -> f64 {
+        let x = self.min * (1.0 - u) + self.max * u;
+        match self.per_unit {
+            Some(per_unit) if x.abs() < f64::MAX / per_unit => (x * per_unit).round() / per_unit,
+            _ => x,
+        }
+    }
+}
+
+/// Steele, Lea and Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014.
+struct SplitMix64(u64);
+
+impl SplitMix64 {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    /// In [0, 1): 53 bits.
+    fn unit(&mut self) -> f64 {
+        (self.next() >> 11) as f64 / (1u64 << 53) as f64
+    }
+}

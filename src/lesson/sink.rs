@@ -1,0 +1,125 @@
+//! Collects the mistakes of one file.
+
+use std::ops::Range;
+
+use crate::text::Message;
+
+use super::{
+    problem::{Problem, Severity},
+    source::Source,
+};
+
+/// After so many mistakes in one file the rest are only counted.
+const MAX_PROBLEMS: usize = 100;
+
+/// The mistakes of one file, in the order in which they were found.
+pub(super) struct Sink<'s> {
+    source: &'s Source<'s>,
+    problems: Vec<Problem>,
+    n_more: usize,
+    n_errors: usize,
+}
+
+impl<'s> Sink<'s> {
+    /// Reports at once a file that is not UTF-8.
+    pub fn new(source: &'s Source<'s>) -> Self {
+        let mut sink = Self {
+            source,
+            problems: Vec::new(),
+            n_more: 0,
+            n_errors: 0,
+        };
+        if let Some((at, byte)) = source.bad_byte {
+            let message = Message::new("problem-not-utf8").with("byte", format!("0x{byte:02X}"));
+            sink.error(at..at + 1, message, [Message::new("expect-utf8")]);
+        }
+        sink
+    }
+
+    pub const fn source(&self) -> &'s Source<'s> {
+        self.source
+    }
+
+    pub const fn n_errors(&self) -> usize {
+        self.n_errors
+    }
+
+    /// A mistake that keeps the lesson from being shown.
+    pub fn error(
+        &mut self,
+        span: Range<usize>,
+        message: Message,
+        notes: impl IntoIterator<Item = Message>,
+    ) {
+        self.n_errors += 1;
+        self.push(Severity::Error, span, message, notes);
+    }
+
+    /// A mistake that does not.
+    pub fn warning(
+        &mut self,
+        span: Range<usize>,
+        message: Message,
+        notes: impl IntoIterator<Item = Message>,
+    ) {
+        self.push(Severity::Warning, span, message, notes);
+    }
+
+    fn push(
+        &mut self,
+        severity: Severity,
+        span: Range<usize>,
+        message: Message,
+        notes: impl IntoIterator<Item = Message>,
+    ) {
+        if self.problems.len() >= MAX_PROBLEMS {
+            self.n_more += 1;
+            return;
+        }
+        self.problems.push(Problem {
+            file: self.source.file.clone(),
+            place: Some(self.source.place(span)),
+            severity,
+            message,
+            notes: notes.into_iter().collect(),
+        });
+    }
+
+    /// Adds the problems of another sink for the same file that `keep` wants, by their codes.
+    pub fn take_from(&mut self, other: Self, keep: impl Fn(&str) -> bool) {
+        for problem in other.problems.into_iter().filter(|p| keep(p.code())) {
+            let Some(place) = &problem.place else {
+                continue;
+            };
+            let is_known = |p: &Problem| p.place.as_ref().is_some_and(|p| p.line == place.line);
+            if !self.problems.iter().any(is_known) && self.problems.len() < MAX_PROBLEMS {
+                self.problems.push(problem);
+            }
+        }
+    }
+
+    /// All of them, from the top of the file to its end.
+    pub fn into_problems(self) -> Vec<Problem> {
+        let mut problems = self.problems;
+        problems.sort_by_key(|problem| {
+            problem
+                .place
+                .as_ref()
+                .map(|place| (place.line, place.column))
+        });
+        if self.n_more > 0 {
+            problems.push(Problem {
+                file: self.source.file.clone(),
+                place: None,
+                severity: if self.n_errors > 0 {
+                    Severity::Error
+                } else {
+                    Severity::Warning
+                },
+                message: Message::new("problem-more").with("count", self.n_more),
+                notes: Vec::new(),
+            });
+        }
+        problems
+    }
+}

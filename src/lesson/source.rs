@@ -1,0 +1,82 @@
+//! A text file and the places in it.
+
+use std::{borrow::Cow, ops::Range};
+
+use super::problem::Place;
+
+/// Of a longer line, only what surrounds the place is kept.
+const MAX_LINE_CHARS: usize = 120;
+/// What is kept before the place.
+const LEAD_CHARS: usize = 50;
+
+/// A file's name and text.
+pub(super) struct Source<'a> {
+    /// As the person who runs the program knows it.
+    pub file: String,
+    /// Without a byte order mark.
+    pub text: Cow<'a, str>,
+    /// Where the file stopped being UTF-8, and the byte that stands there.
+    pub bad_byte: Option<(usize, u8)>,
+}
+
+impl<'a> Source<'a> {
+    /// Text that is not UTF-8 is read as far as it goes, for the place to be shown.
+    pub fn new(file: String, bytes: &'a [u8]) -> Self {
+        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+        let bad_byte = std::str::from_utf8(bytes)
+            .err()
+            .map(|error| (error.valid_up_to(), bytes[error.valid_up_to()]));
+        Self {
+            file,
+            text: String::from_utf8_lossy(bytes),
+            bad_byte,
+        }
+    }
+
+    /// The place of these bytes of the text; what lies past the end of the first line is not shown.
+    pub fn place(&self, span: Range<usize>) -> Place {
+        let text = &*self.text;
+        let start = text.floor_char_boundary(span.start);
+        let end = text.ceil_char_boundary(span.end).max(start);
+        let line_start = text[..start].rfind('\n').map_or(0, |i| i + 1);
+        let line_end = text[start..].find('\n').map_or(text.len(), |i| start + i);
+        let full = text[line_start..line_end].trim_end_matches('\r');
+        let before = text[line_start..start].chars().count();
+        let length = text[start..end.min(line_end)]
+            .trim_end()
+            .chars()
+            .count()
+            .max(1);
+        let (source_line, caret) = excerpt(full, before);
+        Place {
+            line: text[..line_start].matches('\n').count() + 1,
+            column: before + 1,
+            source_line,
+            caret,
+            length,
+        }
+    }
+
+    /// The line of a byte of the text, from 1.
+    pub fn line(&self, at: usize) -> usize {
+        let at = self.text.floor_char_boundary(at);
+        self.text[..at].matches('\n').count() + 1
+    }
+}
+
+/// The line, or what surrounds its character `at`, and the index of that character in it.
+fn excerpt(line: &str, at: usize) -> (String, usize) {
+    if line.chars().nth(MAX_LINE_CHARS).is_none() {
+        return (line.to_owned(), at);
+    }
+    let first = at.saturating_sub(LEAD_CHARS);
+    let mut shown: String = line.chars().skip(first).take(MAX_LINE_CHARS).collect();
+    if line.chars().nth(first + MAX_LINE_CHARS).is_some() {
+        shown.push('…');
+    }
+    if first == 0 {
+        return (shown, at);
+    }
+    shown.insert(0, '…');
+    (shown, at - first + 1)
+}
