@@ -15,11 +15,16 @@ pub mod labs;
 
 pub mod lesson;
 
+pub mod case;
+
 #[cfg(feature = "gui")]
 pub mod paint;
 
 #[cfg(feature = "gui")]
 pub mod widgets;
 
-#[cfg(feature = "gui")]
+#[cfg(all(feature = "gui", not(target_arch = "wasm32")))]
 pub mod export;
+
+#[cfg(all(feature = "gui", not(target_arch = "wasm32")))]
+pub mod cli;

@@ -5,9 +5,17 @@ use std::fmt;
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 
-use crate::{algo::line, figure::Run, geom::Segment};
+use crate::{
+    algo::line::{self, Visible},
+    figure::Run,
+    geom::Segment,
+    trace::Counts,
+};
 
-use super::{Demo, Scene, demo::record};
+use super::{
+    Demo, Scene,
+    demo::{clip, cost, record},
+};
 
 /// What is known of a method without running it.
 pub struct MethodInfo {
@@ -21,7 +29,11 @@ pub struct MethodInfo {
     pub code: &'static [CodeLine],
     /// Can it clip against any convex polygon?
     pub takes_polygon: bool,
+    /// Does it write outcodes, so that the order of their bits matters?
+    pub writes_codes: bool,
     record: fn(&Scene, Segment) -> Box<dyn Run>,
+    clip: fn(&Scene, Segment) -> Visible,
+    cost: fn(&Scene, Segment) -> (Visible, Counts),
 }
 
 /// One line of pseudocode.
@@ -47,7 +59,10 @@ const fn info<A: Demo>() -> MethodInfo {
         source: A::SOURCE,
         code: A::CODE,
         takes_polygon: A::TAKES_POLYGON,
+        writes_codes: A::WRITES_CODES,
         record: record::<A>,
+        clip: clip::<A>,
+        cost: cost::<A>,
     }
 }
 
@@ -86,6 +101,18 @@ impl Method {
     #[must_use]
     pub fn record(self, scene: &Scene, segment: Segment) -> Box<dyn Run> {
         (self.info().record)(scene, segment)
+    }
+
+    /// Its answer for one segment of the scene, as a program would ask for it.
+    #[must_use]
+    pub fn clip(self, scene: &Scene, segment: Segment) -> Visible {
+        (self.info().clip)(scene, segment)
+    }
+
+    /// The same answer and how many operations it took, without recording the steps.
+    #[must_use]
+    pub fn cost(self, scene: &Scene, segment: Segment) -> (Visible, Counts) {
+        (self.info().cost)(scene, segment)
     }
 }
 

@@ -42,6 +42,8 @@ impl Demo for CohenSutherland {
         code_line(1, "code-cs-recode", "words-cs-recode"),
     ];
 
+    const WRITES_CODES: bool = true;
+
     fn input(scene: &Scene, segment: Segment) -> Input {
         Input {
             window: scene.window,
