@@ -3,7 +3,7 @@
 use egui::{Align2, FontId, Rect, Ui, pos2, vec2};
 
 use crate::{
-    figure::Frame,
+    figure::{Frame, Run},
     labs::lines::{self, Method, Scene},
     paint::{Headless, Image, Theme, ThemeKind, Viewport, fonts::semibold, stage},
     text::{Catalog, Lang},
@@ -44,12 +44,9 @@ pub fn draw(table: &mut Headless, picture: &Picture<'_>) -> Image {
     let first = scene.method.record(scene, scene.focused());
     let second = scene.compare.map(|method| {
         let run = method.record(scene, scene.focused());
-        let frame = run.frame(run.beside(&*first, picture.step));
-        Column { method, frame }
+        Column::new(method, &*run, run.beside(&*first, picture.step))
     });
-    let frame = first.frame(picture.step.min(first.n_steps()));
-    let method = scene.method;
-    let columns: Vec<Column> = std::iter::once(Column { method, frame })
+    let columns: Vec<Column> = std::iter::once(Column::new(scene.method, &*first, picture.step))
         .chain(second)
         .collect();
     let page = Page {
@@ -75,9 +72,21 @@ pub fn draw(table: &mut Headless, picture: &Picture<'_>) -> Image {
     })
 }
 
+/// One method at one step.
 struct Column {
     method: Method,
     frame: Frame,
+    at_end: bool,
+}
+
+impl Column {
+    fn new(method: Method, run: &dyn Run, step: usize) -> Self {
+        Self {
+            method,
+            frame: run.frame(step.min(run.n_steps())),
+            at_end: step >= run.n_steps(),
+        }
+    }
 }
 
 struct Page<'a> {
@@ -87,7 +96,8 @@ struct Page<'a> {
 }
 
 impl Page<'_> {
-    fn column(&self, ui: &mut Ui, rect: Rect, Column { method, frame }: &Column) {
+    fn column(&self, ui: &mut Ui, rect: Rect, column: &Column) {
+        let frame = &column.frame;
         let [margin_x, margin_y] = MARGIN_PTS;
         let width = rect.width() - 2.0 * margin_x;
         let job = caption_job(ui, self.look, &frame.caption, width, MAX_ROWS);
@@ -101,7 +111,7 @@ impl Page<'_> {
             None => 0.0,
         };
         let stage_rect = rect.with_max_y(strip_top - line_height);
-        self.stage(ui, stage_rect, *method, frame);
+        self.stage(ui, stage_rect, column);
         if let Some(line) = &frame.number_line {
             let rect = rect
                 .with_min_y(strip_top - line_height)
@@ -117,10 +127,15 @@ impl Page<'_> {
         }
     }
 
-    fn stage(&self, ui: &Ui, rect: Rect, method: Method, frame: &Frame) {
+    fn stage(&self, ui: &Ui, rect: Rect, column: &Column) {
+        let Column {
+            method,
+            frame,
+            at_end,
+        } = column;
         let viewport = Viewport::fit(rect, lines::bounds(self.scene));
         let painter = ui.painter().with_clip_rect(rect);
-        let mut marks = lines::backdrop(self.scene, method);
+        let mut marks = lines::backdrop(self.scene, *method, *at_end);
         marks.extend(frame.marks.iter().cloned());
         stage(
             &painter,
