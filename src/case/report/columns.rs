@@ -39,11 +39,11 @@ pub(super) fn set<const N: usize>(
                 let text = cells[i].get(y).map_or("", String::as_str);
                 let pad = " ".repeat(widths[i].saturating_sub(text.width()));
                 let gap = " ".repeat(if i > 0 { GAP } else { 0 });
-                line += &gap;
-                line += &match align[i] {
-                    Align::Left => format!("{text}{pad}"),
-                    Align::Right => format!("{pad}{text}"),
+                let parts = match align[i] {
+                    Align::Left => [&gap, text, &pad],
+                    Align::Right => [&gap, &pad, text],
                 };
+                line.extend(parts);
             }
             lines.push(line.trim_end().to_owned());
         }
