@@ -49,9 +49,18 @@ pub(super) fn choose(names: &[PathBuf]) -> Chosen {
 impl Chosen {
     /// Names on standard error whatever is wrong.
     pub fn report(&self, lang: Lang) -> Outcome {
-        let catalog = Catalog::of(lang);
-        for problem in &self.problems {
-            say_text(&problem.render(catalog));
+        let warnings = self.problems.iter().filter(|problem| !is_error(problem));
+        for problem in warnings {
+            say_text(&problem.render(Catalog::of(lang)));
+        }
+        self.report_errors(lang)
+    }
+
+    /// Names on standard error which lessons are left out.
+    pub fn report_errors(&self, lang: Lang) -> Outcome {
+        let errors: Vec<&Problem> = self.problems.iter().filter(|p| is_error(p)).collect();
+        for problem in &errors {
+            say_text(&problem.render(Catalog::of(lang)));
         }
         for name in &self.missing {
             say(
@@ -59,11 +68,9 @@ impl Chosen {
                 &Message::new("cli-no-lesson").with("name", name.clone()),
             );
         }
-        let is_error = |problem: &&Problem| problem.severity == Severity::Error;
         let nothing_read = |problem: &Problem| {
             problem.place.is_none() && matches!(problem.code(), "no-lessons" | "unreadable")
         };
-        let errors: Vec<&Problem> = self.problems.iter().filter(is_error).collect();
         match errors.len() + self.missing.len() {
             0 => Outcome::Done,
             _ if self.lessons.is_empty() && errors.iter().all(|p| nothing_read(p)) => {
@@ -72,6 +79,10 @@ impl Chosen {
             _ => Outcome::Refused,
         }
     }
+}
+
+fn is_error(problem: &Problem) -> bool {
+    problem.severity == Severity::Error
 }
 
 fn shown(path: &Path) -> String {

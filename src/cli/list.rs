@@ -46,7 +46,7 @@ enum Format {
 pub(super) fn list(args: &Args) -> Outcome {
     let catalog = Catalog::of(args.lang);
     let chosen = choose(&args.lessons);
-    let outcome = chosen.report(args.lang);
+    let outcome = chosen.report_errors(args.lang);
     let text = match args.format {
         Format::Text => as_text(&chosen.lessons, catalog),
         Format::Json => format!("{:#}\n", as_json(&chosen.lessons, catalog)),
