@@ -20,5 +20,11 @@ pub mod case;
 #[cfg(feature = "gui")]
 pub mod paint;
 
+#[cfg(feature = "gui")]
+pub mod widgets;
+
+#[cfg(all(feature = "gui", not(target_arch = "wasm32")))]
+pub mod export;
+
 #[cfg(all(feature = "gui", not(target_arch = "wasm32")))]
 pub mod cli;
