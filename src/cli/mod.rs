@@ -5,6 +5,7 @@
 
 mod check;
 mod export;
+mod lessons;
 mod list;
 mod open;
 mod progress;

@@ -80,3 +80,6 @@ trace-more-refused =
 trace-from-terminal = Reading cases from the keyboard, one a line; Ctrl+D ends.
 trace-not-written = The answers could not be written: { $reason }
 list-algorithms = Algorithms that cases can name
+list-lessons = Lessons
+list-figure = figure { $name }
+cli-no-lesson = There is no lesson “{ $name }”: neither a path nor a lesson of the course. See clipscope list.

@@ -76,3 +76,6 @@ trace-more-refused = y { $count } más
 trace-from-terminal = Se leen casos del teclado, uno por línea; Ctrl+D termina.
 trace-not-written = No se pudieron escribir las respuestas: { $reason }
 list-algorithms = Algoritmos que admiten los casos
+list-lessons = Lecciones
+list-figure = figura { $name }
+cli-no-lesson = No hay ninguna lección «{ $name }»: no es una ruta ni una lección del curso. Véase clipscope list.

@@ -76,3 +76,6 @@ trace-more-refused = e mais { $count }
 trace-from-terminal = Lendo casos do teclado, um por linha; Ctrl+D encerra.
 trace-not-written = Não foi possível escrever as respostas: { $reason }
 list-algorithms = Algoritmos que os casos aceitam
+list-lessons = Lições
+list-figure = figura { $name }
+cli-no-lesson = Não há nenhuma lição “{ $name }”: não é um caminho nem uma lição do curso. Veja clipscope list.

@@ -64,3 +64,6 @@ trace-more-refused = 另有 { $count } 项
 trace-from-terminal = 从键盘读取用例，每行一个；按 Ctrl+D 结束。
 trace-not-written = 无法写出答案：{ $reason }
 list-algorithms = 用例可用的算法
+list-lessons = 课程
+list-figure = 图 { $name }
+cli-no-lesson = 没有课程“{ $name }”：既不是路径，也不是内置课程。请见 clipscope list。

@@ -39,11 +39,11 @@ pub(super) fn set<const N: usize>(
                 let text = cells[i].get(y).map_or("", String::as_str);
                 let pad = " ".repeat(widths[i].saturating_sub(text.width()));
                 let gap = " ".repeat(if i > 0 { GAP } else { 0 });
-                line += &gap;
-                line += &match align[i] {
-                    Align::Left => format!("{text}{pad}"),
-                    Align::Right => format!("{pad}{text}"),
+                let parts = match align[i] {
+                    Align::Left => [&gap, text, &pad],
+                    Align::Right => [&gap, &pad, text],
                 };
+                line.extend(parts);
             }
             lines.push(line.trim_end().to_owned());
         }
@@ -106,25 +106,64 @@ struct Piece {
 
 fn pieces(paragraph: &str) -> Vec<Piece> {
     let mut pieces: Vec<Piece> = Vec::new();
-    let (mut space, mut before) = (false, None::<char>);
-    for c in paragraph.chars() {
-        if c.is_whitespace() {
-            space = true;
-            before = None;
-            continue;
+    // Words of the clause so far, for `x = 1`; open parentheses, for `(1, 2)`.
+    let (mut n_words, mut depth, mut last_word) = (0, 0, "");
+    for word in paragraph.split_whitespace() {
+        let joins = depth > 0
+            || is_relation(last_word)
+            || (is_relation(word) && n_words == 1 && last_word.width() < SHORT);
+        for (i, part) in parts(word).into_iter().enumerate() {
+            match pieces.last_mut() {
+                Some(piece) if i == 0 && joins && piece.text.width() < LONG => {
+                    piece.text.push(' ');
+                    piece.text += &part;
+                }
+                _ => pieces.push(Piece {
+                    text: part,
+                    space: i == 0,
+                }),
+            }
         }
-        let joins = before.is_some_and(|b| closes(c) || opens(b) || (is_narrow(b) && is_narrow(c)));
-        match pieces.last_mut() {
-            Some(piece) if joins => piece.text.push(c),
-            _ => pieces.push(Piece {
-                text: c.to_string(),
-                space,
-            }),
+        n_words = if word.ends_with([',', ';', ':']) {
+            0
+        } else {
+            n_words + 1
+        };
+        for c in word.chars() {
+            match c {
+                '(' => depth += 1,
+                ')' => depth = i32::max(depth - 1, 0),
+                _ => {}
+            }
         }
-        space = false;
-        before = Some(c);
+        last_word = word;
     }
     pieces
+}
+
+/// The name before the first `=` stays beside it up to this width, a longer one may part from it.
+const SHORT: usize = 8;
+/// What belongs together is kept together up to this width.
+const LONG: usize = 16;
+
+/// `= −3/8` is not parted.
+fn is_relation(word: &str) -> bool {
+    matches!(word, "=" | "≈" | "≠" | "<" | ">" | "≤" | "≥")
+}
+
+/// A word, parted beside wide characters.
+fn parts(word: &str) -> Vec<String> {
+    let mut parts: Vec<String> = Vec::new();
+    let mut before = None::<char>;
+    for c in word.chars() {
+        let joins = before.is_some_and(|b| closes(c) || opens(b) || (is_narrow(b) && is_narrow(c)));
+        match parts.last_mut() {
+            Some(part) if joins => part.push(c),
+            _ => parts.push(c.to_string()),
+        }
+        before = Some(c);
+    }
+    parts
 }
 
 fn is_narrow(c: char) -> bool {
@@ -154,6 +193,16 @@ mod tests {
     fn wide_characters_count_as_two_and_punctuation_does_not_begin_a_line() {
         assert_eq!(wrap("端点在左侧，接受", 10), ["端点在左", "侧，接受"]);
         assert_eq!(wrap("点 P₁ 在内", 6), ["点 P₁", "在内"]);
+    }
+
+    #[test]
+    fn equations_and_points_stay_whole() {
+        let row = "left edge: p = −4, q = −1, r = 1/4";
+        assert_eq!(wrap(row, 30), ["left edge: p = −4, q = −1,", "r = 1/4"]);
+        let formula = "y = (−1 · 3 + 1.5 · 1) / 4 = −3/8";
+        assert_eq!(wrap(formula, 30), ["y = (−1 · 3 + 1.5 · 1) / 4", "= −3/8"]);
+        let accept = "visible from (−1, −3/8) to";
+        assert_eq!(wrap(accept, 18), ["visible from", "(−1, −3/8) to"]);
     }
 
     #[test]

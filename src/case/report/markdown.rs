@@ -119,19 +119,25 @@ fn capitalised(text: &str) -> String {
     })
 }
 
-/// Text in which nothing is markup.
+/// Text in which nothing is markup. What is none is left alone, so that the page can be read as it is.
 fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '<' => out.push_str("&lt;"),
-            '&' => out.push_str("&amp;"),
-            '\\' | '|' | '`' | '*' | '_' | '[' | ']' | '~' | '#' | '$' => {
-                out.push('\\');
-                out.push(c);
-            }
-            _ => out.push(c),
+    let mut before = ' ';
+    let mut chars = text.chars().peekable();
+    while let Some(c) = chars.next() {
+        let after = chars.peek().copied().unwrap_or(' ');
+        let is_markup = match c {
+            '\\' | '|' | '`' | '*' | '[' | ']' | '~' | '$' => true,
+            '_' => !(before.is_alphanumeric() && after.is_alphanumeric()),
+            '<' => !after.is_whitespace(),
+            '&' => after.is_alphanumeric() || after == '#',
+            _ => false,
+        };
+        if is_markup {
+            out.push('\\');
         }
+        out.push(c);
+        before = c;
     }
     out
 }

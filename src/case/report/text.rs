@@ -1,5 +1,7 @@
 //! A case for a terminal.
 
+use unicode_width::UnicodeWidthStr;
+
 use crate::{
     case::{Case, Detail, Refused},
     text::Catalog,
@@ -78,6 +80,7 @@ fn steps(case: &Case, catalog: &Catalog) -> Vec<String> {
     }));
     let align = [Align::Right, Align::Left, Align::Left, Align::Left];
     let mut lines = set(&rows, align, WIDTH);
-    lines.insert(1, "─".repeat(WIDTH));
+    let width = lines.iter().map(|line| line.width()).max().unwrap_or(0);
+    lines.insert(1, "─".repeat(width));
     lines
 }
