@@ -17,3 +17,9 @@ pub mod lesson;
 
 #[cfg(feature = "gui")]
 pub mod paint;
+
+#[cfg(feature = "gui")]
+pub mod widgets;
+
+#[cfg(feature = "gui")]
+pub mod export;

@@ -10,9 +10,9 @@ use crate::{
 
 use super::{
     course::{CodeView, Lab, Lesson, LessonText, Step},
-    nearest::nearest,
-    scene_file::{self, with_toml},
-    sink::Sink,
+    scene_file,
+    sink::{Sink, clipped},
+    toml_errors::with_toml,
     toml_fields::{Fields, Item, list, named, one_of, suggestion, text},
 };
 
@@ -118,7 +118,7 @@ impl Names {
         sink: &mut Sink<'_>,
     ) -> Option<String> {
         let name = text(item, sink)?;
-        let about = |key| Message::new(key).with("name", name.to_owned());
+        let about = |key| Message::new(key).with("name", clipped(name));
         if !is_valid(name) {
             sink.error(item.span(), about(invalid), [Message::new(expect)]);
             return None;
@@ -302,9 +302,24 @@ fn never_happens(moment: &Moment, run: &dyn Run, span: Range<usize>, sink: &mut 
     moments.push(Moment::End.to_string());
     let wanted = moment.to_string();
     let names: Vec<&str> = moments.iter().map(String::as_str).collect();
-    let meant = nearest(&wanted, names.iter().copied());
-    let message = Message::new("problem-moment-never-happens").with("name", wanted.clone());
+    // Fewer words than an event has are enough: `cut left` is a name for `cut left p1`.
+    let n_words = wanted.split_whitespace().count();
+    let shorter: Vec<String> = names
+        .iter()
+        .map(|name| first_words(name, n_words))
+        .collect();
+    let candidates = names
+        .iter()
+        .copied()
+        .chain(shorter.iter().map(String::as_str));
+    let meant = sink.nearest(&wanted, candidates);
+    let message = Message::new("problem-moment-never-happens").with("name", clipped(&wanted));
     sink.error(span, message, suggestion(meant, &names));
+}
+
+fn first_words(moment: &str, count: usize) -> String {
+    let words: Vec<&str> = moment.split_whitespace().take(count).collect();
+    words.join(" ")
 }
 
 fn locks(item: &Item<'_>, sink: &mut Sink<'_>) -> Vec<Lock> {

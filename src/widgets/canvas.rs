@@ -1,0 +1,230 @@
+//! The stage surface: pan, zoom, grid, handles, and the figure's marks over them.
+
+use egui::{
+    Id, Painter, PointerButton, Pos2, Rect, Response, Role, Sense, StrokeKind, Ui, WidgetInfo,
+};
+
+use crate::{
+    figure::{Link, Mark},
+    paint::{self, Viewport},
+};
+
+use super::{
+    Look, grid,
+    handles::{Handles, Moved, Spot},
+    hit,
+};
+
+/// Grid dots are at least this far apart, in points.
+const GRID_PTS: f64 = 40.0;
+/// The largest and the smallest scale, as factors of a view that fits the world's size.
+const SCALES: [f64; 2] = [1e-9, 1e9];
+
+/// What part of the world a canvas shows, kept by its owner.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct View {
+    /// The world point in the middle.
+    pub centre: [f64; 2],
+    /// Points on the screen for one unit of the world.
+    pub scale: f64,
+}
+
+impl View {
+    /// The view of a viewport.
+    #[must_use]
+    pub const fn of(viewport: &Viewport) -> Self {
+        Self {
+            centre: viewport.centre,
+            scale: viewport.scale,
+        }
+    }
+
+    /// This view in a rectangle on the screen.
+    #[must_use]
+    pub const fn on(self, rect: Rect) -> Viewport {
+        Viewport {
+            rect,
+            centre: self.centre,
+            scale: self.scale,
+        }
+    }
+
+    /// Moved with the pointer, by points on the screen.
+    #[must_use]
+    pub fn panned(self, by: egui::Vec2) -> Self {
+        Self {
+            centre: [
+                self.centre[0] - f64::from(by.x) / self.scale,
+                self.centre[1] + f64::from(by.y) / self.scale,
+            ],
+            ..self
+        }
+    }
+
+    /// Zoomed by a factor; the world point under `around` stays there.
+    #[must_use]
+    pub fn zoomed(self, rect: Rect, factor: f64, around: Pos2) -> Self {
+        let fixed = self.on(rect).to_world(around);
+        let scale = (self.scale * factor).clamp(SCALES[0], SCALES[1]);
+        let kept = self.scale / scale;
+        Self {
+            centre: std::array::from_fn(|i| fixed[i] + (self.centre[i] - fixed[i]) * kept),
+            scale,
+        }
+    }
+}
+
+/// A stage to be shown.
+pub struct Canvas<'a> {
+    /// Its widget id; handles derive theirs from it.
+    pub id: Id,
+    /// Where, and which part of the world.
+    pub viewport: Viewport,
+    /// Its name to a screen reader.
+    pub name: String,
+    /// What it shows, in words: the caption.
+    pub text: String,
+    /// What can be taken hold of.
+    pub spots: &'a [Spot],
+    /// Do handles keep to the grid?
+    pub snap: bool,
+    /// What is drawn.
+    pub marks: &'a [Mark],
+    /// What stands out.
+    pub lit: Option<Link>,
+    /// How it looks.
+    pub look: Look<'a>,
+}
+
+/// What was done to a stage.
+pub struct CanvasShown {
+    /// As it was drawn.
+    pub viewport: Viewport,
+    /// The view that the person asked for by panning or zooming.
+    pub view: Option<View>,
+    /// A handle was moved.
+    pub moved: Option<Moved>,
+    /// The drag of a handle has ended.
+    pub released: bool,
+    /// A place that was clicked, on the screen.
+    pub clicked: Option<Pos2>,
+    /// What the pointer is on.
+    pub pointed: Option<Link>,
+    /// Does a handle have the keyboard's focus?
+    pub handle_focused: bool,
+    /// Of the whole surface.
+    pub response: Response,
+}
+
+impl Canvas<'_> {
+    /// Draws the stage. `under` draws what lies between the grid and the marks.
+    pub fn show(self, ui: &mut Ui, under: impl FnOnce(&Painter, &Viewport)) -> CanvasShown {
+        let viewport = self.viewport;
+        let response = ui.interact(viewport.rect, self.id, Sense::click_and_drag());
+        response.widget_info(|| WidgetInfo {
+            current_text_value: Some(self.text.clone()),
+            ..WidgetInfo::labeled(Role::Canvas, true, &self.name)
+        });
+        let step = viewport.grid_step(GRID_PTS);
+        let handles = Handles {
+            id: self.id,
+            spots: self.spots,
+            viewport: &viewport,
+            grid: step,
+            snap: self.snap,
+            look: self.look,
+        };
+        let moved = handles.interact(ui, &response);
+        let holds_handle = handles.gripped(ui).is_some();
+        let view = pan_and_zoom(ui, &response, &viewport, holds_handle);
+
+        let theme = self.look.theme;
+        let painter = ui.painter_at(viewport.rect);
+        painter.rect_filled(viewport.rect, 0.0, theme.background);
+        grid::draw(&painter, &viewport, step, theme.hairline);
+        under(&painter, &viewport);
+        paint::stage(
+            &painter,
+            &viewport,
+            theme,
+            self.look.catalog,
+            self.marks,
+            self.lit,
+        );
+        handles.draw(ui, &painter, &response);
+        if response.has_focus() {
+            let ring = theme.stroke(2.0, theme.accent);
+            painter.rect_stroke(viewport.rect.shrink(1.0), 2.0, ring, StrokeKind::Inside);
+        }
+        let focused = ui.memory(egui::Memory::focused);
+        let hover = response.hover_pos().filter(|_| !response.dragged());
+        CanvasShown {
+            viewport,
+            view,
+            moved,
+            released: holds_handle && response.drag_stopped(),
+            clicked: response
+                .clicked()
+                .then(|| response.interact_pointer_pos())
+                .flatten(),
+            pointed: hover.and_then(|at| hit::link_at(&viewport, self.marks, at)),
+            handle_focused: focused
+                .is_some_and(|id| (0..self.spots.len()).any(|i| handles.id_of(i) == id)),
+            response,
+        }
+    }
+}
+
+fn pan_and_zoom(
+    ui: &Ui,
+    response: &Response,
+    viewport: &Viewport,
+    holds_handle: bool,
+) -> Option<View> {
+    let mut view = View::of(viewport);
+    let drags_background = response.dragged_by(PointerButton::Primary) && !holds_handle;
+    if drags_background || response.dragged_by(PointerButton::Middle) {
+        view = view.panned(response.drag_delta());
+    }
+    if let Some(at) = response.hover_pos() {
+        let (factor, scroll) = ui.input(|i| (i.zoom_delta(), i.smooth_scroll_delta()));
+        view = view
+            .zoomed(viewport.rect, f64::from(factor), at)
+            .panned(scroll);
+    }
+    (view != View::of(viewport)).then_some(view)
+}
+
+#[cfg(test)]
+mod tests {
+    use egui::{pos2, vec2};
+
+    use super::*;
+
+    const RECT: Rect = Rect::from_min_max(Pos2::ZERO, pos2(400.0, 300.0));
+
+    #[test]
+    fn zooming_keeps_the_point_under_the_pointer() {
+        let view = View {
+            centre: [1.0, 2.0],
+            scale: 10.0,
+        };
+        let pointer = pos2(350.0, 40.0);
+        let before = view.on(RECT).to_world(pointer);
+        let after = view.zoomed(RECT, 1.5, pointer).on(RECT).to_world(pointer);
+        assert!((before[0] - after[0]).abs() < 1e-9 && (before[1] - after[1]).abs() < 1e-9);
+    }
+
+    #[test]
+    fn panning_moves_the_world_with_the_pointer() {
+        let view = View {
+            centre: [0.0; 2],
+            scale: 10.0,
+        };
+        let moved = view.panned(vec2(20.0, 10.0));
+        assert_eq!(
+            moved.on(RECT).to_screen([0.0; 2]),
+            RECT.center() + vec2(20.0, 10.0)
+        );
+    }
+}

@@ -1,0 +1,117 @@
+//! The text of a lesson step: paragraphs, lists, code, and answers that are shown when asked for.
+
+use egui::{
+    Align, Color32, FontId, Id, Label, RichText, TextFormat, TextStyle, Ui, UiBuilder,
+    text::LayoutJob, vec2,
+};
+
+use crate::{
+    lesson::{Block, Inline, Marker},
+    paint::theme,
+};
+
+use super::Look;
+
+/// Extra space between lines of running text, as a part of the text's size.
+const LEADING: f32 = 0.35;
+
+/// Draws the blocks below each other. `id` tells this text from another: answers are hidden again in
+/// another text.
+pub fn lesson_text(ui: &mut Ui, look: Look<'_>, id: Id, blocks: &[Block]) {
+    ui.spacing_mut().item_spacing.y = 8.0;
+    for (i, block) in blocks.iter().enumerate() {
+        match block {
+            Block::Paragraph(text) => {
+                ui.add(Label::new(job(ui, look, text)).selectable(true));
+            }
+            Block::ListItem {
+                depth,
+                marker,
+                text,
+            } => item(ui, look, *depth, *marker, text),
+            Block::Code(code) => {
+                let code = RichText::new(code.trim_end())
+                    .monospace()
+                    .color(look.theme.ink);
+                ui.add(Label::new(code).selectable(true));
+            }
+            Block::Answer(blocks) => answer(ui, look, id.with(i), blocks),
+        }
+    }
+}
+
+fn item(ui: &mut Ui, look: Look<'_>, depth: usize, marker: Marker, text: &[Inline]) {
+    let indent = 16.0 * (depth + 1) as f32;
+    let row = ui.available_rect_before_wrap();
+    let mut inner = row;
+    inner.min.x += indent;
+    let place = ui.scope_builder(UiBuilder::new().max_rect(inner), |ui| {
+        ui.add(Label::new(job(ui, look, text)).selectable(true));
+    });
+    let font = TextStyle::Body.resolve(ui.style());
+    let at = place.response.rect.left_top();
+    match marker {
+        Marker::Bullet => {
+            let centre = at + vec2(-9.0, (font.size * (1.0 + LEADING) * 0.55).round());
+            ui.painter().circle_filled(centre, 1.75, look.theme.soft);
+        }
+        Marker::Number(n) => {
+            let at = at + vec2(-6.0, 0.0);
+            ui.painter().text(
+                at,
+                egui::Align2::RIGHT_TOP,
+                format!("{n}."),
+                font,
+                look.theme.soft,
+            );
+        }
+        Marker::Continued => {}
+    }
+}
+
+/// A quiet button, and what it hides until it is pressed.
+fn answer(ui: &mut Ui, look: Look<'_>, id: Id, blocks: &[Block]) {
+    let is_open = ui.data(|data| data.get_temp::<bool>(id)).unwrap_or(false);
+    let key = if is_open {
+        "lesson-answer-hide"
+    } else {
+        "lesson-answer-show"
+    };
+    let text = RichText::new(look.say(key)).color(look.theme.accent);
+    if ui.add(egui::Button::new(text).frame(false)).clicked() {
+        ui.data_mut(|data| data.insert_temp(id, !is_open));
+    }
+    if is_open {
+        let left = ui.cursor().left();
+        let shown = ui.indent(id, |ui| lesson_text(ui, look, id.with("shown"), blocks));
+        let bar = egui::Rect::from_x_y_ranges(left..=left + 2.0, shown.response.rect.y_range());
+        ui.painter().rect_filled(bar, 0.0, look.theme.accent);
+    }
+}
+
+fn job(ui: &Ui, look: Look<'_>, text: &[Inline]) -> LayoutJob {
+    let mut job = LayoutJob::default();
+    let body = TextStyle::Body.resolve(ui.style());
+    let line_height = Some((body.size * (1.0 + LEADING)).round());
+    let format = |font_id: FontId, color: Color32, italics: bool| TextFormat {
+        font_id,
+        color,
+        italics,
+        line_height,
+        valign: Align::BOTTOM,
+        ..TextFormat::default()
+    };
+    for part in text {
+        let (style, colour) = match part {
+            Inline { code: true, .. } => (TextStyle::Monospace, look.theme.ink),
+            Inline { strong: true, .. } => (theme::strong(), look.theme.ink),
+            _ => (TextStyle::Body, look.theme.soft),
+        };
+        job.append(
+            &part.text,
+            0.0,
+            format(style.resolve(ui.style()), colour, part.emphasis),
+        );
+    }
+    job
+}

@@ -1,0 +1,53 @@
+//! Parts of the window that know figures and runs, but no lab: each draws one thing and says what was
+//! done to it. None keeps state that undo would miss.
+
+mod canvas;
+mod caption;
+mod cost;
+mod grid;
+mod handles;
+mod hit;
+mod icon;
+mod lesson_text;
+mod number_line;
+mod picker;
+mod pseudocode;
+mod section;
+mod tick;
+mod timeline;
+mod transport;
+mod watch;
+
+pub use canvas::{Canvas, CanvasShown, View};
+pub use caption::{caption, caption_height, caption_job, caption_text};
+pub use cost::{Cost, cost};
+pub use handles::{Gesture, Moved, Snap, Spot};
+pub use hit::link_at;
+pub use icon::{Icon, icon_button};
+pub use lesson_text::lesson_text;
+pub use number_line::{number_line, number_line_height};
+pub use picker::{language_menu, theme_menu};
+pub use pseudocode::{CodeLine, code_view_switch, pseudocode};
+pub use section::{rule, section};
+pub use timeline::Timeline;
+pub use transport::{Press, speed_menu, transport_buttons, transport_width};
+pub use watch::watch;
+
+use crate::{paint::Theme, text::Catalog};
+
+/// What every widget has to know to draw: the colours and the language.
+#[derive(Clone, Copy)]
+pub struct Look<'a> {
+    /// Colours and sizes.
+    pub theme: &'a Theme,
+    /// Words and numbers.
+    pub catalog: &'a Catalog,
+}
+
+impl Look<'_> {
+    /// A word or sentence without values.
+    #[must_use]
+    pub fn say(&self, key: &str) -> String {
+        self.catalog.term(key)
+    }
+}
