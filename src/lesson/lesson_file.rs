@@ -302,12 +302,8 @@ fn never_happens(moment: &Moment, run: &dyn Run, span: Range<usize>, sink: &mut 
     moments.push(Moment::End.to_string());
     let wanted = moment.to_string();
     let names: Vec<&str> = moments.iter().map(String::as_str).collect();
-    // Fewer words than an event has are enough: `cut left` is a name for `cut left p1`.
-    let n_words = wanted.split_whitespace().count();
-    let shorter: Vec<String> = names
-        .iter()
-        .map(|name| first_words(name, n_words))
-        .collect();
+    // The event and any of its words are enough: `cut left` is a name for `cut p1 left`.
+    let shorter: Vec<String> = names.iter().flat_map(|name| short_names(name)).collect();
     let candidates = names
         .iter()
         .copied()
@@ -317,9 +313,12 @@ fn never_happens(moment: &Moment, run: &dyn Run, span: Range<usize>, sink: &mut 
     sink.error(span, message, suggestion(meant, &names));
 }
 
-fn first_words(moment: &str, count: usize) -> String {
-    let words: Vec<&str> = moment.split_whitespace().take(count).collect();
-    words.join(" ")
+/// `cut`, `cut p1` and `cut left` for `cut p1 left`.
+fn short_names(moment: &str) -> Vec<String> {
+    let mut words = moment.split_whitespace();
+    let event = words.next().unwrap_or_default();
+    let with_one = words.map(|word| format!("{event} {word}"));
+    std::iter::once(event.to_owned()).chain(with_one).collect()
 }
 
 fn locks(item: &Item<'_>, sink: &mut Sink<'_>) -> Vec<Lock> {
