@@ -15,6 +15,8 @@ pub mod labs;
 
 pub mod lesson;
 
+pub mod case;
+
 #[cfg(feature = "gui")]
 pub mod paint;
 
@@ -24,5 +26,11 @@ pub mod widgets;
 #[cfg(feature = "gui")]
 pub mod panels;
 
+#[cfg(all(feature = "gui", not(target_arch = "wasm32")))]
+pub mod export;
+
 #[cfg(feature = "gui")]
 pub mod app;
+
+#[cfg(all(feature = "gui", not(target_arch = "wasm32")))]
+pub mod cli;

@@ -239,8 +239,8 @@ fn timeline(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
     let asked = Timeline {
         n_steps: transport.n_steps(),
         position: transport.position(),
-        tick: &|step| model.playback.tick(step),
-        tip: &|step| caption_text(catalog, &run.frame(step.min(run.n_steps())).caption),
+        tick: &|step| run.tick(step),
+        tip: &|step| caption_text(catalog, &run.frame(step).caption),
         name: model.look.say("panel-timeline"),
         look: model.look,
     }

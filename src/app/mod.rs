@@ -17,7 +17,6 @@ mod course_panel;
 mod dialog;
 mod document;
 mod drop;
-mod figure_png;
 mod inspector;
 mod keys;
 mod layout;

@@ -1,9 +1,11 @@
 //! What the app needs of the place where it runs: the seam to files.
 
+#[cfg(not(target_arch = "wasm32"))]
+use crate::{export, paint::Headless};
 use crate::{labs::lines::Scene, paint::ThemeKind, text::Lang};
 
 /// A figure to be exported: what the stage shows.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct Picture<'a> {
     /// What is clipped.
     pub scene: &'a Scene,
@@ -33,9 +35,12 @@ pub trait Platform {
     fn draw(&mut self, picture: Picture<'_>) -> Result<Vec<u8>, String>;
 }
 
-/// A place without files.
+/// A place without files: a page in a browser, a headless table.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct NoFiles;
+
+/// In the words of a system that has none.
+const NO_FILES: &str = "ENOSYS";
 
 impl Platform for NoFiles {
     fn suggest(&self, name: &str) -> String {
@@ -43,11 +48,11 @@ impl Platform for NoFiles {
     }
 
     fn write(&mut self, _path: &str, _bytes: &[u8]) -> Result<String, String> {
-        Err("there are no files here".to_owned())
+        Err(NO_FILES.to_owned())
     }
 
-    fn draw(&mut self, picture: Picture<'_>) -> Result<Vec<u8>, String> {
-        Ok(super::figure_png::draw(picture))
+    fn draw(&mut self, _picture: Picture<'_>) -> Result<Vec<u8>, String> {
+        Err(NO_FILES.to_owned())
     }
 }
 
@@ -55,6 +60,10 @@ impl Platform for NoFiles {
 #[cfg(not(target_arch = "wasm32"))]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Desktop;
+
+/// Size of an exported figure: a slide's.
+#[cfg(not(target_arch = "wasm32"))]
+const SIZE_PX: [u32; 2] = [1920, 1080];
 
 #[cfg(not(target_arch = "wasm32"))]
 impl Platform for Desktop {
@@ -64,55 +73,20 @@ impl Platform for Desktop {
     }
 
     fn write(&mut self, path: &str, bytes: &[u8]) -> Result<String, String> {
-        let path = std::path::Path::new(path);
-        write_whole(path, bytes).map_err(|error| error.to_string())?;
-        Ok(path.display().to_string())
+        let written = export::write_whole(std::path::Path::new(path), bytes);
+        written.map_err(|error| error.to_string())?;
+        Ok(path.to_owned())
     }
 
     fn draw(&mut self, picture: Picture<'_>) -> Result<Vec<u8>, String> {
-        Ok(super::figure_png::draw(picture))
-    }
-}
-
-/// Writes beside the file and renames, so that nobody ever sees half of it.
-#[cfg(not(target_arch = "wasm32"))]
-fn write_whole(path: &std::path::Path, bytes: &[u8]) -> std::io::Result<()> {
-    use std::{fs, io::Write as _};
-
-    let mut name = path.file_name().unwrap_or_default().to_owned();
-    if name.is_empty() {
-        return Err(std::io::ErrorKind::InvalidFilename.into());
-    }
-    name.push(format!(".{}.part", std::process::id()));
-    let part = path.with_file_name(name);
-    let written = fs::File::create(&part).and_then(|mut file| {
-        file.write_all(bytes)?;
-        file.sync_all()?;
-        fs::rename(&part, path)
-    });
-    if written.is_err() {
-        // Best effort: the first error is the one that matters.
-        let _ = fs::remove_file(&part);
-    }
-    written
-}
-
-#[cfg(all(test, not(target_arch = "wasm32")))]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_file_is_written_whole_or_not_at_all() {
-        let folder = tempfile::tempdir().expect("a temporary folder");
-        let path = folder.path().join("scene.toml");
-        let text = path.display().to_string();
-        assert_eq!(Desktop.write(&text, b"one"), Ok(text.clone()));
-        assert_eq!(Desktop.write(&text, b"two"), Ok(text));
-        assert_eq!(std::fs::read(&path).expect("written"), b"two");
-        let nowhere = folder.path().join("no/such/folder.toml");
-        assert!(Desktop.write(&nowhere.display().to_string(), b"x").is_err());
-        assert!(Desktop.write("", b"x").is_err());
-        let left = std::fs::read_dir(folder.path()).expect("a folder").count();
-        assert_eq!(left, 1, "no partial files are left behind");
+        let mut table = Headless::new(picture.theme);
+        let figure = export::Picture {
+            scene: picture.scene,
+            step: picture.position,
+            lang: picture.lang,
+            theme: picture.theme,
+            size_px: SIZE_PX,
+        };
+        Ok(export::draw(&mut table, &figure).to_png())
     }
 }

@@ -26,7 +26,7 @@ impl Playback {
     pub fn record(scene: &Scene, position: usize) -> Self {
         let (main, other) = runs(scene);
         let mut playback = Self {
-            transport: Transport::new(length(&*main, other.as_deref())),
+            transport: Transport::new(main.n_steps()),
             main,
             other,
             baseline: baseline(scene),
@@ -42,13 +42,8 @@ impl Playback {
     pub fn rerecord(&mut self, scene: &Scene) {
         let (main, other) = runs(scene);
         let before = self.transport.position();
-        let position = if before >= self.transport.n_steps() {
-            length(&*main, other.as_deref())
-        } else {
-            main.corresponding(&*self.main, before)
-        };
-        self.transport
-            .rebase(length(&*main, other.as_deref()), position);
+        let position = main.corresponding(&*self.main, before);
+        self.transport.rebase(main.n_steps(), position);
         (self.main, self.other) = (main, other);
         self.baseline = baseline(scene);
         self.framed_at = None;
@@ -71,16 +66,6 @@ impl Playback {
         &*self.main
     }
 
-    /// The kind of the event that leads to a step.
-    #[must_use]
-    pub fn tick(&self, step: usize) -> Tick {
-        match &self.other {
-            // The shorter run has ended; the longer one goes on.
-            Some(other) if step > self.main.n_steps() => other.tick(step.min(other.n_steps())),
-            _ => self.main.tick(step.min(self.main.n_steps())),
-        }
-    }
-
     /// The next step, in this direction, at which a phase begins; the end where there is none.
     #[must_use]
     pub fn phase(&self, direction: isize) -> usize {
@@ -93,7 +78,7 @@ impl Playback {
                 Some(0) => return 0,
                 Some(next) => step = next,
             }
-            if self.tick(step) == Tick::Phase {
+            if self.main.tick(step) == Tick::Phase {
                 return step;
             }
         }
@@ -105,9 +90,9 @@ impl Playback {
         if self.framed_at == Some(position) {
             return;
         }
-        let frame = |run: &dyn Run| run.frame(position.min(run.n_steps()));
-        self.frames = std::iter::once(frame(&*self.main))
-            .chain(self.other.as_deref().map(frame))
+        let beside = |run: &dyn Run| run.frame(run.beside(&*self.main, position));
+        self.frames = std::iter::once(self.main.frame(position))
+            .chain(self.other.as_deref().map(beside))
             .collect();
         self.framed_at = Some(position);
     }
@@ -123,8 +108,8 @@ impl Playback {
     pub fn costs(&self) -> Vec<[Counts; 2]> {
         let position = self.transport.position();
         let cost = |run: &dyn Run| {
-            let n_steps = run.n_steps();
-            [run.counts_at(position.min(n_steps)), run.counts_at(n_steps)]
+            let step = run.beside(&*self.main, position);
+            [run.counts_at(step), run.counts_at(run.n_steps())]
         };
         std::iter::once(cost(&*self.main))
             .chain(self.other.as_deref().map(cost))
@@ -160,10 +145,6 @@ fn baseline(scene: &Scene) -> Option<(Method, Counts)> {
     let method = Method::all()
         .next()
         .filter(|&method| method != scene.method)?;
-    let run = method.record(scene, scene.focused());
-    Some((method, run.counts_at(run.n_steps())))
-}
-
-fn length(main: &dyn Run, other: Option<&dyn Run>) -> usize {
-    main.n_steps().max(other.map_or(0, Run::n_steps))
+    let (_, counts) = method.cost(scene, scene.focused());
+    Some((method, counts))
 }

@@ -1,12 +1,12 @@
 //! The stage: the figure, a second view below it where the method has one, and the caption. Two of each
 //! where two methods stand side by side.
 
-use egui::{Context, Id, Rect, RichText, Shape, Stroke, Ui, UiBuilder, pos2, vec2};
+use egui::{Context, Id, Rect, RichText, Stroke, Ui, UiBuilder, pos2, vec2};
 
 use crate::{
-    figure::{Frame, Link},
+    figure::{Frame, Link, Mark},
     labs::lines::{Handle, Method, Scene, backdrop, bounds},
-    paint::{self, ThemeKind, Viewport, theme},
+    paint::{Viewport, theme},
     panels::lines::{LinesEdit, spots},
     widgets::{
         Canvas, CanvasShown, Gesture as HandleGesture, Spot, View, caption, caption_height,
@@ -41,15 +41,15 @@ pub struct StageState {
     /// Did a handle have the focus in the last frame?
     pub handle_focused: bool,
     seen: Option<Viewport>,
-    crowds: Vec<Crowd>,
+    layers: Vec<Layers>,
 }
 
-/// The segments out of focus, as they were drawn last.
-struct Crowd {
-    revision: u64,
-    viewport: Viewport,
-    theme: ThemeKind,
-    shapes: Vec<Shape>,
+/// The marks of one column, kept until something changes: a large scene is not clipped again every frame.
+struct Layers {
+    under: (u64, Method, bool),
+    n_under: usize,
+    step: usize,
+    marks: Vec<Mark>,
 }
 
 impl StageState {
@@ -89,36 +89,38 @@ impl StageState {
             .map_or_else(|| Viewport::fit(rect, self.bounds), |view| view.on(rect))
     }
 
-    /// The shapes of the segments out of focus, made anew only when something has changed.
-    fn crowd(&mut self, column: usize, model: &Model<'_>, viewport: &Viewport) -> Vec<Shape> {
-        let scene = model.scene;
-        let theme = model.look.theme;
-        if scene.segments().len() < 2 {
-            return Vec::new();
+    /// What is drawn in a column: the backdrop, and this step's marks over it.
+    fn marks(
+        &mut self,
+        column: usize,
+        model: &Model<'_>,
+        method: Method,
+        frame: &Frame,
+    ) -> &[Mark] {
+        let transport = model.playback.transport();
+        let step = transport.position();
+        let under = (model.revision, method, step >= transport.n_steps());
+        let known = self
+            .layers
+            .get(column)
+            .filter(|layers| layers.under == under);
+        if known.is_none() {
+            let marks = backdrop(model.scene, method, under.2);
+            self.layers.truncate(column);
+            self.layers.push(Layers {
+                under,
+                n_under: marks.len(),
+                step: usize::MAX,
+                marks,
+            });
         }
-        let is_true = |crowd: &Crowd| {
-            crowd.revision == model.revision
-                && crowd.viewport == *viewport
-                && crowd.theme == theme.kind
-        };
-        if !self.crowds.get(column).is_some_and(is_true) {
-            let clipped = |i: usize| {
-                let segment = scene.segments()[i];
-                (segment, scene.method.clip(scene, segment))
-            };
-            let others: Vec<usize> = (0..scene.segments().len())
-                .filter(|&i| i != scene.focus())
-                .collect();
-            let crowd = Crowd {
-                revision: model.revision,
-                viewport: *viewport,
-                theme: theme.kind,
-                shapes: paint::crowd(viewport, theme, others.into_iter().map(clipped)),
-            };
-            self.crowds.truncate(column);
-            self.crowds.push(crowd);
+        let layers = &mut self.layers[column];
+        if layers.step != step {
+            layers.marks.truncate(layers.n_under);
+            layers.marks.extend(frame.marks.iter().cloned());
+            layers.step = step;
         }
-        self.crowds[column].shapes.clone()
+        &layers.marks
     }
 }
 
@@ -145,6 +147,7 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
         let column = Column {
             index: i,
             is_one_of_two: frames.len() > 1,
+            second_view: frames.iter().any(|frame| frame.number_line.is_some()),
             rect: column,
             method,
         };
@@ -167,6 +170,8 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
 struct Column {
     index: usize,
     is_one_of_two: bool,
+    /// Does any column have a second view?
+    second_view: bool,
     rect: Rect,
     method: Method,
 }
@@ -191,6 +196,12 @@ impl Column {
             Some(line) if stage.height() - second >= LEAST_STAGE => {
                 let (stage, below) = split(stage, second);
                 (stage, Some((line, below)))
+            }
+            // Room that another column needs: both stages show the same place.
+            None if self.second_view && stage.height() - second >= LEAST_STAGE => {
+                let (stage, blank) = split(stage, second);
+                ui.painter().rect_filled(blank, 0.0, look.theme.background);
+                (stage, None)
             }
             _ => (stage, None),
         };
@@ -226,10 +237,8 @@ impl Column {
         rect: Rect,
     ) -> CanvasShown {
         let look = model.look;
-        let mut marks = backdrop(model.scene, self.method);
-        marks.extend(frame.marks.iter().cloned());
         let viewport = state.viewport(rect);
-        let crowd = state.crowd(self.index, model, &viewport);
+        let lit = state.lit;
         let id = Id::unique(("stage", self.index));
         let shown = Canvas {
             id,
@@ -242,13 +251,11 @@ impl Column {
             text: caption_text(look.catalog, &frame.caption),
             spots,
             snap: model.settings.snap,
-            marks: &marks,
-            lit: state.lit,
+            marks: state.marks(self.index, model, self.method, frame),
+            lit,
             look,
         }
-        .show(ui, |painter, _| {
-            painter.extend(crowd);
-        });
+        .show(ui);
         if self.is_one_of_two {
             let name =
                 RichText::new(look.say(self.method.info().name_key)).text_style(theme::strong());

@@ -66,6 +66,16 @@ pub trait Run {
         }
     }
 
+    /// The step of this run to show beside `step` of another one: as many steps in, and its end beside the
+    /// other's end.
+    fn beside(&self, other: &dyn Run, step: usize) -> usize {
+        if step >= other.n_steps() {
+            self.n_steps()
+        } else {
+            step.min(self.n_steps())
+        }
+    }
+
     /// Where a cursor that stood at `step` of `before` belongs in this run: at the same moment where it
     /// comes, else at the same kind of event, else as near as can be.
     fn corresponding(&self, before: &dyn Run, step: usize) -> usize {

@@ -299,7 +299,7 @@ fn lesson_toml(
 
 /// A language's text; a folder may have a README of its own.
 fn is_text(name: &str) -> bool {
-    name.ends_with(".md") && !name.contains('/') && name != "README.md"
+    !name.contains('/') && name != "README.md" && name.strip_suffix(".md").is_some()
 }
 
 fn whole_file(file: String, severity: Severity, message: Message) -> Problem {

@@ -55,15 +55,15 @@ impl Files for Folder {
             return Ok(names.iter().map(|name| format!("{id}/{name}")).collect());
         }
         let mut paths = Vec::new();
-        let mut n_folders = 0;
+        let mut n_lessons = 0;
         for id in names(&self.root).map_err(|error| unreadable(&error))? {
             let folder = self.root.join(&id);
             // A folder that may not be opened is not a lesson of this person's.
             let Ok(names) = names(&folder) else { continue };
-            let before = paths.len();
             paths.extend(names.iter().map(|name| format!("{id}/{name}")));
-            n_folders += usize::from(paths.len() > before);
-            if n_folders > MAX_LESSONS {
+            n_lessons += usize::from(names.iter().any(|name| name == LESSON_FILE));
+            // One too many is enough for it to be said.
+            if n_lessons > MAX_LESSONS {
                 break;
             }
         }

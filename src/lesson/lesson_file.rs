@@ -10,9 +10,9 @@ use crate::{
 
 use super::{
     course::{CodeView, Lab, Lesson, LessonText, Step},
-    nearest::nearest,
-    scene_file::{self, with_toml},
-    sink::Sink,
+    scene_file,
+    sink::{Sink, clipped},
+    toml_errors::with_toml,
     toml_fields::{Fields, Item, list, named, one_of, suggestion, text},
 };
 
@@ -118,7 +118,7 @@ impl Names {
         sink: &mut Sink<'_>,
     ) -> Option<String> {
         let name = text(item, sink)?;
-        let about = |key| Message::new(key).with("name", name.to_owned());
+        let about = |key| Message::new(key).with("name", clipped(name));
         if !is_valid(name) {
             sink.error(item.span(), about(invalid), [Message::new(expect)]);
             return None;
@@ -302,9 +302,23 @@ fn never_happens(moment: &Moment, run: &dyn Run, span: Range<usize>, sink: &mut 
     moments.push(Moment::End.to_string());
     let wanted = moment.to_string();
     let names: Vec<&str> = moments.iter().map(String::as_str).collect();
-    let meant = nearest(&wanted, names.iter().copied());
-    let message = Message::new("problem-moment-never-happens").with("name", wanted.clone());
+    // The event and any of its words are enough: `cut left` is a name for `cut p1 left`.
+    let shorter: Vec<String> = names.iter().flat_map(|name| short_names(name)).collect();
+    let candidates = names
+        .iter()
+        .copied()
+        .chain(shorter.iter().map(String::as_str));
+    let meant = sink.nearest(&wanted, candidates);
+    let message = Message::new("problem-moment-never-happens").with("name", clipped(&wanted));
     sink.error(span, message, suggestion(meant, &names));
+}
+
+/// `cut`, `cut p1` and `cut left` for `cut p1 left`.
+fn short_names(moment: &str) -> Vec<String> {
+    let mut words = moment.split_whitespace();
+    let event = words.next().unwrap_or_default();
+    let with_one = words.map(|word| format!("{event} {word}"));
+    std::iter::once(event.to_owned()).chain(with_one).collect()
 }
 
 fn locks(item: &Item<'_>, sink: &mut Sink<'_>) -> Vec<Lock> {

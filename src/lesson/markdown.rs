@@ -92,7 +92,7 @@ struct Reader {
 impl Reader {
     fn event(&mut self, event: Event<'_>, span: Range<usize>, sink: &mut Sink<'_>) {
         match event {
-            Event::Start(tag) => self.start(tag, &span, sink),
+            Event::Start(tag) => self.start(&tag, &span, sink),
             Event::End(tag) => self.end(tag, span, sink),
             Event::Text(text) => match &mut self.code_block {
                 Some(code) => code.push_str(&text),
@@ -110,7 +110,7 @@ impl Reader {
         }
     }
 
-    fn start(&mut self, tag: Tag<'_>, span: &Range<usize>, sink: &mut Sink<'_>) {
+    fn start(&mut self, tag: &Tag<'_>, span: &Range<usize>, sink: &mut Sink<'_>) {
         match tag {
             Tag::Strong => self.strong += 1,
             Tag::Emphasis => self.emphasis += 1,
@@ -120,7 +120,7 @@ impl Reader {
             Tag::List(first) => {
                 // The text of an item that has a list in it ends here.
                 self.end_of_text(span.clone(), sink);
-                self.lists.push(first);
+                self.lists.push(*first);
             }
             Tag::Item => {
                 self.marker = Some(match self.lists.last_mut() {

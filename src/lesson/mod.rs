@@ -25,6 +25,7 @@ mod sink;
 mod source;
 #[cfg(test)]
 mod tests;
+mod toml_errors;
 mod toml_fields;
 
 pub use course::{CodeView, Course, Lab, Lesson, LessonText, Loaded, MAX_LESSONS, Step, StepText};

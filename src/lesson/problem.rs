@@ -83,7 +83,8 @@ impl Problem {
         for note in &self.notes {
             let _ = write!(text, "\n{:margin$} = {}", "", catalog.message(note));
         }
-        text
+        // An escape sequence in a file must not reach the terminal.
+        text.replace(|c: char| c.is_control() && c != '\n', "\u{fffd}")
     }
 }
 
@@ -100,8 +101,6 @@ impl Place {
             };
             match c {
                 '\t' => line.extend(std::iter::repeat_n(' ', width)),
-                // An escape sequence in the file must not reach the terminal.
-                c if c.is_control() => line.push('\u{fffd}'),
                 c => line.push(c),
             }
             if i < self.caret {

@@ -2,8 +2,6 @@
 
 use std::{fmt::Write as _, ops::Range};
 
-use toml::de::DeTable;
-
 use crate::{
     algo::line::BitOrder,
     geom::{Axis, ConvexPolygon, GeomError, Segment, Window},
@@ -16,6 +14,7 @@ use super::{
     random::random_segments,
     sink::Sink,
     source::Source,
+    toml_errors::with_toml,
     toml_fields::{Fields, Item, list, numbers, one_of, whole, wrong_type},
 };
 
@@ -46,33 +45,6 @@ pub fn scene_from_toml(file: &str, bytes: &[u8]) -> Result<Scene, Vec<Problem>> 
         Some(scene) if sink.n_errors() == 0 => Ok(scene),
         _ => Err(sink.into_problems()),
     }
-}
-
-/// Parses the file and reads it; of a file that is not TOML, only that is said.
-pub(super) fn with_toml<'s, T>(
-    sink: &mut Sink<'s>,
-    read: impl FnOnce(&DeTable<'_>, &mut Sink<'s>) -> Option<T>,
-) -> Option<T> {
-    if sink.source().bad_byte.is_some() {
-        return None;
-    }
-    let (table, errors) = DeTable::parse_recoverable(&sink.source().text);
-    for error in &errors {
-        let end = sink.source().text.len();
-        let message = Message::new("problem-toml").with("reason", error.message().to_owned());
-        sink.error(error.span().unwrap_or(end..end), message, []);
-    }
-    if errors.is_empty() {
-        return read(table.get_ref(), sink);
-    }
-    // What was left out while recovering would be reported as missing, and what depends on it as unknown.
-    let mut rest = Sink::new(sink.source());
-    read(table.get_ref(), &mut rest);
-    sink.take_from(rest, |code| {
-        !code.starts_with("missing")
-            && !matches!(code, "unknown-scene" | "no-steps" | "unused-scene")
-    });
-    None
 }
 
 /// Reads a scene; `segments_left` is how many a file may still have.
@@ -236,7 +208,7 @@ fn listed(item: &Item<'_>, most: usize, sink: &mut Sink<'_>) -> Option<Vec<Segme
         return None;
     }
     // One segment without its list is a slip worth a word of its own.
-    if items.iter().all(|item| number_like(item)) {
+    if items.iter().all(number_like) {
         wrong_type(&items[0], "expect-segments", sink);
         return None;
     }

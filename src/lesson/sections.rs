@@ -1,14 +1,13 @@
 //! A language's text of a lesson: its title, and one section for each step.
 
-use std::ops::Range;
+use std::{collections::BTreeMap, ops::Range};
 
 use crate::text::Message;
 
 use super::{
     course::{LessonText, StepText},
     markdown::{self, Block, Part},
-    nearest::nearest,
-    sink::Sink,
+    sink::{Sink, clipped},
     toml_fields::suggestion,
 };
 
@@ -25,86 +24,79 @@ pub(super) fn read(ids: Option<&[String]>, sink: &mut Sink<'_>) -> Option<Lesson
     if sink.source().bad_byte.is_some() {
         return None;
     }
-    let (title, sections, title_span) = split(sink);
-    for section in &sections {
-        if section.body.is_empty() {
-            let message = Message::new("problem-empty-section").with("name", section.id.clone());
-            sink.error(section.span.clone(), message, []);
-        }
-    }
-    let steps = in_order(ids?, sections, title_span, sink);
-    (sink.n_errors() == 0).then_some(LessonText {
-        title: title?,
-        steps,
-    })
-}
-
-/// The title, the sections in the order of the file, and where the title stands.
-fn split(sink: &mut Sink<'_>) -> (Option<String>, Vec<Section>, Range<usize>) {
-    let (mut title, mut title_span) = (None, 0..0);
-    let mut sections: Vec<Section> = Vec::new();
-    // Under a heading that could not be read, or in text that was reported already.
-    let mut is_lost = false;
+    let mut file = Splitter::default();
     for (part, span) in markdown::parse(sink) {
         match part {
-            Part::Heading {
-                level: 1,
-                title: text,
-            } => {
-                if title.is_some() || !sections.is_empty() {
-                    sink.error(
-                        span,
-                        Message::new("problem-second-title"),
-                        [bad_heading_note()],
-                    );
-                } else if text.trim().is_empty() {
-                    sink.error(span, Message::new("problem-empty-text"), []);
-                    title = Some(text);
-                } else {
-                    (title, title_span) = (Some(text.trim().to_owned()), span);
-                }
-            }
-            Part::Heading { title: text, .. } => match heading(&text) {
-                Some((id, title)) => {
-                    is_lost = false;
-                    sections.push(Section {
-                        id: id.to_owned(),
-                        title: title.to_owned(),
-                        body: Vec::new(),
-                        span,
-                    });
-                }
-                None => {
-                    is_lost = true;
-                    sink.error(
-                        span,
-                        Message::new("problem-bad-heading"),
-                        [bad_heading_note()],
-                    );
-                }
-            },
-            Part::Block(_) if is_lost => {}
-            Part::Block(block) => match sections.last_mut() {
-                Some(section) => section.body.push(block),
-                None => {
-                    is_lost = true;
-                    sink.error(
-                        span,
-                        Message::new("problem-text-outside"),
-                        [bad_heading_note()],
-                    );
-                }
-            },
+            Part::Heading { level: 1, title } => file.title(title.trim(), span, sink),
+            Part::Heading { title, .. } => file.section(&title, span, sink),
+            Part::Block(block) => file.block(block, span, sink),
         }
     }
-    if title.is_none() {
-        sink.error(
-            0..0,
-            Message::new("problem-missing-title"),
-            [Message::new("expect-title")],
-        );
+    let Some((title, title_span)) = file.title else {
+        let expected = [Message::new("expect-title")];
+        sink.error(0..0, Message::new("problem-missing-title"), expected);
+        return None;
+    };
+    for section in file.sections.iter().filter(|s| s.body.is_empty()) {
+        let message = Message::new("problem-empty-section").with("name", clipped(&section.id));
+        sink.error(section.span.clone(), message, []);
     }
-    (title, sections, title_span)
+    let steps = in_order(ids?, file.sections, title_span, sink);
+    (sink.n_errors() == 0).then_some(LessonText { title, steps })
+}
+
+/// A file on its way to becoming a title and sections.
+#[derive(Default)]
+struct Splitter {
+    /// The lesson's title and where it stands.
+    title: Option<(String, Range<usize>)>,
+    /// In the order of the file.
+    sections: Vec<Section>,
+    /// Under a heading that could not be read, or in text that was reported already.
+    is_lost: bool,
+}
+
+impl Splitter {
+    fn title(&mut self, text: &str, span: Range<usize>, sink: &mut Sink<'_>) {
+        if self.title.is_some() || !self.sections.is_empty() {
+            let message = Message::new("problem-second-title");
+            sink.error(span, message, [Message::new("expect-heading")]);
+            return;
+        }
+        if text.is_empty() {
+            sink.error(span.clone(), Message::new("problem-empty-text"), []);
+        }
+        self.title = Some((text.to_owned(), span));
+    }
+
+    fn section(&mut self, text: &str, span: Range<usize>, sink: &mut Sink<'_>) {
+        let heading = heading(text);
+        self.is_lost = heading.is_none();
+        let Some((id, title)) = heading else {
+            let message = Message::new("problem-bad-heading");
+            sink.error(span, message, [Message::new("expect-heading")]);
+            return;
+        };
+        self.sections.push(Section {
+            id: id.to_owned(),
+            title: title.to_owned(),
+            body: Vec::new(),
+            span,
+        });
+    }
+
+    fn block(&mut self, block: Block, span: Range<usize>, sink: &mut Sink<'_>) {
+        if self.is_lost {
+            return;
+        }
+        if let Some(section) = self.sections.last_mut() {
+            section.body.push(block);
+        } else if self.title.is_some() {
+            self.is_lost = true;
+            let message = Message::new("problem-text-outside");
+            sink.error(span, message, [Message::new("expect-heading")]);
+        }
+    }
 }
 
 /// `id: Title`, with a colon as any keyboard types it.
@@ -112,10 +104,6 @@ fn heading(text: &str) -> Option<(&str, &str)> {
     let (id, title) = text.split_once([':', '：'])?;
     let (id, title) = (id.trim(), title.trim());
     (!id.is_empty() && !title.is_empty()).then_some((id, title))
-}
-
-fn bad_heading_note() -> Message {
-    Message::new("expect-heading")
 }
 
 /// One section for each step, in the steps' order; what is missing or too much is reported.
@@ -126,12 +114,13 @@ fn in_order(
     sink: &mut Sink<'_>,
 ) -> Vec<StepText> {
     let names: Vec<&str> = ids.iter().map(String::as_str).collect();
+    let index: BTreeMap<&str, usize> = names.iter().copied().zip(0..).collect();
     let mut slots: Vec<Option<Section>> = ids.iter().map(|_| None).collect();
     for section in sections {
-        let message = |key| Message::new(key).with("name", section.id.clone());
-        let Some(i) = ids.iter().position(|id| *id == section.id) else {
-            let unused = names.iter().copied();
-            let notes = suggestion(nearest(&section.id, unused), &names);
+        let message = |key| Message::new(key).with("name", clipped(&section.id));
+        let Some(&i) = index.get(&*section.id) else {
+            let meant = sink.nearest(&section.id, names.iter().copied());
+            let notes = suggestion(meant, &names);
             sink.error(section.span.clone(), message("problem-unknown-step"), notes);
             continue;
         };
@@ -150,18 +139,16 @@ fn in_order(
     let mut before = title_span;
     let mut steps = Vec::new();
     for (id, slot) in ids.iter().zip(slots) {
-        match slot {
-            Some(section) => {
-                before = section.span;
-                steps.push(StepText {
-                    title: section.title,
-                    body: section.body,
-                });
-            }
-            None => {
-                let message = Message::new("problem-missing-section").with("name", id.clone());
-                sink.error(before.clone(), message, [bad_heading_note()]);
-            }
+        if let Some(section) = slot {
+            before = section.span;
+            steps.push(StepText {
+                title: section.title,
+                body: section.body,
+            });
+        } else {
+            let message = Message::new("problem-missing-section").with("name", clipped(id));
+            let heading = Message::new("expect-section").with("name", clipped(id));
+            sink.error(before.clone(), message, [heading]);
         }
     }
     steps

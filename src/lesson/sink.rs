@@ -5,6 +5,7 @@ use std::ops::Range;
 use crate::text::Message;
 
 use super::{
+    nearest::nearest,
     problem::{Problem, Severity},
     source::Source,
 };
@@ -42,6 +43,16 @@ impl<'s> Sink<'s> {
 
     pub const fn n_errors(&self) -> usize {
         self.n_errors
+    }
+
+    /// The known name that a misspelt one is nearest to, as long as somebody will read it.
+    pub fn nearest<'n>(
+        &self,
+        name: &str,
+        known: impl IntoIterator<Item = &'n str>,
+    ) -> Option<&'n str> {
+        let is_full = self.problems.len() >= MAX_PROBLEMS;
+        if is_full { None } else { nearest(name, known) }
     }
 
     /// A mistake that keeps the lesson from being shown.
@@ -121,5 +132,14 @@ impl<'s> Sink<'s> {
             });
         }
         problems
+    }
+}
+
+/// A name from a file as a message quotes it: not longer than a line.
+pub(super) fn clipped(name: &str) -> String {
+    const MAX_CHARS: usize = 60;
+    match name.char_indices().nth(MAX_CHARS) {
+        Some((end, _)) => format!("{}…", &name[..end]),
+        None => name.to_owned(),
     }
 }

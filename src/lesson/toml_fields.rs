@@ -9,7 +9,7 @@ use toml::{
 
 use crate::text::{Message, Value};
 
-use super::{nearest::nearest, sink::Sink};
+use super::sink::{Sink, clipped};
 
 /// A value and where it stands.
 pub(super) type Item<'t> = Spanned<DeValue<'t>>;
@@ -51,10 +51,10 @@ impl<'t> Fields<'t> {
                 .iter()
                 .copied()
                 .filter(|name| !table.contains_key(*name));
-            let meant = nearest(key.get_ref(), absent);
+            let meant = sink.nearest(key.get_ref(), absent);
             misspelt.extend(known.iter().copied().find(|name| Some(*name) == meant));
             let message =
-                Message::new("problem-unknown-field").with("name", key.get_ref().to_string());
+                Message::new("problem-unknown-field").with("name", clipped(key.get_ref()));
             sink.error(key.span(), message, suggestion(meant, known));
         }
         Self {
@@ -144,7 +144,8 @@ pub(super) fn whole(item: &Item<'_>, range: Range<u64>, sink: &mut Sink<'_>) -> 
     let number = u64::from_str_radix(integer.as_str(), integer.radix());
     let number = number.ok().filter(|n| range.contains(n));
     if number.is_none() {
-        let message = Message::new("problem-out-of-range").with("value", integer.to_string());
+        let message =
+            Message::new("problem-out-of-range").with("value", clipped(&integer.to_string()));
         sink.error(item.span(), message, [expected()]);
     }
     number
@@ -196,18 +197,25 @@ pub(super) fn one_of<T>(
     let name = text(item, sink)?;
     let value = parse(name);
     if value.is_none() {
-        let message = Message::new(key).with("name", name.to_owned());
-        let meant = nearest(name, known.iter().copied());
+        let message = Message::new(key).with("name", clipped(name));
+        let meant = sink.nearest(name, known.iter().copied());
         sink.error(item.span(), message, suggestion(meant, known));
     }
     value
 }
 
+/// The most names that an error lists.
+const MAX_NAMES: usize = 60;
+
 /// What may have been meant, then all that is known.
 pub(super) fn suggestion(meant: Option<&str>, known: &[&str]) -> Vec<Message> {
-    let meant = meant.map(|name| Message::new("expect-did-you-mean").with("name", name.to_owned()));
+    let meant = meant.map(|name| Message::new("expect-did-you-mean").with("name", clipped(name)));
+    let mut names: Vec<String> = known.iter().take(MAX_NAMES).copied().map(clipped).collect();
+    if known.len() > MAX_NAMES {
+        names.push("…".to_owned());
+    }
     let known =
-        (!known.is_empty()).then(|| Message::new("expect-one-of").with("names", known.join(", ")));
+        (!names.is_empty()).then(|| Message::new("expect-one-of").with("names", names.join(", ")));
     meant.into_iter().chain(known).collect()
 }
 

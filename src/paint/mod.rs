@@ -13,7 +13,6 @@ mod triangle;
 mod viewport;
 
 pub use cpu::CpuPainter;
-pub use crowd::crowd;
 pub use headless::Headless;
 pub use image::Image;
 pub use stage::stage;

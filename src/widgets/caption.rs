@@ -31,10 +31,10 @@ pub fn caption_text(catalog: &Catalog, caption: &Caption) -> String {
     text
 }
 
-/// Draws the caption in `rect`, in the middle of its height, on one line or two.
+/// Draws the caption in `rect`, in the middle of its height, on as many lines as it takes, `n_rows` at most.
 pub fn caption(ui: &mut Ui, look: Look<'_>, rect: Rect, n_rows: usize, shown: &Caption) {
     let inner = rect.shrink2(vec2(24.0, 8.0).min(rect.size() * 0.1));
-    let job = job(ui, look, shown, inner.width(), n_rows);
+    let job = caption_job(ui, look, shown, inner.width(), n_rows);
     let height = ui.fonts_mut(|fonts| fonts.layout_job(job.clone())).size().y;
     let place = Rect::from_min_size(
         egui::pos2(inner.left(), (inner.center().y - 0.5 * height).round()),
@@ -47,7 +47,16 @@ pub fn caption(ui: &mut Ui, look: Look<'_>, rect: Rect, n_rows: usize, shown: &C
     });
 }
 
-fn job(ui: &Ui, look: Look<'_>, caption: &Caption, width: f32, max_rows: usize) -> LayoutJob {
+/// The caption to be laid out in lines of at most `width` points; what does not fit into `max_rows` of them
+/// ends in an ellipsis.
+#[must_use]
+pub fn caption_job(
+    ui: &Ui,
+    look: Look<'_>,
+    caption: &Caption,
+    width: f32,
+    max_rows: usize,
+) -> LayoutJob {
     let format = |style: TextStyle, color: Color32| TextFormat {
         font_id: style.resolve(ui.style()),
         color,

@@ -19,7 +19,7 @@ mod transport;
 mod watch;
 
 pub use canvas::{Canvas, CanvasShown, View};
-pub use caption::{caption, caption_height, caption_text};
+pub use caption::{caption, caption_height, caption_job, caption_text};
 pub use cost::{Cost, cost};
 pub use handles::{Gesture, Moved, Snap, Spot};
 pub use hit::{distance_to_segment, link_at};

@@ -20,3 +20,66 @@ cli-refused =
 cli-case-refused = case { $case }: { $problem }
 cli-unreadable = { $path } could not be read: { $reason }
 cli-nothing = There is nothing to do.
+
+## What the refusal of a case says; the JSON answer has the English sentence
+
+case-bad-json = This is not valid JSON: see column { $column }.
+case-not-utf8 = The line is not UTF-8: see byte { $byte }.
+case-line-too-long = The line is longer than { $max } MiB.
+case-bad-id = The id is nested too deep, or holds a text that is not Unicode.
+case-repeated-field = The field “{ $name }” is given twice.
+case-unknown-algorithm = There is no algorithm “{ $name }”. Known: { $expected }.
+case-unknown-field = There is no field “{ $name }” for { $algorithm }. It takes: { $expected }.
+case-missing-field = The field “{ $name }” is missing.
+case-missing-choice = One of these fields is missing: { $fields }.
+case-both = “{ $one }” is given already: give “{ $one }” or “{ $other }”, not both.
+case-wrong-type = Expected { $expected }, found { $found }.
+case-wrong-word = Expected one of { $expected }, found “{ $found }”.
+case-wrong-length = Expected { $expected } numbers, found { $found }.
+case-not-finite = { $number } is beyond the range of a 64-bit number: every coordinate must be finite.
+case-empty-window = The window is empty: { $low } = { $min } must be less than { $high } = { $max }.
+case-too-many = { $found } vertices: at most { $max } are handled.
+json-number = a number
+json-numbers = a list of numbers
+json-points = a list of points
+json-text = a text
+json-list = a list
+json-object = an object
+json-bool = true or false
+json-null = null
+
+## The answer to a case
+
+case-visible = Visible from { $p1 } to { $p2 }.
+case-touch = Visible in one point: { $at }.
+case-invisible = Nothing is visible.
+
+## Reports: the step table of a case
+
+report-title = Answer key
+report-case = Case { $number }
+report-case-id = Case { $number } ({ $id })
+report-source = source
+report-step = step
+report-what = what happens
+report-formula = formula
+report-changed = new values
+report-answer = Answer:
+report-refused = Refused:
+report-row = { $name }: { $values }
+report-noted = { $value } ({ $note })
+
+## The trace, check and list commands
+
+trace-refused-at = line { $line }, { $case }: { $problem }
+trace-more-refused =
+    { $count ->
+        [one] and { $count } more
+       *[other] and { $count } more
+    }
+trace-from-terminal = Reading cases from the keyboard, one a line; Ctrl+D ends.
+trace-not-written = The answers could not be written: { $reason }
+list-algorithms = Algorithms that cases can name
+list-lessons = Lessons
+list-figure = figure { $name }
+cli-no-lesson = There is no lesson “{ $name }”: neither a path nor a lesson of the course. See clipscope list.

@@ -25,6 +25,11 @@ lesson-warning = warning
 ## What is wrong with a lesson file; the last part of the key is the problem’s code
 
 problem-toml = This is not valid TOML: { $reason }.
+problem-toml-duplicate = This name is given twice.
+problem-toml-value = This is not a value.
+problem-toml-no-value = A “=” and a value are missing after the name.
+problem-toml-name = A name cannot have this character.
+problem-toml-unclosed = A closing { $closer } is missing.
 problem-not-utf8 = The file is not UTF-8 text: the byte { $byte } does not belong here.
 problem-unreadable = The file cannot be read: { $reason }.
 problem-file-too-large = The file is larger than { $limit } MiB.
@@ -89,6 +94,8 @@ problem-more =
 
 expect-did-you-mean = Did you mean “{ $name }”?
 expect-one-of = Expected: one of { $names }.
+expect-toml-value = Expected: text in straight "quotation marks", a number, true or false, or a list with commas between its values.
+expect-toml-name = Expected: the letters a–z and A–Z, digits, “-” and “_”.
 expect-utf8 = Expected: text saved as UTF-8.
 expect-lesson-folder = Expected: a folder with lesson.toml and en.md, or a folder of such folders.
 expect-text = Expected: text in quotation marks.
@@ -110,6 +117,7 @@ expect-moment-number = Expected: a number from 1 after “#”.
 expect-locks = Expected: a list of the handles that are locked, such as ["window"].
 expect-title = Expected: “# Title of the lesson” in the first line.
 expect-heading = Expected: a heading “## id: Title” for each step, with its text below.
+expect-section = Expected: “## { $name }: Title” after this, with its text below.
 expect-markdown = Expected: paragraphs, **bold**, *italics*, `code`, lists, code blocks, and a block quote for an answer.
 expect-emphasis = Expected: **bold**, with no space inside the asterisks; next to a Chinese character, move punctuation outside them.
 

@@ -87,6 +87,70 @@ words-lb-leave = p > 0: the line goes out here. It cannot be visible after q/p.
 words-lb-empty = If the interval is empty, nothing is visible.
 words-lb-accept = Otherwise the interval’s two ends are the visible part’s.
 
+## Cyrus–Beck
+
+cb-edge-entering = { $edge }: n·D > 0, the line comes in.
+cb-edge-leaving = { $edge }: n·D < 0, the line goes out.
+cb-edge-parallel = { $edge }: n·D = 0, the line is parallel to it.
+cb-parallel-inside = Parallel to { $edge } and inside it: this edge alone decides nothing.
+cb-parallel-outside = Parallel to { $edge } and outside it: no t can help.
+cb-enter = The line enters across { $edge }: t_min goes up.
+cb-enter-idle = The line enters across { $edge }, but before t_min: no change.
+cb-leave = The line leaves across { $edge }: t_max comes down.
+cb-leave-idle = The line leaves across { $edge }, but after t_max: no change.
+cb-put = { $end } moves to t = { $t } on { $edge }.
+cb-reject = Reject at { $edge }: nothing of the segment is left.
+code-cb-start = t_min ← 0; t_max ← 1; D ← P₂ − P₁
+code-cb-each = for each edge: n, w ← P₁ − E
+code-cb-parallel = if n·D = 0 and n·w < 0: reject
+code-cb-enter = if n·D > 0: t_min ← max(t_min, −n·w / n·D)
+code-cb-leave = if n·D < 0: t_max ← min(t_max, −n·w / n·D)
+code-cb-empty = if t_min > t_max: reject
+code-cb-accept = accept P(t_min) P(t_max)
+words-cb-start = Start with the whole segment, t from 0 to 1.
+words-cb-each = For each edge, take its normal, which points inside.
+words-cb-parallel = n·D = 0: parallel to the edge; if it lies outside, reject.
+words-cb-enter = n·D > 0: along the normal, so the line comes in here.
+words-cb-leave = n·D < 0: against the normal, so the line goes out here.
+words-cb-empty = If the interval is empty, nothing is visible.
+words-cb-accept = Otherwise the interval’s two ends are the visible part’s.
+
+## Nicholl–Lee–Nicholl
+
+nln-region = { $end } is { $region }.
+nln-side-enters = P₂ lies { $turn } of the line from P₁ through { $corner }: the { $first } is crossed first.
+nln-side-meets = P₂ lies { $turn } of the line from P₁ through { $corner }: the { $first } is crossed first.
+nln-side-leaves = P₂ lies { $turn } of the line from P₁ through { $corner }: out by the { $first }.
+nln-side-through = P₂ lies on the line from P₁ through { $corner }: both sides are crossed at once.
+nln-miss = Reject: the segment passes outside { $corner }, beyond the { $edge }.
+nln-sector-inside = Both ends are inside: no crossing is needed.
+nln-sector-enters = In by the { $enters }, and P₂ is inside: one crossing.
+nln-sector-leaves = P₁ is inside; out by the { $leaves }: one crossing.
+nln-sector-both = In by the { $enters }, out by the { $leaves }: two crossings, both of use.
+nln-question-enters = in by which side
+nln-question-meets = in at all
+nln-question-leaves = out by which side
+turn-left = left
+turn-through = on it
+turn-right = right
+watch-region-1 = region of P₁
+watch-region-2 = region of P₂
+watch-enters = in by
+watch-leaves = out by
+code-nln-regions = region of P₁, region of P₂
+code-nln-shared = if both are beyond one side: reject
+code-nln-enters = P₁ beyond two sides: its corner’s line → in by
+code-nln-meets = P₂ beyond a neighbour: if it misses the corner: reject
+code-nln-leaves = P₂ beyond two sides: its corner’s line → out by
+code-nln-cut = P₁, P₂ ← the one or two crossings found
+words-nln-regions = Find the region of each end.
+words-nln-shared = If both lie beyond the same side, nothing is visible.
+words-nln-enters = If P₁ lies in a corner region, the line through that corner tells by which side the segment comes in.
+words-nln-meets = If P₂ lies beyond a neighbouring side, the line through their corner tells whether the segment meets the window at all.
+words-nln-leaves = If P₂ lies in a corner region, the line through that corner tells by which side it goes out.
+words-nln-cut = Compute only those crossings.
+
+
 ## Handles, by name
 
 handle-end = { $end }

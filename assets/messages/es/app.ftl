@@ -128,7 +128,7 @@ help-ends = primer o último paso
 help-play = reproducir o pausar
 help-reset = restablecer la escena
 help-lesson-step = paso anterior o siguiente de la lección
-help-drag = arrastra cualquier punto, en cualquier paso: la ejecución se vuelve a grabar
+help-drag = arrastra cualquier tirador, en cualquier paso: la ejecución se vuelve a grabar
 
 ## What the program reports
 
@@ -145,7 +145,7 @@ status-recording = Grabando la ejecución…
 
 ## For screen readers
 
-access-handle = punto de control de { $name } en { $point }
+access-handle = tirador de { $name } en { $point }
 
 ## More of the window: menus, dialogs, keys
 
@@ -159,8 +159,8 @@ help-zoom = acercar o alejar; también Ctrl y la rueda
 help-course = mostrar u ocultar el curso
 help-inspector = mostrar u ocultar el inspector
 help-leave = cerrar, o salir de la presentación
-help-tab = al siguiente punto de control o botón
-help-nudge = mover el punto de control que tiene el foco; con Mayús, diez veces más lejos
+help-tab = al siguiente tirador o botón
+help-nudge = mover el tirador que tiene el foco; con Mayús, diez veces más lejos
 help-alt = al arrastrar: sin ajustar a la cuadrícula
 status-last-good = Se muestra la última versión que funcionaba.
 status-more-problems =

@@ -20,3 +20,62 @@ cli-refused =
 cli-case-refused = caso { $case }: { $problem }
 cli-unreadable = No se pudo leer { $path }: { $reason }
 cli-nothing = No hay nada que hacer.
+
+## What the refusal of a case says; the JSON answer has the English sentence
+
+case-bad-json = No es JSON válido: véase la columna { $column }.
+case-not-utf8 = La línea no es UTF-8: véase el byte { $byte }.
+case-line-too-long = La línea tiene más de { $max } MiB.
+case-bad-id = El id está anidado en exceso o contiene un texto que no es Unicode.
+case-repeated-field = El campo «{ $name }» aparece dos veces.
+case-unknown-algorithm = No hay ningún algoritmo «{ $name }». Los hay: { $expected }.
+case-unknown-field = No hay ningún campo «{ $name }» en { $algorithm }. Admite: { $expected }.
+case-missing-field = Falta el campo «{ $name }».
+case-missing-choice = Falta uno de estos campos: { $fields }.
+case-both = Ya se dio «{ $one }»: indique «{ $one }» o «{ $other }», no ambos.
+case-wrong-type = Se esperaba { $expected } y hay { $found }.
+case-wrong-word = Se esperaba uno de { $expected } y hay «{ $found }».
+case-wrong-length = Se esperaban { $expected } números y hay { $found }.
+case-not-finite = { $number } excede el rango de un número de 64 bits: toda coordenada debe ser finita.
+case-empty-window = La ventana está vacía: { $low } = { $min } debe ser menor que { $high } = { $max }.
+case-too-many = { $found } vértices: se admiten { $max } como máximo.
+json-number = un número
+json-numbers = una lista de números
+json-points = una lista de puntos
+json-text = un texto
+json-list = una lista
+json-object = un objeto
+json-bool = verdadero o falso
+json-null = null
+
+## The answer to a case
+
+case-visible = Visible desde { $p1 } hasta { $p2 }.
+case-touch = Visible en un solo punto: { $at }.
+case-invisible = No hay nada visible.
+
+## Reports: the step table of a case
+
+report-title = Hoja de respuestas
+report-case = Caso { $number }
+report-case-id = Caso { $number } ({ $id })
+report-source = fuente
+report-step = paso
+report-what = qué ocurre
+report-formula = fórmula
+report-changed = valores nuevos
+report-answer = Respuesta:
+report-refused = Rechazado:
+report-row = { $name }: { $values }
+report-noted = { $value } ({ $note })
+
+## The trace, check and list commands
+
+trace-refused-at = línea { $line }, { $case }: { $problem }
+trace-more-refused = y { $count } más
+trace-from-terminal = Se leen casos del teclado, uno por línea; Ctrl+D termina.
+trace-not-written = No se pudieron escribir las respuestas: { $reason }
+list-algorithms = Algoritmos que admiten los casos
+list-lessons = Lecciones
+list-figure = figura { $name }
+cli-no-lesson = No hay ninguna lección «{ $name }»: no es una ruta ni una lección del curso. Véase clipscope list.

@@ -25,6 +25,11 @@ lesson-warning = aviso
 ## What is wrong with a lesson file; the last part of the key is the problem’s code
 
 problem-toml = Esto no es TOML válido: { $reason }.
+problem-toml-duplicate = Este nombre aparece dos veces.
+problem-toml-value = Esto no es un valor.
+problem-toml-no-value = Faltan «=» y un valor después del nombre.
+problem-toml-name = Un nombre no puede tener este carácter.
+problem-toml-unclosed = Falta { $closer } para cerrar.
 problem-not-utf8 = El archivo no es texto UTF-8: el byte { $byte } no puede estar aquí.
 problem-unreadable = No se puede leer el archivo: { $reason }.
 problem-file-too-large = El archivo supera los { $limit } MiB.
@@ -89,6 +94,8 @@ problem-more =
 
 expect-did-you-mean = ¿Querías decir «{ $name }»?
 expect-one-of = Se esperaba: uno de { $names }.
+expect-toml-value = Se esperaba: texto entre comillas rectas "", un número, true o false, o una lista con comas entre sus valores.
+expect-toml-name = Se esperaba: las letras a–z y A–Z, cifras, «-» y «_».
 expect-utf8 = Se esperaba: texto guardado como UTF-8.
 expect-lesson-folder = Se esperaba: una carpeta con lesson.toml y en.md, o una carpeta de carpetas así.
 expect-text = Se esperaba: texto entre comillas.
@@ -110,6 +117,7 @@ expect-moment-number = Se esperaba: un número a partir de 1 después de «#».
 expect-locks = Se esperaba: una lista de los tiradores bloqueados, como ["window"].
 expect-title = Se esperaba: «# Título de la lección» en la primera línea.
 expect-heading = Se esperaba: un encabezado «## id: Título» para cada paso, con su texto debajo.
+expect-section = Se esperaba: «## { $name }: Título» a continuación, con su texto debajo.
 expect-markdown = Se esperaba: párrafos, **negrita**, *cursiva*, `código`, listas, bloques de código y una cita para la respuesta.
 expect-emphasis = Se esperaba: **negrita**, sin espacios por dentro de los asteriscos; junto a un carácter chino, con la puntuación fuera.
 

@@ -20,3 +20,62 @@ cli-refused =
 cli-case-refused = caso { $case }: { $problem }
 cli-unreadable = Não foi possível ler { $path }: { $reason }
 cli-nothing = Não há nada a fazer.
+
+## What the refusal of a case says; the JSON answer has the English sentence
+
+case-bad-json = Não é JSON válido: veja a coluna { $column }.
+case-not-utf8 = A linha não é UTF-8: veja o byte { $byte }.
+case-line-too-long = A linha tem mais de { $max } MiB.
+case-bad-id = O id está aninhado em excesso ou contém um texto que não é Unicode.
+case-repeated-field = O campo “{ $name }” aparece duas vezes.
+case-unknown-algorithm = Não há nenhum algoritmo “{ $name }”. Existem: { $expected }.
+case-unknown-field = Não há nenhum campo “{ $name }” em { $algorithm }. Ele aceita: { $expected }.
+case-missing-field = Falta o campo “{ $name }”.
+case-missing-choice = Falta um destes campos: { $fields }.
+case-both = “{ $one }” já foi dado: informe “{ $one }” ou “{ $other }”, não ambos.
+case-wrong-type = Esperava-se { $expected }, mas há { $found }.
+case-wrong-word = Esperava-se um de { $expected }, mas há “{ $found }”.
+case-wrong-length = Esperavam-se { $expected } números, mas há { $found }.
+case-not-finite = { $number } excede o intervalo de um número de 64 bits: toda coordenada deve ser finita.
+case-empty-window = A janela está vazia: { $low } = { $min } deve ser menor que { $high } = { $max }.
+case-too-many = { $found } vértices: no máximo { $max } são aceitos.
+json-number = um número
+json-numbers = uma lista de números
+json-points = uma lista de pontos
+json-text = um texto
+json-list = uma lista
+json-object = um objeto
+json-bool = verdadeiro ou falso
+json-null = null
+
+## The answer to a case
+
+case-visible = Visível de { $p1 } até { $p2 }.
+case-touch = Visível em um único ponto: { $at }.
+case-invisible = Nada é visível.
+
+## Reports: the step table of a case
+
+report-title = Gabarito
+report-case = Caso { $number }
+report-case-id = Caso { $number } ({ $id })
+report-source = fonte
+report-step = passo
+report-what = o que acontece
+report-formula = fórmula
+report-changed = valores novos
+report-answer = Resposta:
+report-refused = Recusado:
+report-row = { $name }: { $values }
+report-noted = { $value } ({ $note })
+
+## The trace, check and list commands
+
+trace-refused-at = linha { $line }, { $case }: { $problem }
+trace-more-refused = e mais { $count }
+trace-from-terminal = Lendo casos do teclado, um por linha; Ctrl+D encerra.
+trace-not-written = Não foi possível escrever as respostas: { $reason }
+list-algorithms = Algoritmos que os casos aceitam
+list-lessons = Lições
+list-figure = figura { $name }
+cli-no-lesson = Não há nenhuma lição “{ $name }”: não é um caminho nem uma lição do curso. Veja clipscope list.

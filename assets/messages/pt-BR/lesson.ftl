@@ -25,6 +25,11 @@ lesson-warning = aviso
 ## What is wrong with a lesson file; the last part of the key is the problem’s code
 
 problem-toml = Isto não é TOML válido: { $reason }.
+problem-toml-duplicate = Este nome aparece duas vezes.
+problem-toml-value = Isto não é um valor.
+problem-toml-no-value = Faltam “=” e um valor depois do nome.
+problem-toml-name = Um nome não pode ter este caractere.
+problem-toml-unclosed = Falta { $closer } para fechar.
 problem-not-utf8 = O arquivo não é texto UTF-8: o byte { $byte } não pode estar aqui.
 problem-unreadable = Não é possível ler o arquivo: { $reason }.
 problem-file-too-large = O arquivo tem mais de { $limit } MiB.
@@ -89,6 +94,8 @@ problem-more =
 
 expect-did-you-mean = Você quis dizer “{ $name }”?
 expect-one-of = Esperado: um de { $names }.
+expect-toml-value = Esperado: texto entre aspas retas "", um número, true ou false, ou uma lista com vírgulas entre seus valores.
+expect-toml-name = Esperado: as letras a–z e A–Z, algarismos, “-” e “_”.
 expect-utf8 = Esperado: texto salvo como UTF-8.
 expect-lesson-folder = Esperado: uma pasta com lesson.toml e en.md, ou uma pasta de pastas assim.
 expect-text = Esperado: texto entre aspas.
@@ -110,6 +117,7 @@ expect-moment-number = Esperado: um número a partir de 1 depois de “#”.
 expect-locks = Esperado: uma lista das alças bloqueadas, como ["window"].
 expect-title = Esperado: “# Título da lição” na primeira linha.
 expect-heading = Esperado: um cabeçalho “## id: Título” para cada passo, com seu texto abaixo.
+expect-section = Esperado: “## { $name }: Título” a seguir, com seu texto abaixo.
 expect-markdown = Esperado: parágrafos, **negrito**, *itálico*, `código`, listas, blocos de código e uma citação para a resposta.
 expect-emphasis = Esperado: **negrito**, sem espaços por dentro dos asteriscos; ao lado de um caractere chinês, com a pontuação fora.
 

@@ -7,7 +7,7 @@ app-about = 逐步观察图形程序如何判定哪些部分可见。
 
 ## Labs: the tabs of the window
 
-lab-lines = 直线段
+lab-lines = 线段
 lab-polygons = 多边形
 lab-frustum = 视锥体
 lab-surfaces = 可见面
@@ -59,7 +59,7 @@ transport-steps = 共 { $count } 步
 
 tick-phase = 阶段
 tick-test = 测试
-tick-cut = 求交
+tick-cut = 截断
 tick-accept = 接受
 tick-reject = 舍弃
 
@@ -89,7 +89,7 @@ verdict-undecided = 到这一步尚未判定。
 settings-theme = 主题
 theme-light = 浅色
 theme-dark = 深色
-theme-projector = 投影
+theme-projector = 投影仪
 settings-language = 语言
 settings-snap = 吸附到网格
 
@@ -111,20 +111,20 @@ action-close = 关闭
 action-cancel = 取消
 action-add-vertex = 添加顶点
 action-remove-vertex = 删除顶点
-search-hint = 搜索课程和命令
+search-hint = 搜索课文和命令
 search-none = 未找到“{ $query }”。
 
 ## Help: the keys
 
 help-title = 快捷键
 help-step = 后退或前进一步
-help-step-ten = 十步
+help-step-ten = 一次十步
 help-phase = 上一阶段或下一阶段
 help-ends = 第一步或最后一步
 help-play = 播放或暂停
 help-reset = 重置场景
 help-lesson-step = 课程上一步或下一步
-help-drag = 任何一步都可拖动控制点：运行过程会重新记录
+help-drag = 任何一步都可拖动控制柄：运行过程会重新记录
 
 ## What the program reports
 
@@ -141,7 +141,7 @@ status-recording = 正在记录运行过程…
 
 ## For screen readers
 
-access-handle = { $name } 的控制点，位于 { $point }
+access-handle = { $name } 的控制柄，位于 { $point }
 
 ## More of the window: menus, dialogs, keys
 
@@ -155,8 +155,8 @@ help-zoom = 放大或缩小；也可按住 Ctrl 滚动滚轮
 help-course = 显示或隐藏课程
 help-inspector = 显示或隐藏检查器
 help-leave = 关闭，或退出演示
-help-tab = 转到下一个控制点或按钮
-help-nudge = 移动获得焦点的控制点；按住 Shift：十倍距离
+help-tab = 转到下一个控制柄或按钮
+help-nudge = 移动获得焦点的控制柄；按住 Shift：十倍距离
 help-alt = 拖动时：不吸附网格
 status-last-good = 显示的是上一个可用的版本。
 status-more-problems = ……另有 { $count } 个问题。

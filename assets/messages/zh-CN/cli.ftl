@@ -8,3 +8,62 @@ cli-refused = 拒绝了 { $count } 项输入
 cli-case-refused = 用例 { $case }：{ $problem }
 cli-unreadable = 无法读取 { $path }：{ $reason }
 cli-nothing = 没有要处理的内容。
+
+## What the refusal of a case says; the JSON answer has the English sentence
+
+case-bad-json = 不是有效的 JSON：见第 { $column } 列。
+case-not-utf8 = 该行不是 UTF-8：见第 { $byte } 字节。
+case-line-too-long = 该行超过 { $max } MiB。
+case-bad-id = id 嵌套过深，或含有不属于 Unicode 的文本。
+case-repeated-field = 字段“{ $name }”出现了两次。
+case-unknown-algorithm = 没有名为“{ $name }”的算法。可用：{ $expected }。
+case-unknown-field = { $algorithm } 没有字段“{ $name }”。可用：{ $expected }。
+case-missing-field = 缺少字段“{ $name }”。
+case-missing-choice = 缺少以下字段之一：{ $fields }。
+case-both = 已给出“{ $one }”：“{ $one }”和“{ $other }”只能给出一个。
+case-wrong-type = 应为{ $expected }，实为{ $found }。
+case-wrong-word = 应为以下之一：{ $expected }，实为“{ $found }”。
+case-wrong-length = 应有 { $expected } 个数，实有 { $found } 个。
+case-not-finite = { $number } 超出 64 位浮点数的范围：每个坐标都必须是有限的数。
+case-empty-window = 窗口为空：{ $low } = { $min } 必须小于 { $high } = { $max }。
+case-too-many = 有 { $found } 个顶点：最多处理 { $max } 个。
+json-number = 数
+json-numbers = 数的列表
+json-points = 点的列表
+json-text = 文本
+json-list = 列表
+json-object = 对象
+json-bool = 真假值
+json-null = null
+
+## The answer to a case
+
+case-visible = 从 { $p1 } 到 { $p2 } 可见。
+case-touch = 只有一点可见：{ $at }。
+case-invisible = 完全不可见。
+
+## Reports: the step table of a case
+
+report-title = 参考答案
+report-case = 第 { $number } 题
+report-case-id = 第 { $number } 题（{ $id }）
+report-source = 出处
+report-step = 步骤
+report-what = 说明
+report-formula = 算式
+report-changed = 新的值
+report-answer = 答案：
+report-refused = 拒绝：
+report-row = { $name }：{ $values }
+report-noted = { $value }（{ $note }）
+
+## The trace, check and list commands
+
+trace-refused-at = 第 { $line } 行，{ $case }：{ $problem }
+trace-more-refused = 另有 { $count } 项
+trace-from-terminal = 从键盘读取用例，每行一个；按 Ctrl+D 结束。
+trace-not-written = 无法写出答案：{ $reason }
+list-algorithms = 用例可用的算法
+list-lessons = 课程
+list-figure = 图 { $name }
+cli-no-lesson = 没有课程“{ $name }”：既不是路径，也不是内置课程。请见 clipscope list。

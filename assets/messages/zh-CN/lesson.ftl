@@ -25,6 +25,11 @@ lesson-warning = 警告
 ## What is wrong with a lesson file; the last part of the key is the problem’s code
 
 problem-toml = 这不是有效的 TOML：{ $reason }。
+problem-toml-duplicate = 这个名称出现了两次。
+problem-toml-value = 这不是一个值。
+problem-toml-no-value = 名称之后缺少“=”和值。
+problem-toml-name = 名称中不能有这个字符。
+problem-toml-unclosed = 缺少右侧的 { $closer }。
 problem-not-utf8 = 文件不是 UTF-8 文本：此处不应出现字节 { $byte }。
 problem-unreadable = 无法读取文件：{ $reason }。
 problem-file-too-large = 文件大于 { $limit } MiB。
@@ -49,7 +54,7 @@ problem-too-large = 线段太多：有 { $count } 条，而一个文件最多可
 problem-two-kinds-of-segments = 同时给出了“segments”和“random”：只能给出其中之一。
 problem-no-such-focus = 没有第 { $focus } 条线段：共有 { $count } 条，从 0 数起。
 problem-unknown-method = 没有名为“{ $name }”的算法。
-problem-unknown-lab = 没有名为“{ $name }”的实验室。
+problem-unknown-lab = 没有名为“{ $name }”的实验。
 problem-unknown-scene = 没有名为“{ $name }”的场景。
 problem-unknown-lock = 没有名为“{ $name }”的控制柄。
 problem-unknown-value = “{ $name }”不是这个字段可取的值。
@@ -77,6 +82,8 @@ problem-more = 此文件中还有 { $count } 个问题未显示。
 
 expect-did-you-mean = 是不是想写“{ $name }”？
 expect-one-of = 应为：{ $names } 之一。
+expect-toml-value = 应为：直引号 "" 中的文本、一个数、true 或 false，或各值之间有逗号的列表。
+expect-toml-name = 应为：字母 a–z 和 A–Z、数字、“-”和“_”。
 expect-utf8 = 应为：以 UTF-8 编码保存的文本。
 expect-lesson-folder = 应为：含有 lesson.toml 和 en.md 的文件夹，或由这样的文件夹组成的文件夹。
 expect-text = 应为：引号中的文本。
@@ -98,6 +105,7 @@ expect-moment-number = 应为：“#”之后为从 1 起的整数。
 expect-locks = 应为：被锁定的控制柄的列表，例如 ["window"]。
 expect-title = 应为：第一行为“# 本课标题”。
 expect-heading = 应为：每一步有一个标题“## id: 标题”，正文在其下。
+expect-section = 应为：此后有“## { $name }: 标题”，正文在其下。
 expect-markdown = 应为：段落、**加粗**、*斜体*、`代码`、列表、代码块，以及表示答案的引用块。
 expect-emphasis = 应为：**加粗**，星号内侧不留空格；若紧邻汉字，请将标点移到星号之外。
 

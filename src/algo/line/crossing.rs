@@ -89,7 +89,8 @@ pub fn crossing_at<R: Real>(segment: &Segment, axis: Axis, border: f64) -> Cross
 /// `[a1, a2, c]`.
 ///
 /// Where the border passes through an end, that end's own coordinate: `o·w / w` need not round back to it.
-/// A zero comes back as +0 from both ends.
+/// Otherwise all three are taken positive along the segment, so that even the sign of a zero is the same
+/// from both ends.
 #[inline]
 pub fn weighted_mean<R: Real>([o1, o2]: [R; 2], [w1, w2]: [R; 2], whole: R, raw: [f64; 3]) -> R {
     if w1.get() == 0.0 {
@@ -98,13 +99,17 @@ pub fn weighted_mean<R: Real>([o1, o2]: [R; 2], [w1, w2]: [R; 2], whole: R, raw:
     if w2.get() == 0.0 {
         return o2;
     }
-    let sum = o1 * w2 + o2 * w1;
-    let mean = if PLAIN.contains(&whole.get().abs()) && sum.get().is_finite() {
-        (sum / whole).get()
+    let [w1, w2, whole] = if whole.get() < 0.0 {
+        [-w1, -w2, -whole]
     } else {
-        scaled_mean(o1.get(), o2.get(), raw)
+        [w1, w2, whole]
     };
-    R::new(mean + 0.0)
+    let sum = o1 * w2 + o2 * w1;
+    if PLAIN.contains(&whole.get()) && sum.get().is_finite() {
+        sum / whole
+    } else {
+        R::new(scaled_mean(o1.get(), o2.get(), raw))
+    }
 }
 
 /// [`weighted_mean`] for coordinates whose differences or products leave the range of f64.

@@ -7,12 +7,15 @@
 //! point. Where the arithmetic is exact (dyadic coordinates of moderate size) all five give the correctly
 //! rounded true answer. `tests/line_exactness.rs` holds them to it.
 
+pub mod batch;
 mod brute_force;
+mod closed_form;
 mod cohen_sutherland;
 mod convex_border;
 mod corner_line;
 mod crossing;
 mod cyrus_beck;
+pub mod kernel;
 mod liang_barsky;
 mod nicholl_lee_nicholl;
 mod order;

@@ -6,7 +6,7 @@ use crate::{
     algo::line::Visible,
     figure::{Caption, Frame, Mark, NumberLine, Run, Tick, Watch, mark_changes},
     geom::Segment,
-    trace::{Algorithm, Counts, Trace},
+    trace::{Algorithm, Counted, Counts, Trace, silent},
 };
 
 use super::{Scene, registry::CodeLine};
@@ -25,6 +25,8 @@ pub trait Demo:
     const CODE: &'static [CodeLine];
     /// Can it clip against any convex polygon?
     const TAKES_POLYGON: bool = false;
+    /// Does it write outcodes, so that the order of their bits matters?
+    const WRITES_CODES: bool = false;
 
     /// Its input, from the scene and one of its segments.
     fn input(scene: &Scene, segment: Segment) -> Self::Input;
@@ -61,6 +63,23 @@ struct Recorded<A: Demo>(Trace<A>);
 /// Records one run, for the registry.
 pub(super) fn record<A: Demo>(scene: &Scene, segment: Segment) -> Box<dyn Run> {
     Box::new(Recorded::<A>(Trace::record(A::input(scene, segment))))
+}
+
+/// The answer alone, for the registry.
+pub(super) fn clip<A: Demo>(scene: &Scene, segment: Segment) -> Visible {
+    silent::<A>(&A::input(scene, segment))
+}
+
+/// The answer and its cost, without recording, for the registry.
+pub(super) fn cost<A: Demo>(scene: &Scene, segment: Segment) -> (Visible, Counts) {
+    let input = A::input(scene, segment);
+    Counts::of(|| A::run::<Counted>(&input, |_| {}))
+}
+
+/// An answer as the fields of `output` in `interfaces.md`.
+#[must_use]
+pub fn output_json(visible: &Visible) -> Json {
+    json!({ "visible": visible.is_some(), "segment": visible })
 }
 
 impl<A: Demo> Recorded<A> {
@@ -124,7 +143,6 @@ impl<A: Demo> Run for Recorded<A> {
     }
 
     fn output_json(&self) -> Json {
-        let segment = self.0.output();
-        json!({ "visible": segment.is_some(), "segment": segment })
+        output_json(self.0.output())
     }
 }

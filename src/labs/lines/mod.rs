@@ -1,6 +1,7 @@
 //! The lines lab: segments against a window, five methods.
 
 mod backdrop;
+mod crowd;
 mod demo;
 mod handle;
 mod methods;
@@ -8,7 +9,7 @@ mod registry;
 mod scene;
 
 pub use backdrop::{backdrop, bounds};
-pub use demo::Demo;
+pub use demo::{Demo, output_json};
 pub use handle::{Corner, Handle, Lock};
 pub use registry::{CodeLine, METHODS, Method, MethodInfo};
 pub use scene::{MAX_SEGMENTS, Scene, SceneError};

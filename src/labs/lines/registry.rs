@@ -5,9 +5,17 @@ use std::fmt;
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 
-use crate::{algo::line, figure::Run, geom::Segment, trace::silent};
+use crate::{
+    algo::line::{self, Visible},
+    figure::Run,
+    geom::Segment,
+    trace::{Counts, silent},
+};
 
-use super::{Demo, Scene, demo::record};
+use super::{
+    Demo, Scene,
+    demo::{clip, cost, record},
+};
 
 /// What is known of a method without running it.
 pub struct MethodInfo {
@@ -21,8 +29,11 @@ pub struct MethodInfo {
     pub code: &'static [CodeLine],
     /// Can it clip against any convex polygon?
     pub takes_polygon: bool,
+    /// Does it write outcodes, so that the order of their bits matters?
+    pub writes_codes: bool,
     record: fn(&Scene, Segment) -> Box<dyn Run>,
-    clip: fn(&Scene, Segment) -> line::Visible,
+    clip: fn(&Scene, Segment) -> Visible,
+    cost: fn(&Scene, Segment) -> (Visible, Counts),
     pass: fn(&Scene, &[Segment]) -> Box<dyn FnMut() -> usize>,
 }
 
@@ -49,8 +60,10 @@ const fn info<A: Demo>() -> MethodInfo {
         source: A::SOURCE,
         code: A::CODE,
         takes_polygon: A::TAKES_POLYGON,
+        writes_codes: A::WRITES_CODES,
         record: record::<A>,
-        clip: |scene, segment| silent::<A>(&A::input(scene, segment)),
+        clip: clip::<A>,
+        cost: cost::<A>,
         pass: pass::<A>,
     }
 }
@@ -65,10 +78,12 @@ fn pass<A: Demo>(scene: &Scene, segments: &[Segment]) -> Box<dyn FnMut() -> usiz
 }
 
 /// Every method, in the order in which they are taught.
-pub static METHODS: [MethodInfo; 3] = [
+pub static METHODS: [MethodInfo; 5] = [
     info::<line::BruteForce>(),
     info::<line::CohenSutherland>(),
     info::<line::LiangBarsky>(),
+    info::<line::CyrusBeck>(),
+    info::<line::NichollLeeNicholl>(),
 ];
 
 /// One of [`METHODS`].
@@ -99,10 +114,16 @@ impl Method {
         (self.info().record)(scene, segment)
     }
 
-    /// The visible part of one segment, and nothing else.
+    /// Its answer for one segment of the scene, as a program would ask for it.
     #[must_use]
-    pub fn clip(self, scene: &Scene, segment: Segment) -> line::Visible {
+    pub fn clip(self, scene: &Scene, segment: Segment) -> Visible {
         (self.info().clip)(scene, segment)
+    }
+
+    /// The same answer and how many operations it took, without recording the steps.
+    #[must_use]
+    pub fn cost(self, scene: &Scene, segment: Segment) -> (Visible, Counts) {
+        (self.info().cost)(scene, segment)
     }
 
     /// Clips all `segments` silently each time it is called; the number of those that are visible.

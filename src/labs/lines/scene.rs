@@ -171,13 +171,21 @@ impl Scene {
             .filter(|_| used(self.method) || self.compare.is_some_and(used))
     }
 
+    /// The convex region, or the window's outline where there is none.
+    #[must_use]
+    pub fn clip_polygon(&self) -> ConvexPolygon {
+        let window = || ConvexPolygon::from(self.window);
+        self.clip.clone().unwrap_or_else(window)
+    }
+
     /// The region that `method` clips against: the convex polygon where there is one and the method can
     /// use it, else the window.
     #[must_use]
     pub fn region(&self, method: Method) -> ConvexPolygon {
-        match &self.clip {
-            Some(clip) if method.info().takes_polygon => clip.clone(),
-            _ => ConvexPolygon::from(self.window),
+        if method.info().takes_polygon {
+            self.clip_polygon()
+        } else {
+            ConvexPolygon::from(self.window)
         }
     }
 }

@@ -119,10 +119,9 @@ impl Measure {
             current.best_secs = current.best_secs.min(watch.secs());
             current.n_done += 1;
         } else if current.n_counted < N_COUNTED.min(self.batch.len()) {
-            let run = current
-                .method
-                .record(&self.scene, self.batch[current.n_counted]);
-            current.counted = current.counted + run.counts_at(run.n_steps());
+            let segment = self.batch[current.n_counted];
+            let (_, counts) = current.method.cost(&self.scene, segment);
+            current.counted = current.counted + counts;
             current.n_counted += 1;
         } else {
             let per_run = |count: u32| f64::from(count) / current.n_counted.max(1) as f64;

@@ -17,7 +17,7 @@ use crate::{
 
 use super::shared::{
     accepted, along, axis_symbol, border_equation, border_mark, crossing_mark, edge_name, end_link,
-    end_name, ends_rows, free_formula, name, opening, parameter_formula, segment_marks,
+    end_name, ends_rows, free_formula, name, opening, parameter_formula, region_key, segment_marks,
 };
 
 const CODES: usize = 0;
@@ -41,6 +41,8 @@ impl Demo for CohenSutherland {
         code_line(1, "code-cs-cut", "words-cs-cut"),
         code_line(1, "code-cs-recode", "words-cs-recode"),
     ];
+
+    const WRITES_CODES: bool = true;
 
     fn input(scene: &Scene, segment: Segment) -> Input {
         Input {
@@ -129,7 +131,7 @@ impl Demo for CohenSutherland {
             Event::Reject { and } => Caption::new(
                 Message::new("cs-reject")
                     .with("and", name(and.to_string()))
-                    .with("region", Value::Term(region_key(and, order))),
+                    .with("region", Value::Term(key_of(and, order))),
             ),
         }
     }
@@ -170,7 +172,7 @@ impl Demo for CohenSutherland {
             let code = codes[end.idx()];
             let row = WatchRow::new(name(symbol), code.map(|c| name(c.to_string())));
             rows.push(match code {
-                Some(code) => row.noted(Value::Term(region_key(code, order))),
+                Some(code) => row.noted(Value::Term(key_of(code, order))),
                 None => row,
             });
         }
@@ -194,7 +196,7 @@ impl Demo for CohenSutherland {
 fn code_caption(end: End, at: Point, code: Outcode, input: &Input) -> Caption {
     let message = Message::new("cs-code")
         .with("end", end_name(end))
-        .with("region", Value::Term(region_key(code, input.bit_order)))
+        .with("region", Value::Term(key_of(code, input.bit_order)))
         .with("code", name(["code₁", "code₂"][end.idx()]))
         .with("bits", name(code.to_string()));
     [Axis::X, Axis::Y]
@@ -273,13 +275,6 @@ fn signal_ring(end: End, at: Point) -> Mark {
 }
 
 /// Catalogue key of the region that a code stands for.
-fn region_key(code: Outcode, order: BitOrder) -> &'static str {
-    let has = |edge| code.has(edge, order);
-    let column = usize::from(has(Edge::Right)) + 1 - usize::from(has(Edge::Left));
-    let row = usize::from(has(Edge::Top)) + 1 - usize::from(has(Edge::Bottom));
-    [
-        ["region-below-left", "region-below", "region-below-right"],
-        ["region-left", "region-inside", "region-right"],
-        ["region-above-left", "region-above", "region-above-right"],
-    ][row][column]
+fn key_of(code: Outcode, order: BitOrder) -> &'static str {
+    region_key(|edge| code.has(edge, order))
 }

@@ -17,8 +17,8 @@ use crate::{
 };
 
 use super::shared::{
-    accepted, along, border_equation, border_mark, edge_link, edge_name, end_link, end_name,
-    free_formula, interval_caption, name, on_line, opening, segment_marks, whole_segment_marks,
+    accepted, along, border_equation, border_mark, bound_formula, edge_link, edge_name, end_name,
+    free_formula, interval_caption, moved_ends_rows, name, on_line, opening, parametric_marks,
 };
 
 const START: usize = 0;
@@ -139,12 +139,7 @@ impl Demo for LiangBarsky {
             Shape::Line([segment.p1.to_array(), segment.p2.to_array()]),
         )];
         marks.extend(current_edge(step.event).map(|edge| border_mark(window, edge)));
-        if let Some(verdict) = state.verdict {
-            let ends = verdict.unwrap_or(*segment);
-            marks.extend(segment_marks(segment, [ends.p1, ends.p2], state.verdict));
-        } else {
-            marks.extend(whole_segment_marks(segment, state.interval));
-        }
+        marks.extend(parametric_marks(segment, state.interval, state.verdict));
         marks.extend(state.rows.iter().flatten().filter_map(|row| {
             let at = on_line(segment, row.r?);
             let label = Formula::default().sym("r = ").num(row.r?);
@@ -198,16 +193,7 @@ impl Demo for LiangBarsky {
         ];
         rows.push(bound("u_min", state.interval[0], state.set_by[0]));
         rows.push(bound("u_max", state.interval[1], state.set_by[1]));
-        rows.extend(End::BOTH.into_iter().filter_map(|end| {
-            let at = state.ends[end.idx()]?;
-            Some(
-                WatchRow::new(
-                    super::shared::end_name_now(end, true),
-                    Some(Value::Point(at.to_array())),
-                )
-                .linked(end_link(end)),
-            )
-        }));
+        rows.extend(moved_ends_rows(state.ends));
         vec![
             WatchSection::table(vec!["p", "q", "r"], table),
             WatchSection::list(rows),
@@ -342,14 +328,6 @@ fn bound_caption(key: &'static str, edge: Edge, before: &State, r: f64) -> Capti
             .equals(r)),
         None => caption,
     }
-}
-
-fn bound_formula(call: &'static str, [old, r]: [f64; 2], new: f64) -> Formula {
-    Formula::default()
-        .sym(call)
-        .list(&[old, r])
-        .sym(")")
-        .equals(new)
 }
 
 fn put_caption(

@@ -2,5 +2,7 @@
 
 mod brute_force;
 mod cohen_sutherland;
+mod cyrus_beck;
 mod liang_barsky;
+mod nicholl_lee_nicholl;
 mod shared;

@@ -291,3 +291,55 @@ pub fn crossing_mark(at: Point, symbol: &'static str, u: Ratio) -> Mark {
         .labelled(label)
         .strong()
 }
+
+/// Catalogue key of the region of a point that lies beyond the sides for which `beyond` is true.
+pub fn region_key(beyond: impl Fn(Edge) -> bool) -> &'static str {
+    let column = usize::from(beyond(Edge::Right)) + 1 - usize::from(beyond(Edge::Left));
+    let row = usize::from(beyond(Edge::Top)) + 1 - usize::from(beyond(Edge::Bottom));
+    [
+        ["region-below-left", "region-below", "region-below-right"],
+        ["region-left", "region-inside", "region-right"],
+        ["region-above-left", "region-above", "region-above-right"],
+    ][row][column]
+}
+
+/// What parametric clippers show of the segment: bounds that move, then the ends put in place.
+pub fn parametric_marks(
+    segment: &Segment,
+    interval: [f64; 2],
+    verdict: Option<Visible>,
+) -> Vec<Mark> {
+    match verdict {
+        None => whole_segment_marks(segment, interval),
+        Some(visible) => {
+            let ends = visible.unwrap_or(*segment);
+            segment_marks(segment, [ends.p1, ends.p2], verdict)
+        }
+    }
+}
+
+/// `u_min = max(0, 1/4) = 1/4`.
+pub fn bound_formula(call: &'static str, [old, r]: [f64; 2], new: f64) -> Formula {
+    Formula::default()
+        .sym(call)
+        .list(&[old, r])
+        .sym(")")
+        .equals(new)
+}
+
+/// Rows for the ends that have been put in place.
+pub fn moved_ends_rows(ends: [Option<Point>; 2]) -> impl Iterator<Item = WatchRow> {
+    End::BOTH.into_iter().filter_map(move |end| {
+        let at = ends[end.idx()]?.to_array();
+        Some(WatchRow::new(end_name_now(end, true), Some(Value::Point(at))).linked(end_link(end)))
+    })
+}
+
+/// `12` as `₁₂`.
+pub fn subscript(n: usize) -> String {
+    const DIGITS: [char; 10] = ['₀', '₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉'];
+    n.to_string()
+        .bytes()
+        .map(|digit| DIGITS[usize::from(digit - b'0')])
+        .collect()
+}

@@ -1,0 +1,224 @@
+//! Many segments at once, without a branch: what a renderer would use.
+//!
+//! ```text
+//!   x₁  ▮▮▮▮▮▮▮▮▮▮        four arrays in, four arrays and a flag out; each turn takes the next
+//!   y₁  ▮▮▮▮▮▮▮▮▮▮        N_LANES of them, and every segment takes the same steps, so that the
+//!   x₂  ▮▮▮▮▮▮▮▮▮▮        compiler makes vector instructions of the loop: no flags, no unsafe
+//!   y₂  ▮▮▮▮▮▮▮▮▮▮        code, two segments at a time on any 64-bit PC
+//! ```
+//!
+//! 1. A turn of segments goes through the closed form of Liang–Barsky, visible or not.
+//! 2. The few whose answer rounding could change (a tie at a corner, numbers out of range) are done again
+//!    by the taught algorithm.
+//!
+//! So the results are those of [`LiangBarsky`], bit for bit. Four divisions for every segment, needed or not, take less
+//! time than a branch that was guessed wrong.
+//!
+//! *Conventions*: closed window, y up. *Degenerate*: as in Liang–Barsky. *Bound*: none needed. *Cost* a
+//! segment, whatever it is: 14 +, 16 ×, 4 ÷ and 44 comparisons.
+//!
+//! *Source*: Liang and Barsky (1984), rearranged here; clamping as in the slabs of T. L. Kay and J. T. Kajiya,
+//! "Ray Tracing Complex Scenes", SIGGRAPH '86, pp. 269–278, doi:10.1145/15922.15916.
+//!
+//! ```
+//! use clipscope::{algo::line::batch::{Clipped, Segments, clip_all}, geom::{Segment, Window}};
+//! let window = Window::new(-1.0, -1.0, 1.0, 1.0)?;
+//! let segments: Segments = [Segment::new(-2.0, -1.0, 2.0, 1.5)?, Segment::new(2.0, 0.0, 3.0, 1.0)?].into_iter().collect();
+//! let mut clipped = Clipped::default();
+//! clip_all(&window, &segments, &mut clipped);
+//! assert_eq!(clipped.get(0), Some(Segment::new(-1.0, -0.375, 1.0, 0.875)?));
+//! assert_eq!(clipped.get(1), None);
+//! # Ok::<(), clipscope::geom::GeomError>(())
+//! ```
+
+use crate::geom::{Point, Segment, Window};
+
+#[cfg(doc)]
+use super::LiangBarsky;
+use super::{
+    Visible,
+    closed_form::{Borders, clip},
+    kernel,
+};
+
+/// Segments a turn: enough to fill vector registers many times over, few enough that a turn's arrays stay
+/// in the first-level cache.
+const N_LANES: usize = 64;
+
+/// One coordinate of a turn of segments.
+type Lanes = [f64; N_LANES];
+
+/// Segments by coordinate: four arrays of the same length.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Segments {
+    coordinates: [Vec<f64>; 4],
+}
+
+impl Segments {
+    /// With room for `n` segments.
+    #[must_use]
+    pub fn with_capacity(n: usize) -> Self {
+        Self {
+            coordinates: std::array::from_fn(|_| Vec::with_capacity(n)),
+        }
+    }
+
+    /// Adds one at the end.
+    pub fn push(&mut self, segment: Segment) {
+        for (column, x) in self.coordinates.iter_mut().zip(segment.to_array()) {
+            column.push(x);
+        }
+    }
+
+    /// How many there are.
+    #[must_use]
+    pub const fn len(&self) -> usize {
+        self.coordinates[0].len()
+    }
+
+    /// Are there none?
+    #[must_use]
+    pub const fn is_empty(&self) -> bool {
+        self.coordinates[0].is_empty()
+    }
+
+    /// One of them.
+    ///
+    /// # Panics
+    /// Where there are not so many.
+    #[must_use]
+    pub fn get(&self, idx: usize) -> Segment {
+        let [x1, y1, x2, y2] = self.coordinates.each_ref().map(|column| column[idx]);
+        Segment {
+            p1: Point::from_finite(x1, y1),
+            p2: Point::from_finite(x2, y2),
+        }
+    }
+}
+
+impl FromIterator<Segment> for Segments {
+    fn from_iter<I: IntoIterator<Item = Segment>>(segments: I) -> Self {
+        let segments = segments.into_iter();
+        let mut all = Self::with_capacity(segments.size_hint().0);
+        for segment in segments {
+            all.push(segment);
+        }
+        all
+    }
+}
+
+/// What [`clip_all`] answers: kept from batch to batch, so that nothing is allocated twice.
+#[derive(Clone, Debug, Default)]
+pub struct Clipped {
+    /// Of a segment that is not visible: any number.
+    coordinates: [Vec<f64>; 4],
+    visible: Vec<bool>,
+}
+
+impl Clipped {
+    /// How many segments were clipped.
+    #[must_use]
+    pub const fn len(&self) -> usize {
+        self.visible.len()
+    }
+
+    /// Were there none?
+    #[must_use]
+    pub const fn is_empty(&self) -> bool {
+        self.visible.is_empty()
+    }
+
+    /// What is left of segment `idx`.
+    ///
+    /// # Panics
+    /// Where there are not so many.
+    #[must_use]
+    pub fn get(&self, idx: usize) -> Visible {
+        self.visible[idx].then(|| {
+            let [x1, y1, x2, y2] = self.coordinates.each_ref().map(|column| column[idx]);
+            Segment {
+                p1: Point::from_finite(x1, y1),
+                p2: Point::from_finite(x2, y2),
+            }
+        })
+    }
+
+    /// What is left of each segment, in order.
+    #[must_use]
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = Visible> + '_ {
+        (0..self.len()).map(|idx| self.get(idx))
+    }
+
+    fn set(&mut self, idx: usize, visible: Visible) {
+        self.visible[idx] = visible.is_some();
+        if let Some(segment) = visible {
+            for (column, x) in self.coordinates.iter_mut().zip(segment.to_array()) {
+                column[idx] = x;
+            }
+        }
+    }
+
+    fn resize(&mut self, n: usize) {
+        for column in &mut self.coordinates {
+            column.resize(n, 0.0);
+        }
+        self.visible.resize(n, false);
+    }
+}
+
+/// Clips every segment against `window`. `out` afterwards holds as many answers as there are segments.
+pub fn clip_all(window: &Window, segments: &Segments, out: &mut Clipped) {
+    let n = segments.len();
+    out.resize(n);
+    let borders = Borders::new(window);
+    let mut status = [0; N_LANES];
+    let turns = segments
+        .coordinates
+        .each_ref()
+        .map(|column| column.as_chunks::<N_LANES>().0);
+    for turn in 0..n / N_LANES {
+        let [x1, y1, x2, y2] = &mut out.coordinates;
+        let any = clip_turn(
+            &borders,
+            turns.map(|column| &column[turn]),
+            [x1, y1, x2, y2].map(|column| &mut column.as_chunks_mut::<N_LANES>().0[turn]),
+            &mut out.visible.as_chunks_mut::<N_LANES>().0[turn],
+            &mut status,
+        );
+        if any {
+            for lane in (0..N_LANES).filter(|&lane| status[lane] & UNCERTAIN != 0) {
+                let idx = turn * N_LANES + lane;
+                out.set(idx, kernel::clip_exactly(window, &segments.get(idx)));
+            }
+        }
+    }
+    for idx in n - n % N_LANES..n {
+        out.set(idx, kernel::clip(window, &segments.get(idx)));
+    }
+}
+
+/// Bits of a status, which is as wide as a coordinate, so that the loop has one width.
+const HIDDEN: u64 = 1;
+const UNCERTAIN: u64 = 2;
+
+/// Clips one turn of segments; true where an answer is uncertain.
+fn clip_turn(
+    borders: &Borders,
+    [x1, y1, x2, y2]: [&Lanes; 4],
+    [out_x1, out_y1, out_x2, out_y2]: [&mut Lanes; 4],
+    visible: &mut [bool; N_LANES],
+    status: &mut [u64; N_LANES],
+) -> bool {
+    let borders = *borders;
+    for i in 0..N_LANES {
+        let answer = clip([x1[i], y1[i], x2[i], y2[i]], &borders);
+        [out_x1[i], out_y1[i], out_x2[i], out_y2[i]] = answer.ends;
+        status[i] = u64::from(answer.hidden) * HIDDEN + u64::from(answer.uncertain) * UNCERTAIN;
+    }
+    let mut all = 0;
+    for i in 0..N_LANES {
+        visible[i] = status[i] & HIDDEN == 0;
+        all |= status[i];
+    }
+    all & UNCERTAIN != 0
+}

@@ -1,0 +1,137 @@
+//! The fields that an algorithm takes, and those that a case gives.
+
+use serde_json::value::RawValue;
+
+use crate::text::{Message, Value};
+
+use super::{Code, Node, Path, Refusal, Solver, raw::Pairs, refusal::short};
+
+/// Must a field be there?
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Need {
+    /// Always.
+    Required,
+    /// Exactly one of an algorithm's fields of this kind.
+    Choice,
+    /// It may be left out.
+    Optional,
+}
+
+/// A field that an algorithm takes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Field {
+    /// As a case spells it.
+    pub name: &'static str,
+    /// Must it be there?
+    pub need: Need,
+}
+
+impl Field {
+    /// A field that must be there.
+    #[must_use]
+    pub const fn required(name: &'static str) -> Self {
+        let need = Need::Required;
+        Self { name, need }
+    }
+
+    /// One of several fields of which exactly one must be there.
+    #[must_use]
+    pub const fn choice(name: &'static str) -> Self {
+        let need = Need::Choice;
+        Self { name, need }
+    }
+
+    /// A field that may be left out.
+    #[must_use]
+    pub const fn optional(name: &'static str) -> Self {
+        let need = Need::Optional;
+        Self { name, need }
+    }
+}
+
+/// The fields of one case, after a check against those that its algorithm takes.
+pub struct Fields<'a> {
+    given: Vec<(&'static str, &'a RawValue)>,
+}
+
+impl<'a> Fields<'a> {
+    /// Refuses unknown fields, then missing ones. `id` and `algorithm` are left out.
+    pub(super) fn check(solver: &dyn Solver, pairs: &Pairs<'a>) -> Result<Self, Refusal> {
+        let takes = solver.fields();
+        let mut given: Vec<(&'static str, &'a RawValue)> = Vec::with_capacity(takes.len());
+        for (name, raw) in &pairs.0 {
+            if matches!(name.as_str(), "id" | "algorithm") {
+                continue;
+            }
+            match takes.iter().find(|field| field.name == name) {
+                Some(field) => given.push((field.name, raw)),
+                None => return Err(unknown(solver, name)),
+            }
+        }
+        let is_given = |name: &str| given.iter().any(|(given, _)| *given == name);
+        let mut choices = takes.iter().filter(|f| f.need == Need::Choice);
+        let mut chosen = choices.clone().filter(|f| is_given(f.name));
+        let (first, second) = (chosen.next(), chosen.next());
+        for field in takes {
+            match field.need {
+                Need::Required if !is_given(field.name) => return Err(missing(field.name)),
+                Need::Choice if first.is_none() => {
+                    let names: Vec<&str> = choices.by_ref().map(|f| f.name).collect();
+                    let problem = Message::new("case-missing-choice")
+                        .with("fields", quoted(names.into_iter()));
+                    return Err(Refusal::at(
+                        Code::MissingField,
+                        &Path::Field(field.name),
+                        problem,
+                    ));
+                }
+                _ => {}
+            }
+        }
+        if let (Some(first), Some(second)) = (first, second) {
+            let problem = Message::new("case-both")
+                .with("one", first.name.to_owned())
+                .with("other", second.name.to_owned());
+            return Err(Refusal::at(
+                Code::UnknownField,
+                &Path::Field(second.name),
+                problem,
+            ));
+        }
+        Ok(Self { given })
+    }
+
+    /// The field, where it is given.
+    #[must_use]
+    pub fn get(&self, name: &'static str) -> Option<Node<'a>> {
+        let (_, raw) = self.given.iter().find(|(given, _)| *given == name)?;
+        let path = Path::Field(name);
+        Some(Node { path, raw })
+    }
+
+    /// The field.
+    ///
+    /// # Errors
+    /// `missing-field`
+    pub fn need(&self, name: &'static str) -> Result<Node<'a>, Refusal> {
+        self.get(name).ok_or_else(|| missing(name))
+    }
+}
+
+/// A field that must be there and is not.
+pub(super) fn missing(name: &'static str) -> Refusal {
+    let problem = Message::new("case-missing-field").with("name", name.to_owned());
+    Refusal::at(Code::MissingField, &Path::Field(name), problem)
+}
+
+fn unknown(solver: &dyn Solver, name: &str) -> Refusal {
+    let problem = Message::new("case-unknown-field")
+        .with("name", short(name))
+        .with("algorithm", Value::Term(solver.name_key()))
+        .with("expected", quoted(solver.fields().iter().map(|f| f.name)));
+    Refusal::at(Code::UnknownField, &Path::Field(name), problem)
+}
+
+fn quoted(names: impl Iterator<Item = &'static str>) -> String {
+    names.collect::<Vec<_>>().join(", ")
+}

@@ -1,0 +1,196 @@
+//! The lines lab's cases: a segment against a window, or against a convex polygon.
+
+use serde_json::Value as Json;
+
+use crate::{
+    algo::line::BitOrder,
+    figure::Run,
+    geom::{ConvexPolygon, Edge, Point, Segment, Window},
+    labs::lines::{METHODS, Method, MethodInfo, Scene, output_json},
+    text::{Formula, Message, Value},
+    trace::Counts,
+};
+
+use super::{Code, Field, Fields, Given, Node, Path, Problem, Refusal, Solver, fields::missing};
+
+/// A clip polygon with more vertices than this is refused: a step's table of values has a row an edge, and
+/// a report a step an edge, so that its length grows with the square.
+const MAX_VERTICES: usize = 4096;
+
+/// The lab's methods.
+pub(super) fn solvers() -> impl Iterator<Item = &'static dyn Solver> {
+    METHODS.iter().map(|info| info as &dyn Solver)
+}
+
+const WINDOW: [Field; 2] = [Field::required("window"), Field::required("segment")];
+const CODED: [Field; 3] = [WINDOW[0], WINDOW[1], Field::optional("bit_order")];
+const CONVEX: [Field; 3] = [
+    Field::choice("window"),
+    Field::choice("clip"),
+    Field::required("segment"),
+];
+
+impl Solver for MethodInfo {
+    fn id(&self) -> &'static str {
+        self.id
+    }
+
+    fn name_key(&self) -> &'static str {
+        self.name_key
+    }
+
+    fn source(&self) -> &'static str {
+        self.source
+    }
+
+    fn fields(&self) -> &'static [Field] {
+        match (self.takes_polygon, self.writes_codes) {
+            (true, _) => &CONVEX,
+            (false, true) => &CODED,
+            (false, false) => &WINDOW,
+        }
+    }
+
+    fn read(&self, fields: &Fields<'_>) -> Result<Box<dyn Problem>, Refusal> {
+        let window = fields.get("window").map(|node| read_window(&node));
+        let clip = fields.get("clip").map(|node| read_clip(&node));
+        let (window, clip) = (window.transpose()?, clip.transpose()?);
+        let segment = read_segment(&fields.need("segment")?)?;
+        let choices = [("tbrl", BitOrder::Tbrl), ("lrbt", BitOrder::Lrbt)];
+        let bit_order = fields
+            .get("bit_order")
+            .map(|node| node.choice(&choices))
+            .transpose()?;
+        // A scene has a window even where a polygon takes its place: the one around the polygon.
+        let window = match (window, &clip) {
+            (Some(window), _) => window,
+            (None, Some(clip)) => bounds(clip)?,
+            (None, None) => return Err(missing("window")),
+        };
+        let method = Method::by_id(self.id).ok_or_else(impossible)?;
+        let mut scene = Scene::new(method, window, vec![segment]).map_err(|_| impossible())?;
+        scene.clip = clip;
+        scene.bit_order = bit_order.unwrap_or_default();
+        Ok(Box::new(LineCase(scene)))
+    }
+}
+
+fn read_window(node: &Node<'_>) -> Result<Window, Refusal> {
+    let [xmin, ymin, xmax, ymax] = node.numbers()?;
+    Window::new(xmin, ymin, xmax, ymax).map_err(|error| Refusal::geometry(&node.path, error, 0))
+}
+
+fn read_clip(node: &Node<'_>) -> Result<ConvexPolygon, Refusal> {
+    let outline: Vec<[f64; 2]> = node.points(MAX_VERTICES)?;
+    ConvexPolygon::new(&outline)
+        .map_err(|error| Refusal::geometry(&node.path, error, outline.len()))
+}
+
+fn read_segment(node: &Node<'_>) -> Result<Segment, Refusal> {
+    let [x1, y1, x2, y2] = node.numbers()?;
+    Segment::new(x1, y1, x2, y2).map_err(|error| Refusal::geometry(&node.path, error, 0))
+}
+
+fn bounds(clip: &ConvexPolygon) -> Result<Window, Refusal> {
+    let mut bounds = [f64::INFINITY, f64::INFINITY, -f64::INFINITY, -f64::INFINITY];
+    for p in clip.vertices() {
+        bounds[0] = bounds[0].min(p.x());
+        bounds[1] = bounds[1].min(p.y());
+        bounds[2] = bounds[2].max(p.x());
+        bounds[3] = bounds[3].max(p.y());
+    }
+    let [xmin, ymin, xmax, ymax] = bounds;
+    Window::new(xmin, ymin, xmax, ymax)
+        .map_err(|error| Refusal::geometry(&Path::Field("clip"), error, 0))
+}
+
+/// For what the checks before have excluded: refused all the same, not a panic.
+fn impossible() -> Refusal {
+    Refusal::whole(Code::Degenerate, Message::new("error-degenerate"))
+}
+
+/// One segment, in focus.
+struct LineCase(Scene);
+
+impl Problem for LineCase {
+    fn given(&self) -> Vec<Given> {
+        let scene = &self.0;
+        let clip_or_window = match &scene.clip {
+            Some(clip) => Given {
+                name_key: "object-clip-polygon",
+                values: clip
+                    .vertices()
+                    .iter()
+                    .map(|p| p.to_array().into())
+                    .collect(),
+            },
+            None => given_window(&scene.window),
+        };
+        let Segment { p1, p2 } = scene.focused();
+        let end = |symbol, p: Point| {
+            let formula = Formula::default()
+                .sym(symbol)
+                .sym(" = ")
+                .point(p.to_array());
+            Value::Formula(formula)
+        };
+        let segment = Given {
+            name_key: "object-segment",
+            values: vec![end("P₁", p1), end("P₂", p2)],
+        };
+        let mut given = vec![clip_or_window, segment];
+        if scene.method.info().writes_codes {
+            let side = |edge| match edge {
+                Edge::Left => Value::Term("side-left"),
+                Edge::Right => Value::Term("side-right"),
+                Edge::Bottom => Value::Term("side-bottom"),
+                Edge::Top => Value::Term("side-top"),
+            };
+            given.push(Given {
+                name_key: "object-outcode",
+                values: scene.bit_order.written().map(side).to_vec(),
+            });
+        }
+        given
+    }
+
+    fn output(&self) -> Json {
+        output_json(&self.0.method.clip(&self.0, self.0.focused()))
+    }
+
+    fn cost(&self) -> (Json, Counts) {
+        let (visible, counts) = self.0.method.cost(&self.0, self.0.focused());
+        (output_json(&visible), counts)
+    }
+
+    fn run(&self) -> Box<dyn Run> {
+        self.0.method.record(&self.0, self.0.focused())
+    }
+
+    fn verdict(&self) -> Message {
+        match self.0.method.clip(&self.0, self.0.focused()) {
+            None => Message::new("case-invisible"),
+            Some(Segment { p1, p2 }) if p1 == p2 => {
+                Message::new("case-touch").with("at", p1.to_array())
+            }
+            Some(Segment { p1, p2 }) => Message::new("case-visible")
+                .with("p1", p1.to_array())
+                .with("p2", p2.to_array()),
+        }
+    }
+}
+
+/// `−1 ≤ x ≤ 1`, `−1 ≤ y ≤ 1`: closed.
+fn given_window(window: &Window) -> Given {
+    let range = |low, symbol, high| {
+        let formula = Formula::default().num(window.border(low));
+        Value::Formula(formula.sym(symbol).num(window.border(high)))
+    };
+    Given {
+        name_key: "object-window",
+        values: vec![
+            range(Edge::Left, " ≤ x ≤ ", Edge::Right),
+            range(Edge::Bottom, " ≤ y ≤ ", Edge::Top),
+        ],
+    }
+}

@@ -1,0 +1,116 @@
+//! From a line to a problem.
+
+use serde_json::value::RawValue;
+
+use crate::text::{Message, Value};
+
+use super::{
+    Code, Fields, Id, Line, MAX_LINE_BYTES, Node, Path, Problem, Refusal, Solver,
+    fields::missing,
+    raw::{Pairs, kind},
+    refusal::short,
+    solver, solvers,
+};
+
+/// A case that can be solved.
+pub struct Case {
+    /// What it calls itself.
+    pub id: Id,
+    /// By which algorithm.
+    pub solver: &'static dyn Solver,
+    /// What to solve.
+    pub problem: Box<dyn Problem>,
+}
+
+/// A case that cannot.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Refused {
+    /// Null where it could not be read.
+    pub id: Id,
+    /// Why.
+    pub refusal: Refusal,
+}
+
+/// Reads one case.
+///
+/// # Errors
+/// The first mistake, in the order that the [module](super) states.
+pub fn read(line: Line<'_>) -> Result<Case, Refused> {
+    let mut id = Id::default();
+    match read_into(line, &mut id) {
+        Ok((solver, problem)) => Ok(Case {
+            id,
+            solver,
+            problem,
+        }),
+        Err(refusal) => Err(Refused { id, refusal }),
+    }
+}
+
+fn read_into(
+    line: Line<'_>,
+    id: &mut Id,
+) -> Result<(&'static dyn Solver, Box<dyn Problem>), Refusal> {
+    let text = text(line)?;
+    let pairs = pairs(text)?;
+    let find = |name: &str| pairs.0.iter().find(|(n, _)| n == name).map(|(_, raw)| *raw);
+    let read_id = find("id").map_or_else(|| Ok(Id::default()), Id::read);
+    if let Ok(read) = &read_id {
+        id.clone_from(read);
+    }
+    if let Some(name) = pairs.repeated() {
+        let problem = Message::new("case-repeated-field").with("name", short(name));
+        return Err(Refusal::at(Code::BadJson, &Path::Field(name), problem));
+    }
+    read_id?;
+    let solver = algorithm(find("algorithm"))?;
+    let fields = Fields::check(solver, &pairs)?;
+    Ok((solver, solver.read(&fields)?))
+}
+
+fn text(line: Line<'_>) -> Result<&str, Refusal> {
+    match line {
+        Line::TooLong => {
+            let max = MAX_LINE_BYTES >> 20;
+            let problem = Message::new("case-line-too-long").with("max", max);
+            Err(Refusal::whole(Code::TooLarge, problem))
+        }
+        Line::Bytes(bytes) => std::str::from_utf8(bytes).map_err(|error| {
+            let problem = Message::new("case-not-utf8").with("byte", error.valid_up_to() + 1);
+            Refusal::whole(Code::BadJson, problem)
+        }),
+    }
+}
+
+fn pairs(text: &str) -> Result<Pairs<'_>, Refusal> {
+    let bad_json = |error: &serde_json::Error| {
+        let problem = Message::new("case-bad-json").with("column", error.column());
+        Refusal::whole(Code::BadJson, problem)
+    };
+    let error = match serde_json::from_str(text) {
+        Ok(pairs) => return Ok(pairs),
+        Err(error) => error,
+    };
+    if !error.is_data() {
+        return Err(bad_json(&error));
+    }
+    // Valid up to here, but not an object; the rest may still be no JSON at all.
+    let whole: &RawValue = serde_json::from_str(text).map_err(|error| bad_json(&error))?;
+    let problem = Message::new("case-wrong-type")
+        .with("expected", Value::Term("json-object"))
+        .with("found", Value::Term(kind(whole.get())));
+    Err(Refusal::whole(Code::WrongType, problem))
+}
+
+fn algorithm(raw: Option<&RawValue>) -> Result<&'static dyn Solver, Refusal> {
+    let path = Path::Field("algorithm");
+    let raw = raw.ok_or_else(|| missing("algorithm"))?;
+    let name = Node { path, raw }.text()?;
+    solver(&name).ok_or_else(|| {
+        let known: Vec<&str> = solvers().map(Solver::id).collect();
+        let problem = Message::new("case-unknown-algorithm")
+            .with("name", short(&name))
+            .with("expected", known.join(", "));
+        Refusal::at(Code::UnknownAlgorithm, &path, problem)
+    })
+}

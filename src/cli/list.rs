@@ -1,0 +1,142 @@
+//! `clipscope list`: what there is.
+
+use std::path::PathBuf;
+
+use clap::ValueEnum;
+use serde_json::{Value as Json, json};
+
+use crate::{
+    case::{Need, Solver, solvers},
+    lesson::Lesson,
+    text::{Catalog, Lang, Message},
+};
+
+use super::{Outcome, lang_parser, lessons::choose, say::print};
+
+const EXAMPLES: &str = "\
+Examples:
+  clipscope list
+  clipscope list my-course
+  clipscope list --format json | jq '.algorithms[].id'";
+
+/// What it accepts.
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Args {
+    /// Lesson folders, folders of lessons, or lessons of the embedded course by name
+    #[arg(value_name = "LESSON")]
+    lessons: Vec<PathBuf>,
+    /// For people or for programs
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    /// Language of titles and names
+    #[arg(long, value_name = "LANG", default_value_t = Lang::En, value_parser = lang_parser())]
+    lang: Lang,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Format {
+    /// Indented lines
+    Text,
+    /// One JSON object
+    Json,
+}
+
+/// Lists everything.
+pub(super) fn list(args: &Args) -> Outcome {
+    let catalog = Catalog::of(args.lang);
+    let chosen = choose(&args.lessons);
+    let outcome = chosen.report_errors(args.lang);
+    let text = match args.format {
+        Format::Text => as_text(&chosen.lessons, catalog),
+        Format::Json => format!("{:#}\n", as_json(&chosen.lessons, catalog)),
+    };
+    match print(&text, args.lang) {
+        Outcome::Done => outcome,
+        failed => failed,
+    }
+}
+
+fn as_text(lessons: &[Lesson], catalog: &Catalog) -> String {
+    let mut lines = vec![catalog.term("list-lessons")];
+    for lesson in lessons {
+        let text = lesson.text(catalog.lang());
+        lines.push(format!("  {:<28}{}", lesson.id, text.title));
+        for (step, words) in lesson.steps.iter().zip(&text.steps) {
+            let figure = step.figure.as_ref().map_or_else(String::new, |figure| {
+                let message = Message::new("list-figure").with("name", figure.clone());
+                format!("  [{}]", catalog.message(&message))
+            });
+            lines.push(format!("    {:<26}{}{figure}", step.id, words.title));
+        }
+    }
+    lines.extend([String::new(), catalog.term("list-algorithms")]);
+    for solver in solvers() {
+        let name = catalog.term(solver.name_key());
+        lines.push(format!("  {:<28}{name}", solver.id()));
+        lines.push(format!("    {:<26}{}", "", fields_text(solver)));
+    }
+    lines.join("\n") + "\n"
+}
+
+/// `window | clip, segment, [bit_order]`
+fn fields_text(solver: &dyn Solver) -> String {
+    let mut parts: Vec<String> = Vec::new();
+    let mut choosing = false;
+    for field in solver.fields() {
+        match (field.need, parts.last_mut()) {
+            (Need::Choice, Some(part)) if choosing => *part = format!("{part} | {}", field.name),
+            (Need::Optional, _) => parts.push(format!("[{}]", field.name)),
+            _ => parts.push(field.name.to_owned()),
+        }
+        choosing = field.need == Need::Choice;
+    }
+    parts.join(", ")
+}
+
+fn as_json(lessons: &[Lesson], catalog: &Catalog) -> Json {
+    let lessons: Vec<Json> = lessons.iter().map(|l| lesson_json(l, catalog)).collect();
+    let algorithms: Vec<Json> = solvers().map(|s| solver_json(s, catalog)).collect();
+    json!({ "lessons": lessons, "algorithms": algorithms })
+}
+
+fn lesson_json(lesson: &Lesson, catalog: &Catalog) -> Json {
+    let text = lesson.text(catalog.lang());
+    let steps: Vec<Json> = lesson
+        .steps
+        .iter()
+        .zip(&text.steps)
+        .map(|(step, words)| {
+            json!({
+                "id": step.id,
+                "title": words.title,
+                "moment": step.moment.to_string(),
+                "figure": step.figure,
+            })
+        })
+        .collect();
+    json!({
+        "id": lesson.id,
+        "title": text.title,
+        "lab": lesson.lab.id(),
+        "source": lesson.source,
+        "steps": steps,
+    })
+}
+
+fn solver_json(solver: &dyn Solver, catalog: &Catalog) -> Json {
+    let names = |need| -> Vec<&str> {
+        let of_need = solver.fields().iter().filter(|f| f.need == need);
+        of_need.map(|f| f.name).collect()
+    };
+    json!({
+        "id": solver.id(),
+        "name": catalog.term(solver.name_key()),
+        "source": solver.source(),
+        "fields": {
+            "required": names(Need::Required),
+            "one_of": names(Need::Choice),
+            "optional": names(Need::Optional),
+        },
+    })
+}

@@ -1,0 +1,183 @@
+//! `clipscope trace`: answers to cases.
+
+use std::{
+    fs::File,
+    io::{self, IsTerminal, Read},
+    path::{Path, PathBuf},
+};
+
+use clap::{ArgAction, ValueEnum};
+
+use crate::{
+    case::{self, Detail, Refusing, Style, Tally, TraceError},
+    text::{Catalog, Lang, Message},
+};
+
+use super::{
+    Outcome, Progress, lang_parser, say,
+    say::{not_written, say_text},
+};
+
+const EXAMPLES: &str = r#"Examples:
+  echo '{"algorithm": "liang-barsky", "window": [-1,-1,1,1], "segment": [-2,-1,2,1.5]}' | clipscope trace
+  clipscope trace cases.ndjson --events false > answers.ndjson
+  clipscope trace cases.ndjson --format markdown --lang es > respuestas.md
+
+One case a line in, one answer a line out, in order. A refused case is answered with an error, and the rest
+is carried on; exit status 1 tells that there was one."#;
+
+/// Refusals named on standard error; the answers name them all.
+const MAX_NAMED: usize = 10;
+
+/// What it accepts.
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Args {
+    /// A file of cases, one JSON object a line; `-` is standard input
+    #[arg(value_name = "FILE", default_value = "-")]
+    file: PathBuf,
+    /// How answers are written [default: text on a terminal, json elsewhere]
+    #[arg(long, value_enum)]
+    format: Option<Format>,
+    /// Write every step, or the answers only
+    #[arg(long, value_name = "BOOL", default_value_t = true, action = ArgAction::Set)]
+    events: bool,
+    /// Language of text, markdown and messages
+    #[arg(long, value_name = "LANG", default_value_t = Lang::En, value_parser = lang_parser())]
+    lang: Lang,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Format {
+    /// One JSON object a line
+    Json,
+    /// Step tables for a terminal
+    Text,
+    /// An answer key to hand out
+    Markdown,
+}
+
+/// Answers the cases.
+pub(super) fn trace(args: &Args) -> Outcome {
+    let lang = args.lang;
+    let unreadable = |error: &io::Error| {
+        let message = Message::new("cli-unreadable")
+            .with("path", args.file.display().to_string())
+            .with("reason", error.to_string());
+        say(lang, &message);
+        Outcome::Unusable
+    };
+    let source = match Source::open(&args.file, lang) {
+        Ok(source) => source,
+        Err(error) => return unreadable(&error),
+    };
+    let mut named = Named {
+        lang,
+        sentences: Vec::new(),
+    };
+    let result = case::trace(source, io::stdout().lock(), style(args), |refusing| {
+        named.hear(refusing);
+    });
+    match result {
+        Ok(tally) => named.sum_up(tally),
+        Err(TraceError::Read(error)) => unreadable(&error),
+        Err(TraceError::Write(error)) => not_written(&error, lang),
+    }
+}
+
+fn style(args: &Args) -> Style {
+    let default = if io::stdout().is_terminal() {
+        Format::Text
+    } else {
+        Format::Json
+    };
+    Style {
+        format: match args.format.unwrap_or(default) {
+            Format::Json => case::Format::Json,
+            Format::Text => case::Format::Text,
+            Format::Markdown => case::Format::Markdown,
+        },
+        detail: if args.events {
+            Detail::Steps
+        } else {
+            Detail::Answers
+        },
+        lang: args.lang,
+    }
+}
+
+/// Refusals kept until the end, so that they do not stand between the answers on a terminal.
+struct Named {
+    lang: Lang,
+    sentences: Vec<String>,
+}
+
+impl Named {
+    fn hear(&mut self, refusing: Refusing<'_>) {
+        if self.sentences.len() < MAX_NAMED {
+            let sentence = refusing.sentence(Catalog::of(self.lang));
+            self.sentences.push(sentence);
+        }
+    }
+
+    fn sum_up(&self, tally: Tally) -> Outcome {
+        if tally == Tally::default() {
+            say(self.lang, &Message::new("cli-nothing"));
+            return Outcome::Unusable;
+        }
+        if tally.refused == 0 {
+            return Outcome::Done;
+        }
+        for sentence in &self.sentences {
+            say_text(sentence);
+        }
+        if tally.refused > MAX_NAMED {
+            let more = tally.refused - MAX_NAMED;
+            say(
+                self.lang,
+                &Message::new("trace-more-refused").with("count", more),
+            );
+        }
+        let sum = Message::new("cli-refused").with("count", tally.refused);
+        say(self.lang, &sum);
+        Outcome::Refused
+    }
+}
+
+/// Where cases come from, with a progress bar where their size is known.
+struct Source {
+    reader: Box<dyn Read>,
+    progress: Option<Progress>,
+}
+
+impl Source {
+    fn open(path: &Path, lang: Lang) -> io::Result<Self> {
+        if path == Path::new("-") {
+            if io::stdin().is_terminal() {
+                say(lang, &Message::new("trace-from-terminal"));
+            }
+            return Ok(Self {
+                reader: Box::new(io::stdin()),
+                progress: None,
+            });
+        }
+        let file = File::open(path)?;
+        let metadata = file.metadata()?;
+        // Answers on the same terminal show by themselves how far the work has come.
+        let silent = metadata.is_file() && !io::stdout().is_terminal();
+        Ok(Self {
+            reader: Box::new(file),
+            progress: silent.then(|| Progress::new(metadata.len())),
+        })
+    }
+}
+
+impl Read for Source {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let n = self.reader.read(buffer)?;
+        if let Some(progress) = &mut self.progress {
+            progress.advance(n as u64);
+        }
+        Ok(n)
+    }
+}

@@ -1,0 +1,186 @@
+//! One figure: what the stage shows, and the caption under it.
+
+use egui::{Align2, FontId, Rect, Ui, pos2, vec2};
+
+use crate::{
+    figure::{Frame, Run},
+    labs::lines::{self, Method, Scene},
+    paint::{Headless, Image, Theme, ThemeKind, Viewport, fonts::semibold, stage},
+    text::{Catalog, Lang},
+    trace::Counts,
+    widgets::{Look, caption_job, number_line, number_line_height},
+};
+
+/// A figure is laid out on a page of this size in points, or larger along one side as its shape asks, and
+/// then enlarged to its size in pixels: text keeps its proportion to the picture.
+const PAGE_PTS: [f32; 2] = [960.0, 540.0];
+/// White space beside the caption, and above and below it.
+const MARGIN_PTS: [f32; 2] = [24.0, 16.0];
+/// Height of the strip that names the method, where two stand side by side.
+const TITLE_PTS: f32 = 36.0;
+/// A caption may take this many lines: more than any needs on a page of this width.
+const MAX_ROWS: usize = 6;
+
+/// What to draw, and how.
+#[derive(Clone, Copy, Debug)]
+pub struct Picture<'a> {
+    /// The document.
+    pub scene: &'a Scene,
+    /// Events folded so far.
+    pub step: usize,
+    /// The language of the caption.
+    pub lang: Lang,
+    /// Colours and weights.
+    pub theme: ThemeKind,
+    /// Width and height in pixels.
+    pub size_px: [u32; 2],
+}
+
+/// Draws a figure. A table that has drawn others draws it faster; the bytes are the same.
+#[must_use]
+pub fn draw(table: &mut Headless, picture: &Picture<'_>) -> Image {
+    table.set_theme(picture.theme);
+    let size = vec2(picture.size_px[0] as f32, picture.size_px[1] as f32);
+    let pixels_per_point = (size.x / PAGE_PTS[0]).min(size.y / PAGE_PTS[1]);
+    let scene = picture.scene;
+    let first = scene.method.record(scene, scene.focused());
+    let second = scene.compare.map(|method| {
+        let run = method.record(scene, scene.focused());
+        Column::new(method, &*run, run.beside(&*first, picture.step))
+    });
+    let columns: Vec<Column> = std::iter::once(Column::new(scene.method, &*first, picture.step))
+        .chain(second)
+        .collect();
+    let page = Page {
+        scene,
+        look: Look {
+            theme: Theme::of(picture.theme),
+            catalog: Catalog::of(picture.lang),
+        },
+        is_comparison: columns.len() > 1,
+        line_height: match columns.iter().any(|c| c.frame.number_line.is_some()) {
+            true => number_line_height(Theme::of(picture.theme)),
+            false => 0.0,
+        },
+    };
+    table.draw(size / pixels_per_point, pixels_per_point, |ui| {
+        let whole = ui.max_rect();
+        let width = whole.width() / columns.len() as f32;
+        for (i, column) in columns.iter().enumerate() {
+            let left = whole.left() + width * i as f32;
+            let rect = Rect::from_min_size(pos2(left, whole.top()), vec2(width, whole.height()));
+            page.column(ui, rect, column);
+            if i > 0 {
+                let hairline = page.look.theme.stroke(1.0, page.look.theme.hairline);
+                ui.painter().vline(left, whole.y_range(), hairline);
+            }
+        }
+    })
+}
+
+/// One method at one step.
+struct Column {
+    method: Method,
+    frame: Frame,
+    at_end: bool,
+}
+
+impl Column {
+    fn new(method: Method, run: &dyn Run, step: usize) -> Self {
+        Self {
+            method,
+            frame: run.frame(step.min(run.n_steps())),
+            at_end: step >= run.n_steps(),
+        }
+    }
+}
+
+struct Page<'a> {
+    scene: &'a Scene,
+    look: Look<'static>,
+    is_comparison: bool,
+    /// Height of the second view: the same under both stages, so that they show the same place.
+    line_height: f32,
+}
+
+impl Page<'_> {
+    fn column(&self, ui: &mut Ui, rect: Rect, column: &Column) {
+        let frame = &column.frame;
+        let [margin_x, margin_y] = MARGIN_PTS;
+        let width = rect.width() - 2.0 * margin_x;
+        let job = caption_job(ui, self.look, &frame.caption, width, MAX_ROWS);
+        let caption = ui.painter().layout_job(job);
+        let cost_height = if self.is_comparison { 28.0 } else { 0.0 };
+        let bottom = rect.bottom() - margin_y;
+        let caption_top = bottom - cost_height - caption.size().y;
+        let strip_top = caption_top - margin_y;
+        let title_height = if self.is_comparison {
+            TITLE_PTS * self.look.theme.text_scale
+        } else {
+            0.0
+        };
+        let stage_rect = rect
+            .with_min_y(rect.top() + title_height)
+            .with_max_y(strip_top - self.line_height);
+        if self.is_comparison {
+            self.title(ui, rect.min, column.method);
+        }
+        self.stage(ui, stage_rect, column);
+        if let Some(line) = &frame.number_line {
+            let rect = rect
+                .with_min_y(strip_top - self.line_height)
+                .with_max_y(strip_top);
+            number_line(ui, self.look, rect, line, None);
+        }
+        let hairline = self.look.theme.stroke(1.0, self.look.theme.hairline);
+        ui.painter().hline(rect.x_range(), strip_top, hairline);
+        let at = pos2(rect.left() + margin_x, caption_top);
+        ui.painter().galley(at, caption, self.look.theme.ink);
+        if self.is_comparison {
+            self.cost(ui, pos2(at.x, bottom), &frame.counts);
+        }
+    }
+
+    fn stage(&self, ui: &Ui, rect: Rect, column: &Column) {
+        let Column {
+            method,
+            frame,
+            at_end,
+        } = column;
+        let viewport = Viewport::fit(rect, lines::bounds(self.scene));
+        let painter = ui.painter().with_clip_rect(rect);
+        let mut marks = lines::backdrop(self.scene, *method, *at_end);
+        marks.extend(frame.marks.iter().cloned());
+        stage(
+            &painter,
+            &viewport,
+            self.look.theme,
+            self.look.catalog,
+            &marks,
+            None,
+        );
+    }
+
+    fn title(&self, ui: &Ui, corner: egui::Pos2, method: Method) {
+        ui.painter().text(
+            corner + vec2(MARGIN_PTS[0], MARGIN_PTS[1]),
+            Align2::LEFT_TOP,
+            self.look.catalog.term(method.info().name_key),
+            FontId::new(13.0 * self.look.theme.text_scale, semibold()),
+            self.look.theme.ink,
+        );
+    }
+
+    fn cost(&self, ui: &Ui, left_bottom: egui::Pos2, counts: &Counts) {
+        ui.painter().text(
+            left_bottom,
+            Align2::LEFT_BOTTOM,
+            format!(
+                "÷ {}   × {}   + {}   < {}",
+                counts.div, counts.mul, counts.add, counts.cmp
+            ),
+            FontId::monospace(12.0 * self.look.theme.text_scale),
+            self.look.theme.soft,
+        );
+    }
+}

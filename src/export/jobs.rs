@@ -1,0 +1,161 @@
+//! All figures of a course, drawn on all cores.
+
+use std::{
+    io,
+    num::NonZero,
+    path::Path,
+    sync::{
+        Mutex,
+        atomic::{AtomicUsize, Ordering},
+        mpsc,
+    },
+    thread,
+};
+
+use crate::{
+    lesson::{Lesson, Step},
+    paint::{Headless, ThemeKind},
+    text::Lang,
+};
+
+use super::{figure::Picture, figure::draw, files::write_whole};
+
+/// Which steps of the runs become pictures.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Steps {
+    /// The moments that lessons name as figures.
+    #[default]
+    Figures,
+    /// Every step of every such run.
+    All,
+}
+
+/// How pictures are drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    /// Width and height in pixels.
+    pub size_px: [u32; 2],
+    /// Colours and weights.
+    pub theme: ThemeKind,
+    /// The language of captions.
+    pub lang: Lang,
+    /// Which steps.
+    pub steps: Steps,
+}
+
+/// One picture to be drawn.
+#[derive(Clone, Debug)]
+pub struct Job<'a> {
+    /// The lesson's folder.
+    pub lesson: &'a Lesson,
+    /// The lesson step whose scene it shows.
+    pub step: &'a Step,
+    /// Events folded so far.
+    pub position: usize,
+    /// Path below the output folder: `03-outcodes/nine-regions.png`.
+    pub path: String,
+}
+
+/// The pictures of these lessons, in the order of the course.
+#[must_use]
+pub fn jobs<'a>(lessons: impl IntoIterator<Item = &'a Lesson>, steps: Steps) -> Vec<Job<'a>> {
+    let mut jobs = Vec::new();
+    for lesson in lessons {
+        for step in &lesson.steps {
+            let Some(figure) = &step.figure else { continue };
+            let job = |position, name: String| Job {
+                lesson,
+                step,
+                position,
+                path: format!("{}/{name}.png", lesson.id),
+            };
+            match steps {
+                Steps::Figures => jobs.push(job(step.position, figure.clone())),
+                Steps::All => {
+                    let scene = &step.scene;
+                    let n_steps = scene.method.record(scene, scene.focused()).n_steps();
+                    jobs.extend((0..=n_steps).map(|k| job(k, format!("{figure}-{k:03}"))));
+                }
+            }
+        }
+    }
+    jobs
+}
+
+impl Job<'_> {
+    /// The picture as PNG.
+    #[must_use]
+    pub fn png(&self, table: &mut Headless, options: &Options) -> Vec<u8> {
+        let picture = Picture {
+            scene: &self.step.scene,
+            step: self.position,
+            lang: options.lang,
+            theme: options.theme,
+            size_px: options.size_px,
+        };
+        draw(table, &picture).to_png()
+    }
+
+    fn write(&self, table: &mut Headless, options: &Options, out: &Path) -> io::Result<()> {
+        let path = out.join(&self.path);
+        if let Some(folder) = path.parent() {
+            std::fs::create_dir_all(folder)?;
+        }
+        write_whole(&path, &self.png(table, options))
+    }
+}
+
+/// A picture that could not be written.
+#[derive(Debug)]
+pub struct Failure {
+    /// Where it should have been.
+    pub path: String,
+    /// What the file system said.
+    pub error: io::Error,
+}
+
+/// Draws and writes all pictures on all cores; `done` hears of each on the calling thread. The failures
+/// come in the order of the jobs.
+pub fn run(
+    jobs: &[Job<'_>],
+    options: &Options,
+    out: &Path,
+    mut done: impl FnMut(),
+) -> Vec<Failure> {
+    let next = AtomicUsize::new(0);
+    let failures = Mutex::new(Vec::new());
+    let n_threads = thread::available_parallelism()
+        .map_or(1, NonZero::get)
+        .min(jobs.len());
+    thread::scope(|scope| {
+        let (finished, each_finished) = mpsc::channel();
+        for _ in 0..n_threads {
+            let finished = finished.clone();
+            let (next, failures) = (&next, &failures);
+            scope.spawn(move || {
+                let mut table = Headless::new(options.theme);
+                while let Some((i, job)) = take(next, jobs) {
+                    if let Err(error) = job.write(&mut table, options, out) {
+                        let path = out.join(&job.path).display().to_string();
+                        if let Ok(mut failures) = failures.lock() {
+                            failures.push((i, Failure { path, error }));
+                        }
+                    }
+                    if finished.send(()).is_err() {
+                        return;
+                    }
+                }
+            });
+        }
+        drop(finished);
+        each_finished.iter().for_each(|()| done());
+    });
+    let mut failures = failures.into_inner().unwrap_or_default();
+    failures.sort_by_key(|(i, _)| *i);
+    failures.into_iter().map(|(_, failure)| failure).collect()
+}
+
+fn take<'j, 'a>(next: &AtomicUsize, jobs: &'j [Job<'a>]) -> Option<(usize, &'j Job<'a>)> {
+    let i = next.fetch_add(1, Ordering::Relaxed);
+    Some((i, jobs.get(i)?))
+}

@@ -1,0 +1,10 @@
+//! Pictures for slides and books: a lesson's figures drawn with no display and no GPU, the same bytes on
+//! every machine.
+
+mod figure;
+mod files;
+mod jobs;
+
+pub use figure::{Picture, draw};
+pub use files::write_whole;
+pub use jobs::{Failure, Job, Options, Steps, jobs, run};

@@ -1,0 +1,297 @@
+//! Nicholl–Lee–Nicholl, shown.
+
+use crate::{
+    algo::line::{
+        CornerLine, End, NichollLeeNicholl, NichollLeeNichollEvent as Event,
+        NichollLeeNichollState as State, Question, Region, Turn, WindowInput,
+    },
+    figure::{Caption, Mark, Role, Shape, Tick, Watch, WatchRow, WatchSection},
+    geom::{Axis, Edge, Point, Segment},
+    labs::lines::{
+        Scene,
+        demo::{Demo, Step},
+        registry::{CodeLine, code_line},
+    },
+    text::{Formula, Message, Value},
+};
+
+use super::shared::{
+    accepted, along, axis_symbol, border_equation, border_mark, crossing_mark, edge_name, end_link,
+    end_name, ends_rows, free_formula, name, opening, parameter_formula, point_formula, region_key,
+    segment_marks,
+};
+
+const REGIONS: usize = 0;
+const SHARED: usize = 1;
+const ENTERS: usize = 2;
+const MEETS: usize = 3;
+const LEAVES: usize = 4;
+const CUT: usize = 5;
+
+impl Demo for NichollLeeNicholl {
+    const ID: &'static str = "nicholl-lee-nicholl";
+    const NAME_KEY: &'static str = "alg-nicholl-lee-nicholl";
+    const SOURCE: &'static str = "Nicholl, Lee & Nicholl, 1987";
+    const CODE: &'static [CodeLine] = &[
+        code_line(0, "code-nln-regions", "words-nln-regions"),
+        code_line(0, "code-nln-shared", "words-nln-shared"),
+        code_line(0, "code-nln-enters", "words-nln-enters"),
+        code_line(0, "code-nln-meets", "words-nln-meets"),
+        code_line(0, "code-nln-leaves", "words-nln-leaves"),
+        code_line(0, "code-nln-cut", "words-nln-cut"),
+    ];
+
+    fn input(scene: &Scene, segment: Segment) -> WindowInput {
+        WindowInput {
+            window: scene.window,
+            segment,
+        }
+    }
+
+    fn tick(event: &Event) -> Tick {
+        match event {
+            Event::Region { .. } | Event::Side { .. } => Tick::Test,
+            Event::Sector { .. } => Tick::Phase,
+            Event::Cut { .. } => Tick::Cut,
+            Event::Accept { .. } => Tick::Accept,
+            Event::Reject { .. } => Tick::Reject,
+        }
+    }
+
+    fn code_line(event: &Event, _: &State) -> usize {
+        match event {
+            Event::Region { .. } => REGIONS,
+            Event::Reject { corner: None, .. } => SHARED,
+            Event::Reject { .. } => MEETS,
+            Event::Side { question, .. } => match question {
+                Question::Enters => ENTERS,
+                Question::Meets => MEETS,
+                Question::Leaves => LEAVES,
+            },
+            Event::Sector { .. } => LEAVES,
+            Event::Cut { .. } | Event::Accept { .. } => CUT,
+        }
+    }
+
+    fn opening(input: &WindowInput) -> Caption {
+        opening(&input.segment)
+    }
+
+    fn caption(event: &Event, _: &State, input: &WindowInput) -> Caption {
+        let WindowInput { window, segment } = input;
+        match *event {
+            Event::Region { end, region } => region_caption(end, region, input),
+            Event::Side { question, line } => side_caption(question, &line),
+            Event::Sector { enters, leaves } => sector_caption(enters, leaves, segment),
+            Event::Cut {
+                end, edge, u, to, ..
+            } => Caption::new(
+                Message::new("cs-cut")
+                    .with("end", end_name(end))
+                    .with("border", border_equation(window, edge)),
+            )
+            .so(parameter_formula("t", segment, window, edge, u))
+            .so(free_formula(
+                segment,
+                window,
+                edge,
+                along(to, edge.axis())[1],
+            )),
+            Event::Accept { segment } => accepted(&segment),
+            Event::Reject { edge, corner: None } => {
+                Caption::new(Message::new("line-reject-edge").with("edge", edge_name(edge)))
+            }
+            Event::Reject {
+                edge,
+                corner: Some(corner),
+            } => Caption::new(
+                Message::new("nln-miss")
+                    .with("edge", edge_name(edge))
+                    .with("corner", corner.to_array()),
+            ),
+        }
+    }
+
+    fn marks(step: &Step<'_, Self>) -> Vec<Mark> {
+        let WindowInput { window, segment } = step.input;
+        let state = step.state;
+        let p1 = segment.p1;
+        let mut marks: Vec<Mark> = Vec::new();
+        if state.regions[0].is_some() {
+            let corners = window.corners().into_iter().filter(|&c| c != p1);
+            marks.extend(corners.map(|c| ray(Role::Faint, p1, c)));
+        }
+        let asked = state.lines.iter().flatten();
+        let current = match step.event {
+            Some(Event::Side { line, .. }) => Some(line.corner),
+            Some(Event::Reject { corner, .. }) => corner,
+            _ => None,
+        };
+        for (_, line) in asked.filter(|(_, line)| line.corner != p1) {
+            let role = if current == Some(line.corner) {
+                Role::Signal
+            } else {
+                Role::Soft
+            };
+            marks.push(ray(role, p1, line.corner));
+            marks.push(Mark::new(role, Shape::Dot(line.corner.to_array())).labelled(name("C")));
+        }
+        if let Some(Event::Cut { edge, .. }) = step.event {
+            marks.push(border_mark(window, edge));
+        }
+        marks.extend(segment_marks(segment, state.ends, state.verdict));
+        match step.event {
+            Some(Event::Region { end, .. }) => {
+                let at = end.of(segment).to_array();
+                marks.push(Mark::new(Role::Signal, Shape::Ring(at)).linked(end_link(end)));
+            }
+            Some(Event::Cut { end, u, to, .. }) => {
+                marks.push(crossing_mark(to, "t", u).linked(end_link(end)));
+            }
+            _ => {}
+        }
+        marks
+    }
+
+    fn watch(step: &Step<'_, Self>) -> Watch {
+        let state = step.state;
+        let mut rows = ends_rows(state.ends);
+        for end in End::BOTH {
+            let key = ["watch-region-1", "watch-region-2"][end.idx()];
+            let region = state.regions[end.idx()].map(|region| Value::Term(key_of(region)));
+            rows.push(WatchRow::new(Value::Term(key), region).linked(end_link(end)));
+        }
+        let side = |known: Option<Option<Edge>>| {
+            known.map(|edge| edge.map_or_else(|| name("–"), edge_name))
+        };
+        let [enters, leaves] = [0, 1].map(|i| side(state.sector.map(|sector| sector[i])));
+        rows.push(WatchRow::new(Value::Term("watch-enters"), enters));
+        rows.push(WatchRow::new(Value::Term("watch-leaves"), leaves));
+        rows.push(WatchRow::new(
+            Value::Term("watch-crossings"),
+            Some(Value::Count(state.n_cuts)),
+        ));
+        let table: Vec<WatchRow> = state
+            .lines
+            .iter()
+            .flatten()
+            .map(|(question, line)| {
+                let cells = line.products.map(|p| Some(Value::Number(p))).to_vec();
+                WatchRow::table(Value::Term(question_key(*question)), cells)
+                    .noted(Value::Term(turn_key(line.turn)))
+            })
+            .collect();
+        let mut watch = vec![WatchSection::list(rows)];
+        if !table.is_empty() {
+            watch.push(WatchSection::table(vec!["a₁·b₂", "b₁·a₂"], table));
+        }
+        watch
+    }
+}
+
+fn ray(role: Role, from: Point, through: Point) -> Mark {
+    Mark::new(role, Shape::Ray([from.to_array(), through.to_array()]))
+}
+
+/// Catalogue key of a region's name.
+fn key_of(region: Region) -> &'static str {
+    region_key(|edge| region.edges().any(|e| e == edge))
+}
+
+const fn question_key(question: Question) -> &'static str {
+    match question {
+        Question::Enters => "nln-question-enters",
+        Question::Meets => "nln-question-meets",
+        Question::Leaves => "nln-question-leaves",
+    }
+}
+
+const fn turn_key(turn: Turn) -> &'static str {
+    match turn {
+        Turn::Left => "turn-left",
+        Turn::Through => "turn-through",
+        Turn::Right => "turn-right",
+    }
+}
+
+/// "P₁ is below left", and what says so: `x = −2 < −1`.
+fn region_caption(end: End, region: Region, input: &WindowInput) -> Caption {
+    let at = end.of(&input.segment);
+    let message = Message::new("nln-region")
+        .with("end", end_name(end))
+        .with("region", Value::Term(key_of(region)));
+    let both = [(Axis::X, region.x), (Axis::Y, region.y)];
+    both.into_iter()
+        .fold(Caption::new(message), |caption, (axis, edge)| {
+            let value = along(at, axis)[0];
+            let [low, high] = match axis {
+                Axis::X => [Edge::Left, Edge::Right],
+                Axis::Y => [Edge::Bottom, Edge::Top],
+            };
+            let symbol = axis_symbol(axis);
+            let formula = match edge {
+                Some(edge) => {
+                    let relation = if edge.is_max() { " > " } else { " < " };
+                    Formula::default()
+                        .sym(symbol)
+                        .sym(" = ")
+                        .num(value)
+                        .sym(relation)
+                        .num(input.window.border(edge))
+                }
+                None => Formula::default()
+                    .num(input.window.border(low))
+                    .sym(" ≤ ")
+                    .sym(symbol)
+                    .sym(" = ")
+                    .num(value)
+                    .sym(" ≤ ")
+                    .num(input.window.border(high)),
+            };
+            caption.so(formula)
+        })
+}
+
+fn side_caption(question: Question, line: &CornerLine) -> Caption {
+    let key = match (question, line.turn) {
+        (_, Turn::Through) => "nln-side-through",
+        (Question::Enters, _) => "nln-side-enters",
+        (Question::Meets, _) => "nln-side-meets",
+        (Question::Leaves, _) => "nln-side-leaves",
+    };
+    let [p, q] = line.products;
+    let relation = match line.turn {
+        Turn::Left => " < ",
+        Turn::Through => " = ",
+        Turn::Right => " > ",
+    };
+    let first = line.first.unwrap_or(line.edges[0]);
+    Caption::new(
+        Message::new(key)
+            .with("corner", line.corner.to_array())
+            .with("turn", Value::Term(turn_key(line.turn)))
+            .with("first", edge_name(first)),
+    )
+    .so(Formula::default()
+        .sym("a₁·b₂ = ")
+        .num(p)
+        .sym(relation)
+        .sym("b₁·a₂ = ")
+        .num(q))
+}
+
+fn sector_caption(enters: Option<Edge>, leaves: Option<Edge>, segment: &Segment) -> Caption {
+    let message = match (enters, leaves) {
+        (None, None) => {
+            return Caption::new(Message::new("nln-sector-inside"))
+                .so(point_formula("P₁", segment.p1))
+                .so(point_formula("P₂", segment.p2));
+        }
+        (Some(edge), None) => Message::new("nln-sector-enters").with("enters", edge_name(edge)),
+        (None, Some(edge)) => Message::new("nln-sector-leaves").with("leaves", edge_name(edge)),
+        (Some(enters), Some(leaves)) => Message::new("nln-sector-both")
+            .with("enters", edge_name(enters))
+            .with("leaves", edge_name(leaves)),
+    };
+    Caption::new(message)
+}

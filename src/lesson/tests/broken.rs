@@ -1,0 +1,376 @@
+//! Broken lessons, each with the place and the code of what is wrong.
+
+use crate::text::{Catalog, Lang};
+
+use super::*;
+
+const WINDOW: &str = "window = [-1, -1, 1, 1]";
+const SEGMENTS: &str = "segments = [[-2, -1, 2, 1.5], [0, 0, 1, 1]]";
+
+/// What is replaced in the lesson, by what, and the place and code of the one problem.
+const BROKEN: &[(&str, &str, &str)] = &[
+    ("lab =", "lba =", "1:1 unknown-field"),
+    ("lab = \"lines\"\n", "", "1:1 missing-field"),
+    ("\"lines\"", "\"line\"", "1:7 unknown-lab"),
+    ("\"lines\"", "7", "1:7 wrong-type"),
+    (
+        "source = \"D. Cohen and I. Sutherland, 1967\"\n",
+        "",
+        "1:1 missing-field",
+    ),
+    (
+        "\"D. Cohen and I. Sutherland, 1967\"",
+        "\" \"",
+        "2:10 empty-text",
+    ),
+    (
+        "\"cohen-sutherland\"",
+        "\"cohen-suterland\"",
+        "5:10 unknown-method",
+    ),
+    ("method = \"cohen-sutherland\"\n", "", "4:1 missing-field"),
+    (WINDOW, "windw = [-1, -1, 1, 1]", "6:1 unknown-field"),
+    (WINDOW, "window = [-1, -1, 1]", "6:10 wrong-length"),
+    (WINDOW, "window = [-1, -1, 1, inf]", "6:22 not-finite"),
+    (WINDOW, "window = [-1, -1, 1, 1e999]", "6:22 not-finite"),
+    (WINDOW, "window = [-1, nan, 1, 1]", "6:15 not-finite"),
+    (WINDOW, "window = [-1, \"a\", 1, 1]", "6:15 wrong-type"),
+    (WINDOW, "window = [1, -1, -1, 1]", "6:11 empty-window-x"),
+    (WINDOW, "window = [-1, 1, 1, 1]", "6:15 empty-window-y"),
+    (
+        WINDOW,
+        "window = [-1, -1, 1, 1]\nclip = [[0, 0], [2, 0]]",
+        "7:8 degenerate",
+    ),
+    (
+        WINDOW,
+        "window = [-1, -1, 1, 1]\nclip = [[0, 0], [1, 0], [1, 0], [0, 1]]",
+        "7:25 degenerate",
+    ),
+    (
+        WINDOW,
+        "window = [-1, -1, 1, 1]\nclip = [[0, 0], [4, 0], [1, 1], [0, 4]]",
+        "7:25 not-convex",
+    ),
+    (
+        WINDOW,
+        "window = [-1, -1, 1, 1]\nclip = [[0, 0], [4, 0], [1]]",
+        "7:25 wrong-length",
+    ),
+    (
+        WINDOW,
+        "window = [-1, -1, 1, 1]\nclip = [[0, 3], [2, -3], [-3, 1], [3, 1], [-2, -3]]",
+        "7:35 self-intersecting",
+    ),
+    (SEGMENTS, "segments = []", "7:12 no-segments"),
+    (SEGMENTS, "segments = [-2, -1, 2, 1.5]", "7:13 wrong-type"),
+    (SEGMENTS, "segments = [[-2, -1, 2]]", "7:13 wrong-length"),
+    (SEGMENTS, "", "4:1 missing-field"),
+    (
+        SEGMENTS,
+        "random = { count = 0, seed = 7 }",
+        "7:20 out-of-range",
+    ),
+    (
+        SEGMENTS,
+        "random = { count = 2000000, seed = 7 }",
+        "7:20 out-of-range",
+    ),
+    (SEGMENTS, "random = { count = 5 }", "7:10 missing-field"),
+    (
+        SEGMENTS,
+        "random = { count = 5, seed = -1 }",
+        "7:30 out-of-range",
+    ),
+    (
+        SEGMENTS,
+        "segments = [[0, 0, 1, 1]]\nrandom = { count = 5, seed = 1 }",
+        "8:10 two-kinds-of-segments",
+    ),
+    (
+        SEGMENTS,
+        "segments = [[0, 0, 1, 1]]\nfocus = 1",
+        "8:9 no-such-focus",
+    ),
+    (
+        SEGMENTS,
+        "segments = [[0, 0, 1, 1]]\nfocus = 0.5",
+        "8:9 wrong-type",
+    ),
+    (
+        SEGMENTS,
+        "segments = [[0, 0, 1, 1]]\nbit_order = \"tblr\"",
+        "8:13 unknown-value",
+    ),
+    (
+        SEGMENTS,
+        "segments = [[0, 0, 1, 1]]\ncompare = \"brute\"",
+        "8:11 unknown-method",
+    ),
+    ("id = \"second\"", "id = \"first\"", "15:6 duplicate-step"),
+    (
+        "id = \"second\"",
+        "id = \"Second step\"",
+        "15:6 bad-step-id",
+    ),
+    ("id = \"second\"\n", "", "14:1 missing-field"),
+    (
+        "scene = \"practice\"",
+        "scene = \"practise\"",
+        "11:9 unknown-scene",
+    ),
+    ("scene = \"practice\"", "", "9:1 missing-field"),
+    (
+        "figure = \"one\"",
+        "figure = \"../one\"",
+        "12:10 bad-figure",
+    ),
+    (
+        "at = \"end\"",
+        "at = \"cut top\"",
+        "16:6 moment-never-happens",
+    ),
+    ("at = \"end\"", "at = \"cut #0\"", "16:6 bad-moment"),
+    ("at = \"end\"", "figure = \"one\"", "16:10 duplicate-figure"),
+    (
+        "[\"window\"]",
+        "[\"p1\", \"windows\"]",
+        "17:15 unknown-lock",
+    ),
+    ("[\"window\"]", "\"window\"", "17:8 wrong-type"),
+    ("\"words\"", "\"none\"", "18:8 unknown-value"),
+    ("lab = \"lines\"", "lab = ", "1:7 toml-value"),
+    (
+        "\"lines\"",
+        "\"lines\"\nlab = \"lines\"",
+        "2:1 toml-duplicate",
+    ),
+    (
+        "[scenes.practice]",
+        "[scenes.practice",
+        "4:17 toml-unclosed",
+    ),
+];
+
+#[test]
+fn every_mistake_in_a_lesson_file_has_its_place() {
+    let mut wrong = Vec::new();
+    for (old, new, expected) in BROKEN {
+        let files = lesson(&[(*old, *new)]);
+        let mut spots = found(&files);
+        // A step without an id, or with a bad one, leaves the texts unchecked; a scene that is not found
+        // is not used.
+        spots.retain(|spot| !spot.ends_with("unused-scene"));
+        if spots != [format!("lesson.toml:{expected}")] {
+            wrong.push(format!("{new}: expected {expected}, found {spots:?}"));
+        }
+        assert_eq!(Course::load(&files).course.lessons, [], "{new}: left out");
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn every_mistake_in_a_text_has_its_place() {
+    for (old, new, expected) in [
+        ("# Regions\n", "", "1:1 missing-title"),
+        ("# Regions", "Regions", "1:1 missing-title"),
+        ("# Regions", "# ", "1:1 empty-text"),
+        ("# Regions\n", "# Regions\n\nWelcome.\n", "3:1 text-outside"),
+        ("## first: ", "## ", "3:1 bad-heading"),
+        ("## first:", "## frist:", "3:1 unknown-step"),
+        ("## second:", "## first:", "9:1 duplicate-section"),
+        (
+            "## second: The second step\n\n- one\n- two\n",
+            "",
+            "3:1 missing-section",
+        ),
+        ("- one\n- two\n", "", "9:1 empty-section"),
+        ("- one", "- one\n\n# Two", "13:1 second-title"),
+        ("- one", "### Deeper", "11:1 unsupported-markdown"),
+        ("- one", "- <b>one</b>", "11:3 unsupported-markdown"),
+        ("- one", "- see [this](that)", "11:7 unsupported-markdown"),
+        ("- one", "- **甲。**乙", "11:3 stray-emphasis"),
+    ] {
+        assert!(TEXT.contains(old), "the text has no {old:?}");
+        let mut files = with(LESSON, TEXT);
+        files.insert("01-a/es.md".to_owned(), TEXT.replacen(old, new, 1).into());
+        let spots = found(&files);
+        let at = format!("es.md:{expected}");
+        assert!(spots.contains(&at), "{new}: expected {at}, found {spots:?}");
+        assert!(
+            spots.iter().all(|spot| spot.starts_with("es.md")),
+            "{spots:?}"
+        );
+        assert_eq!(Course::load(&files).course.lessons, [], "{new}: left out");
+    }
+}
+
+#[test]
+fn several_mistakes_of_several_files_are_all_reported() {
+    let mut files = lesson(&[
+        (
+            "window = [-1, -1, 1, 1]",
+            "window = [-1, nan, 1, inf]\ncolour = 3",
+        ),
+        ("\"cohen-sutherland\"", "\"sutherland\""),
+        ("id = \"second\"", "id = \"first\""),
+        ("\"end\"", "\"#x\""),
+    ]);
+    files.insert("01-a/zh-CN.md".to_owned(), b"# \xff".to_vec());
+    files.insert("01-a/fr.md".to_owned(), b"# A".to_vec());
+    files.remove("01-a/pt-BR.md");
+    files.extend(
+        with(LESSON, TEXT)
+            .into_iter()
+            .map(|(path, bytes)| (path.replace("01-a", "02-b"), bytes)),
+    );
+    assert_eq!(
+        found(&files),
+        [
+            "lesson.toml:5:10 unknown-method",
+            "lesson.toml:6:15 not-finite",
+            "lesson.toml:6:23 not-finite",
+            "lesson.toml:7:1 unknown-field",
+            "lesson.toml:16:6 duplicate-step",
+            "lesson.toml:17:6 bad-moment",
+            "fr.md unknown-language",
+            "zh-CN.md:1:3 not-utf8",
+            "pt-BR.md missing-language",
+        ]
+    );
+    let course = Course::load(&files).course;
+    assert_eq!(course.lessons.len(), 1, "the other lesson stays");
+    assert_eq!(course.lessons[0].id, "02-b");
+}
+
+#[test]
+fn odd_files_are_named() {
+    let mut files = lesson(&[]);
+    files.insert("01-a/es.md".to_owned(), vec![b'a'; MAX_FILE_BYTES + 1]);
+    assert_eq!(found(&files), ["es.md file-too-large"]);
+    assert_eq!(found(&Memory::new()), [" no-lessons"]);
+    let mut files = lesson(&[(
+        "\"end\"",
+        "\"end\"\n\n[scenes.spare]\nmethod = \"cohen-sutherland\"\nwindow = [0, 0, 1, 1]\nsegments = [[0, 0, 1, 1]]\n\n[[step]]\nid = \"third\"",
+    )]);
+    for lang in Lang::ALL {
+        let text = format!(
+            "\u{feff}{}",
+            TEXT.replace('\n', "\r\n") + "## third：T\r\nt\r\n"
+        );
+        files.insert(format!("01-a/{lang}.md"), text.into());
+    }
+    assert_eq!(
+        found(&files),
+        ["lesson.toml:18:9 unused-scene"],
+        "a warning; marks and CRLF are fine"
+    );
+    assert_eq!(Course::load(&files).course.lessons.len(), 1);
+    let files = lesson(&[("\"lines\"", &"[".repeat(100_000))]);
+    assert_eq!(
+        found(&files)[0],
+        "lesson.toml:1:87 toml",
+        "nesting has a bound"
+    );
+    let files = lesson(&[("[0, 0, 1, 1]]", &(r#"["x"],"#.repeat(1_000) + "]"))]);
+    let problems = Course::load(&files).problems;
+    assert_eq!(
+        problems.len(),
+        101,
+        "a hundred, and how many more there are"
+    );
+    assert_eq!(problems[100].code(), "more");
+    assert!(
+        problems[99]
+            .render(Catalog::of(Lang::En))
+            .lines()
+            .all(|line| line.chars().count() < 140)
+    );
+}
+
+#[test]
+fn a_problem_is_rendered_as_a_compiler_would() {
+    let toml = LESSON.replace("window = [", "\"窗口\"\t= 1\nwindow = [9, -1, -1, 1] # [");
+    let problems = Course::load(&with(&toml, TEXT)).problems;
+    let rendered: Vec<String> = problems
+        .iter()
+        .map(|p| p.render(Catalog::of(Lang::En)))
+        .collect();
+    let expected = "\
+01-a/lesson.toml:6:1: error: There is no field “窗口” here.
+  6 | \"窗口\"  = 1
+    | ^^^^^^
+    = Expected: one of method, compare, window, clip, bit_order, segments, random, focus.
+01-a/lesson.toml:7:11: error: The window is empty: xmin = 9 is not below xmax = −1.
+  7 | window = [9, -1, -1, 1] # [-1, -1, 1, 1]
+    |           ^
+    = Expected: [xmin, ymin, xmax, ymax], with xmin < xmax and ymin < ymax.";
+    assert_eq!(rendered.join("\n"), expected);
+    let chinese = problems[1].render(Catalog::of(Lang::ZhCn));
+    assert!(chinese.contains("错误: 窗口是空的"), "{chinese}");
+    for (at, meant) in [("acept", "accept"), ("cut lfet", "cut left")] {
+        let files = lesson(&[("at = \"end\"", &format!("at = \"{at}\""))]);
+        let rendered = Course::load(&files).problems[0].render(Catalog::of(Lang::En));
+        let question = format!("Did you mean “{meant}”?");
+        assert!(rendered.contains(&question), "{rendered}");
+        assert!(rendered.contains("one of start, "), "{rendered}");
+    }
+}
+
+#[test]
+fn a_file_that_is_not_toml_is_explained() {
+    for (toml, code) in [
+        ("a = ", "toml-value"),
+        ("a = hello", "toml-value"),
+        ("a = “x”", "toml-value"),
+        ("a = [1 2]", "toml-value"),
+        ("a = [1,, 2]", "toml"),
+        ("a = [1, 2", "toml-unclosed"),
+        ("a = \"x", "toml-unclosed"),
+        ("[a", "toml-unclosed"),
+        ("a", "toml-no-value"),
+        ("é = 1", "toml-name"),
+    ] {
+        let problems = scene_from_toml("a.toml", toml.as_bytes()).expect_err(toml);
+        assert_eq!(problems[0].code(), code, "{toml}");
+        for lang in Lang::ALL {
+            let text = problems[0].render(Catalog::of(lang));
+            assert!(!text.contains('⟦'), "{text}");
+        }
+    }
+}
+
+#[test]
+fn what_a_file_holds_cannot_upset_the_terminal() {
+    let long = "x".repeat(1_000);
+    let toml = format!("\"\\u001b[2J{long}\" = \"\u{7f}\"");
+    for problem in scene_from_toml("a\u{1b}.toml", toml.as_bytes()).expect_err("no scene") {
+        let text = problem.render(Catalog::of(Lang::En));
+        assert!(
+            !text.contains(|c: char| c.is_control() && c != '\n'),
+            "{text:?}"
+        );
+        assert!(
+            text.lines().all(|line| line.chars().count() < 180),
+            "{text}"
+        );
+    }
+}
+
+proptest::proptest! {
+    /// Whatever is typed into a file, it is read or refused.
+    #[test]
+    fn no_edit_makes_it_panic(at in 0..1_000_usize, cut in 0..40_usize, put in "[\\PC\n]{0,12}|[\\[\\]{}=\",.0-9\n#>*`:-]{0,12}") {
+        let edit = |text: &str| {
+            let from = text.floor_char_boundary(at % text.len());
+            let to = text.floor_char_boundary((from + cut).min(text.len()));
+            format!("{}{put}{}", &text[..from], &text[to..])
+        };
+        let loaded = Course::load(&with(&edit(LESSON), &edit(TEXT)));
+        let is_refused = loaded.problems.iter().any(|p| p.severity == Severity::Error);
+        proptest::prop_assert_eq!(loaded.course.lessons.is_empty(), is_refused);
+        for problem in loaded.problems {
+            proptest::prop_assert!(!problem.render(Catalog::of(Lang::En)).is_empty());
+        }
+    }
+}

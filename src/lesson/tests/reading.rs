@@ -1,0 +1,226 @@
+//! Lessons and scenes in order: what is read is what was written.
+
+use crate::{
+    figure::Moment,
+    labs::lines::Scene,
+    text::{Catalog, Lang},
+};
+
+use super::*;
+
+#[test]
+fn a_lesson_in_order_loads() {
+    let loaded = Course::load(&lesson(&[]));
+    assert_eq!(loaded.problems, []);
+    let lesson = loaded.course.lesson("01-a").expect("the lesson loads");
+    assert_eq!(lesson.source, "D. Cohen and I. Sutherland, 1967");
+    let [first, second] = &lesson.steps[..] else {
+        panic!("two steps, not {}", lesson.steps.len());
+    };
+    assert_eq!((first.moment.clone(), first.position), (Moment::Start, 0));
+    assert_eq!(first.figure.as_deref(), Some("one"));
+    assert_eq!(second.scene, first.scene, "a step keeps the scene");
+    assert!(second.position > 0, "the end comes after the start");
+    assert_eq!(second.code, CodeView::Words);
+    assert_eq!(second.locks.len(), 1);
+    let text = lesson.text(Lang::En);
+    assert_eq!(text.title, "Regions");
+    assert_eq!(text.steps[0].title, "The first step");
+    let [Block::Paragraph(question), Block::Answer(answer)] = &text.steps[0].body[..] else {
+        panic!("a question and its answer, not {:?}", text.steps[0].body);
+    };
+    assert!(question[1].emphasis && question[1].text == "this");
+    assert_eq!(answer.len(), 1);
+    assert_eq!(text.steps[1].body.len(), 2);
+}
+
+#[test]
+fn a_missing_translation_is_read_in_english() {
+    let mut files = lesson(&[]);
+    files.remove("01-a/es.md");
+    assert_eq!(found(&files), ["es.md missing-language"]);
+    let course = Course::load(&files).course;
+    assert!(!course.lessons[0].speaks(Lang::Es));
+    assert_eq!(course.lessons[0].text(Lang::Es).title, "Regions");
+    files.remove("01-a/en.md");
+    assert_eq!(
+        found(&files),
+        ["en.md missing-file", "es.md missing-language"]
+    );
+    assert_eq!(Course::load(&files).course.lessons, []);
+}
+
+#[test]
+fn text_is_parsed_into_blocks() {
+    let body = "Line\nbreak **bold *both*** end.\n\n甲\n乙 `a\u{3b1}`\n\n3. c\n   - d\n\n     e\n4. f\n\n```text\nx = 1\n```\n\n> q\n>\n> - r\n";
+    let text = TEXT.replace("- one\n- two\n", body);
+    let loaded = Course::load(&with(LESSON, &text));
+    assert_eq!(loaded.problems, []);
+    let plain = |text: &str| Inline {
+        text: text.to_owned(),
+        ..Inline::default()
+    };
+    let item = |depth, marker, text| Block::ListItem {
+        depth,
+        marker,
+        text: vec![plain(text)],
+    };
+    let bold = |emphasis, text| Inline {
+        strong: true,
+        emphasis,
+        ..plain(text)
+    };
+    let expected = [
+        Block::Paragraph(vec![
+            plain("Line break "),
+            bold(false, "bold "),
+            bold(true, "both"),
+            plain(" end."),
+        ]),
+        Block::Paragraph(vec![
+            plain("甲乙 "),
+            Inline {
+                code: true,
+                ..plain("aα")
+            },
+        ]),
+        item(0, Marker::Number(3), "c"),
+        item(1, Marker::Bullet, "d"),
+        item(1, Marker::Continued, "e"),
+        item(0, Marker::Number(4), "f"),
+        Block::Code("x = 1\n".to_owned()),
+        Block::Answer(vec![
+            Block::Paragraph(vec![plain("q")]),
+            item(0, Marker::Bullet, "r"),
+        ]),
+    ];
+    assert_eq!(
+        loaded.course.lessons[0].text(Lang::En).steps[1].body,
+        expected
+    );
+}
+
+#[test]
+fn scenes_come_back_bit_for_bit() {
+    let toml = "method = \"cohen-sutherland\"
+compare = \"cohen-sutherland\"
+window = [-1, -1, 1, 1e300]
+clip = [[0, 0], [1, 2], [2, 0]]
+bit_order = \"lrbt\"
+focus = 1
+segments = [[-0.0, 0.1, 5e-324, 0.30000000000000004], [1e15, 9007199254740993, 0xff, 1_000.5]]
+";
+    let scene = scene_from_toml("a.toml", toml.as_bytes()).expect("a scene in order");
+    let text = scene_to_toml(&scene);
+    let again = scene_from_toml("a.toml", text.as_bytes()).expect("a scene as it was written");
+    let bits = |scene: &Scene| -> Vec<u64> {
+        let numbers = scene.segments().iter().flat_map(|s| s.to_array());
+        numbers.map(f64::to_bits).collect()
+    };
+    assert_eq!((&again, bits(&again)), (&scene, bits(&scene)), "{text}");
+    assert_eq!(scene_to_toml(&again), text);
+    assert!(
+        text.contains("    [-0.0, 0.1, 5e-324, 0.30000000000000004],\n"),
+        "{text}"
+    );
+    assert!(text.contains("window = [-1, -1, 1, 1e300]\n"), "{text}");
+    let problems =
+        scene_from_toml("a.toml", b"method = 1\nwindow = [0]").expect_err("a broken scene");
+    let spots: Vec<String> = problems.iter().map(spot).collect();
+    assert_eq!(
+        spots,
+        [
+            "a.toml:1:1 missing-field",
+            "a.toml:1:10 wrong-type",
+            "a.toml:2:10 wrong-length"
+        ]
+    );
+}
+
+#[test]
+fn random_segments_are_the_same_every_time() {
+    use crate::geom::Window;
+    let window = Window::new(-1.0, -1.0, 1.0, 1.0).expect("a window");
+    let segments = random_segments(&window, 1_000, 7);
+    assert_eq!(segments, random_segments(&window, 1_000, 7));
+    assert_ne!(segments, random_segments(&window, 1_000, 8));
+    assert_eq!(segments[0].to_array(), [-0.44, -1.93, 1.6, 0.33]);
+    let numbers = segments.iter().flat_map(|s| s.to_array());
+    assert!(numbers.clone().all(|x| (-2.0..=2.0).contains(&x)));
+    assert!(numbers.clone().any(|x| x > 1.9) && numbers.clone().any(|x| x < -1.9));
+    for [a, b] in [
+        [-1e308, 1e308],
+        [1.0, 1.0 + f64::EPSILON],
+        [-f64::MAX, f64::MAX],
+        [0.0, 5e-324],
+    ] {
+        let window = Window::new(a, a, b, b).expect("a window");
+        assert_eq!(
+            random_segments(&window, 100, 1).len(),
+            100,
+            "[{a}, {b}]: finite"
+        );
+    }
+}
+
+#[test]
+fn the_embedded_course_is_in_order_and_complete() {
+    let loaded = Course::load(&Embedded);
+    if Embedded
+        .list()
+        .is_ok_and(|paths| !paths.iter().any(|path| path.contains('/')))
+    {
+        return; // The course has not been written yet.
+    }
+    let problems: Vec<String> = loaded
+        .problems
+        .iter()
+        .map(|problem| problem.render(Catalog::of(Lang::En)))
+        .collect();
+    assert!(problems.is_empty(), "{}", problems.join("\n"));
+    for lesson in &loaded.course.lessons {
+        for lang in Lang::ALL {
+            assert!(lesson.speaks(lang), "{} has no {lang}.md", lesson.id);
+        }
+    }
+}
+
+#[test]
+fn a_folder_is_read_like_the_embedded_course() {
+    let root = tempfile::tempdir().expect("a folder");
+    for (path, bytes) in lesson(&[("at = \"end\"", "at = \"never\"")]) {
+        let path = root.path().join(path);
+        std::fs::create_dir_all(path.parent().expect("a parent")).expect("a lesson's folder");
+        std::fs::write(path, bytes).expect("a file");
+    }
+    std::fs::write(root.path().join("README.md"), "Mine.").expect("a file");
+    for folder in [root.path().to_owned(), root.path().join("01-a")] {
+        let problems = Course::load(&Folder::new(&folder)).problems;
+        let file = root.path().join("01-a").join("lesson.toml");
+        assert_eq!(problems.len(), 1, "{problems:?}");
+        assert_eq!(problems[0].file, file.display().to_string());
+    }
+    let gone = Course::load(&Folder::new(root.path().join("gone")));
+    assert_eq!(gone.problems[0].code(), "unreadable");
+    assert_eq!(
+        Course::load(&Folder::new(root.path().join("01-a/..")))
+            .problems
+            .len(),
+        1
+    );
+}
+
+#[test]
+fn large_files_are_read_in_no_time() {
+    let segments = "[-2, -1, 2, 1.5],\n".repeat(100_000);
+    let files = lesson(&[("[0, 0, 1, 1]]", &format!("{segments}]"))]);
+    let loaded = Course::load(&files);
+    assert_eq!(loaded.problems, []);
+    let scene = &loaded.course.lessons[0].steps[0].scene;
+    assert_eq!(scene.segments().len(), 100_001);
+    assert!(scene_from_toml("a.toml", scene_to_toml(scene).as_bytes()).is_ok());
+    let sections = (0..100_000).map(|i| format!("## s{i}: T\n\nt\n\n"));
+    let sections = sections.collect::<Vec<_>>().concat();
+    let problems = Course::load(&with(LESSON, &format!("{TEXT}{sections}"))).problems;
+    assert_eq!(problems.len(), 4 * 101);
+}

@@ -1,0 +1,179 @@
+//! Holds the house to its plan: who may know whom, and how long a file may grow.
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
+
+/// Modules in reading order: each may use only those before it. The second half needs the `gui` feature.
+const PURE: [&str; 8] = [
+    "geom", "trace", "algo", "text", "figure", "labs", "lesson", "case",
+];
+const GUI: [&str; 6] = ["paint", "widgets", "panels", "export", "app", "cli"];
+/// Past this a file usually holds two things.
+const MAX_LINES: usize = 400;
+
+fn rust_files(folder: &Path) -> Vec<PathBuf> {
+    let mut files = Vec::new();
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            files.extend(rust_files(&path));
+        } else if path.extension().is_some_and(|e| e == "rs") {
+            files.push(path);
+        }
+    }
+    files
+}
+
+fn src() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("src")
+}
+
+/// The code of a file without its comments.
+fn code(path: &Path) -> String {
+    let text = fs::read_to_string(path).unwrap();
+    let lines = text.lines().map(|line| match line.trim_start() {
+        comment if comment.starts_with("//") => "",
+        _ => line,
+    });
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+fn files_of(module: &str) -> Vec<PathBuf> {
+    let folder = src().join(module);
+    let file = src().join(format!("{module}.rs"));
+    if folder.is_dir() {
+        rust_files(&folder)
+    } else if file.is_file() {
+        vec![file]
+    } else {
+        panic!("src/{module} is gone: mend the order in tests/architecture.rs");
+    }
+}
+
+/// Every module that `code` names as `crate::module` or inside `use crate::{…}`.
+fn modules_used(code: &str) -> Vec<&'static str> {
+    let all = PURE.iter().chain(&GUI).copied();
+    let trees: Vec<&str> = code
+        .match_indices("crate::{")
+        .map(|(at, open)| {
+            let rest = &code[at + open.len()..];
+            let mut depth = 1;
+            let end = rest.find(|c| {
+                depth += i32::from(c == '{') - i32::from(c == '}');
+                depth == 0
+            });
+            &rest[..end.unwrap()]
+        })
+        .collect();
+    all.filter(|module| {
+        let named = |tree: &str| {
+            let mut depth = 0;
+            let top: String = tree
+                .chars()
+                .filter(|&c| {
+                    depth += i32::from(c == '{') - i32::from(c == '}');
+                    depth == 0
+                })
+                .collect();
+            top.split(',').any(|item| {
+                let item = item.trim();
+                item == *module || item.starts_with(&format!("{module}::"))
+            })
+        };
+        let path = format!("crate::{module}");
+        let direct = code.match_indices(&path).any(|(at, found)| {
+            let next = code[at + found.len()..].chars().next();
+            !next.is_some_and(|c| c.is_alphanumeric() || c == '_')
+        });
+        direct || trees.iter().any(|tree| named(tree))
+    })
+    .collect()
+}
+
+#[test]
+fn dependencies_run_one_way() {
+    let order: Vec<&str> = PURE.iter().chain(&GUI).copied().collect();
+    for (i, module) in order.iter().enumerate() {
+        for file in files_of(module) {
+            for used in modules_used(&code(&file)) {
+                let at = order.iter().position(|m| *m == used).unwrap();
+                assert!(
+                    at <= i,
+                    "{} uses crate::{used}, which comes after {module} in the reading order",
+                    file.display()
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn every_module_has_a_place_in_the_order() {
+    let lib = fs::read_to_string(src().join("lib.rs")).unwrap();
+    let declared: Vec<&str> = lib
+        .lines()
+        .filter_map(|line| line.trim().strip_prefix("pub mod ")?.strip_suffix(';'))
+        .collect();
+    let order: Vec<&str> = PURE.iter().chain(&GUI).copied().collect();
+    assert_eq!(
+        declared, order,
+        "src/lib.rs declares the modules in reading order"
+    );
+}
+
+#[test]
+fn the_pure_half_knows_no_window_no_clock_and_no_files() {
+    // `lesson::folder` is the one seam to the file system: the command line and the app hand it in.
+    let seam = src().join("lesson").join("folder.rs");
+    for file in PURE.iter().flat_map(|module| files_of(module)) {
+        let code = code(&file);
+        let banned = [
+            "egui",
+            "eframe",
+            "std::time",
+            "std::thread",
+            "std::fs",
+            "println!",
+        ];
+        for word in banned {
+            let allowed = file == seam && word == "std::fs";
+            assert!(
+                allowed || !code.contains(word),
+                "{} says `{word}`: that belongs to the half with the window",
+                file.display()
+            );
+        }
+    }
+}
+
+#[test]
+fn algorithms_say_nothing_and_draw_nothing() {
+    for file in files_of("algo") {
+        // Tests of an algorithm may format their own failures.
+        let code = code(&file);
+        let code = code.split("#[cfg(test)]").next().unwrap();
+        for word in ["format!", "String", "Color", "Message"] {
+            assert!(
+                !code.contains(word),
+                "{} says `{word}`: algorithms only emit events",
+                file.display()
+            );
+        }
+    }
+}
+
+#[test]
+fn files_are_about_one_thing() {
+    for file in rust_files(&src()) {
+        let lines = fs::read_to_string(&file).unwrap().lines().count();
+        assert!(
+            lines <= MAX_LINES,
+            "{} has {lines} lines: past {MAX_LINES} a file usually holds two things",
+            file.display()
+        );
+    }
+    let main = fs::read_to_string(src().join("main.rs")).unwrap();
+    assert!(main.lines().count() < 80, "main.rs only hands over to cli");
+}
