@@ -187,6 +187,7 @@ pub fn transport(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
                 commands.extend(chosen.map(Command::Speed));
                 ui.add_space(8.0);
                 ui.add(egui::Label::new(step_text(model)).extend());
+                ui.add_space(8.0);
             }
             timeline(model, ui, commands);
         });

@@ -8,7 +8,6 @@ use egui::{
 use crate::{
     lesson::Lesson,
     paint::theme,
-    text::Message,
     widgets::{Look, lesson_text, rule},
 };
 
@@ -26,12 +25,13 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
             .frame(Frame::NONE)
             .show_separator_line(false)
             .show(ui, |ui| {
-                ui.add_space(4.0);
+                ui.add_space(8.0);
                 padded(ui, |ui| {
                     ui.label(RichText::new(&lesson.source).small().color(look.theme.soft))
                 });
             });
     }
+    ui.spacing_mut().item_spacing.y = 0.0;
     let most = if model.is_narrow { 0.4 } else { 0.5 } * ui.available_height();
     ScrollArea::vertical()
         .id_salt("lessons")
@@ -208,5 +208,4 @@ fn changed(ui: &mut Ui, look: Look<'_>, commands: &mut Vec<Command>) {
             commands.push(Command::Reset);
         }
     });
-    let _ = Message::new("lesson-changed");
 }
