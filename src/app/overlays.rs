@@ -25,7 +25,7 @@ pub fn show(app: &mut App, ui: &mut Ui, commands: &mut Vec<Command>) {
     }
     match app.shown.dialog.clone() {
         Some(Dialog::Help) => help(&ctx, look, commands),
-        Some(dialog) => path_dialog(&ctx, look, dialog, commands),
+        Some(dialog) => path_dialog(&ctx, look, &dialog, commands),
         None => {}
     }
 }
@@ -168,8 +168,8 @@ fn written(ctx: &Context, modifiers: Modifiers, key: Key) -> String {
     format!("{}{sign}", whole.trim_end_matches('A'))
 }
 
-fn path_dialog(ctx: &Context, look: Look<'_>, dialog: Dialog, commands: &mut Vec<Command>) {
-    let (key, action, mut path) = match &dialog {
+fn path_dialog(ctx: &Context, look: Look<'_>, dialog: &Dialog, commands: &mut Vec<Command>) {
+    let (key, action, mut path) = match dialog {
         Dialog::Save { path } => ("save-title", "action-save", path.clone()),
         Dialog::Export { path } => ("export-title", "action-export", path.clone()),
         Dialog::Help => return,
