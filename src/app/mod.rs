@@ -203,6 +203,9 @@ impl App {
     fn pressed(&self, ctx: &egui::Context) -> Vec<Command> {
         let focus = Focus::now(ctx, &self.stage.canvas_ids, &self.stage.handle_ids);
         let mut commands = keys::commands(ctx, focus);
+        if focus == Focus::Free && self.shown.dialog.is_none() {
+            keys::tab_to(ctx, self.stage.handle_ids.first().copied());
+        }
         if self.stage.handle_focused || egui::Popup::is_any_open(ctx) {
             // Escape gives the handle's focus back, or closes the menu: nothing more.
             commands.retain(|command| *command != Command::Cancel);

@@ -102,7 +102,8 @@ fn help(ctx: &Context, look: Look<'_>, commands: &mut Vec<Command>) {
             .show(ui, |ui| {
                 Grid::new("keys")
                     .num_columns(2)
-                    .spacing(vec2(24.0, 8.0))
+                    .spacing(vec2(24.0, 2.0))
+                    .min_row_height(0.0)
                     .show(ui, |ui| {
                         for (keys, help) in lines(ctx) {
                             ui.label(RichText::new(keys).monospace().color(look.theme.ink));
@@ -131,7 +132,7 @@ fn help(ctx: &Context, look: Look<'_>, commands: &mut Vec<Command>) {
 fn heading(ui: &mut Ui, look: Look<'_>, key: &str, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         ui.label(RichText::new(look.say(key)).heading());
-        ui.add_space(24.0);
+        ui.add_space(48.0);
         if icon_button(ui, look, Icon::Close, &look.say("action-close"), true).clicked() {
             commands.push(Command::Show(None));
         }
