@@ -230,18 +230,6 @@ impl App {
         }
     }
 
-    /// After another version of the course has been read.
-    pub(super) fn course_changed(&mut self, was_untouched: bool) {
-        if was_untouched {
-            let position = self.playback.transport().position();
-            let at_lesson = self.place.step().map(|step| step.position);
-            self.enter_step();
-            if at_lesson.is_none() {
-                self.playback.transport_mut().seek(position);
-            }
-        }
-    }
-
     /// Does the stage show the lesson's own scene?
     pub(super) fn is_untouched(&self) -> bool {
         self.place

@@ -3,7 +3,7 @@
 use egui::Context;
 
 use crate::{
-    lesson::{Problem, Severity, scene_from_toml},
+    lesson::{Problem, scene_from_toml},
     panels::lines::LinesEdit,
     text::{Catalog, Message},
 };
@@ -44,18 +44,6 @@ impl App {
                 text.push_str(&self.catalog().term("status-kept"));
                 self.notices.push(Notice::problem(text));
             }
-        }
-    }
-
-    /// Shows what is wrong with a course that has just been opened.
-    pub(super) fn report(&mut self, problems: &[Problem]) {
-        let errors: Vec<Problem> = problems
-            .iter()
-            .filter(|p| p.severity == Severity::Error)
-            .cloned()
-            .collect();
-        if !errors.is_empty() {
-            self.notices.push(Notice::problem(self.listing(&errors)));
         }
     }
 

@@ -99,6 +99,7 @@ fn help(ctx: &Context, look: Look<'_>, commands: &mut Vec<Command>) {
         heading(ui, look, "help-title", commands);
         ScrollArea::vertical()
             .max_height(height.max(60.0))
+            .min_scrolled_height(height.max(60.0))
             .show(ui, |ui| {
                 Grid::new("keys")
                     .num_columns(2)
@@ -218,7 +219,10 @@ fn path_dialog(ctx: &Context, look: Look<'_>, dialog: &Dialog, commands: &mut Ve
 
 fn measure(app: &mut App, ctx: &Context, look: Look<'_>, commands: &mut Vec<Command>) {
     let response = modal("measure", look).show(ctx, |ui| {
+        let height = (ctx.content_rect().height() - 96.0).max(60.0);
         ScrollArea::vertical()
+            .max_height(height)
+            .min_scrolled_height(height)
             .show(ui, |ui| measure_window(ui, look, app.lab.measure.as_ref()))
             .inner
     });

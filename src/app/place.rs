@@ -92,7 +92,8 @@ impl Place {
         }
     }
 
-    /// Another version of the course; the reader stays at the same step where it is still there.
+    /// Another version of the course (a browser's never changes); the reader stays at the same step where it is still there.
+    #[cfg(not(target_arch = "wasm32"))]
     pub fn replace(&mut self, course: Course) {
         let ids = self.ids();
         self.course = course;

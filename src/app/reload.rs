@@ -9,7 +9,7 @@ use egui::Context;
 use notify::{RecommendedWatcher, RecursiveMode, Watcher as _};
 
 use crate::{
-    lesson::{Course, Folder, Lesson, Loaded, Severity},
+    lesson::{Course, Folder, Lesson, Loaded, Problem, Severity},
     text::Message,
 };
 
@@ -113,6 +113,30 @@ impl App {
                 catalog.term("status-last-good")
             );
             self.notices.push(Notice::problem(text));
+        }
+    }
+
+    /// After another version of the course has been read.
+    fn course_changed(&mut self, was_untouched: bool) {
+        if was_untouched {
+            let position = self.playback.transport().position();
+            let at_lesson = self.place.step().map(|step| step.position);
+            self.enter_step();
+            if at_lesson.is_none() {
+                self.playback.transport_mut().seek(position);
+            }
+        }
+    }
+
+    /// Shows what is wrong with a course that has just been opened.
+    pub(super) fn report(&mut self, problems: &[Problem]) {
+        let errors: Vec<Problem> = problems
+            .iter()
+            .filter(|p| p.severity == Severity::Error)
+            .cloned()
+            .collect();
+        if !errors.is_empty() {
+            self.notices.push(Notice::problem(self.listing(&errors)));
         }
     }
 }

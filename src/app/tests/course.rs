@@ -1,0 +1,81 @@
+//! Walking through the course.
+
+use egui::Key;
+
+use super::{Bench, SIZE};
+use crate::{
+    app::{App, Command, Settings},
+    lesson::Course,
+    paint::ThemeKind,
+    panels::lines::LinesEdit,
+    text::Lang,
+    trace::Transport,
+};
+
+#[test]
+fn a_presenter_walks_the_course_and_comes_back() {
+    let mut bench = Bench::with(App::new(Course::embedded(), Settings::default()), SIZE);
+    bench.key(Key::F5);
+    let n_steps: usize = bench
+        .app
+        .place
+        .lessons()
+        .iter()
+        .map(|l| l.steps.len())
+        .sum();
+    for _ in 0..n_steps + 2 {
+        bench.key(Key::PageDown);
+        let step = bench.app.place.step().expect("a step is open");
+        assert_eq!(bench.app.position(), step.position);
+        assert_eq!(bench.app.scene(), &*step.scene);
+    }
+    for _ in 0..n_steps + 2 {
+        bench.key(Key::PageUp);
+    }
+    assert_eq!(bench.app.place.indices(), [0, 0]);
+    assert!(bench.app.shown.presenting);
+    bench.key(Key::Escape);
+    assert!(!bench.app.shown.presenting);
+}
+
+#[test]
+fn reset_brings_the_lesson_s_scene_back() {
+    let mut bench = Bench::with(App::new(Course::embedded(), Settings::default()), SIZE);
+    let ctx = bench.ctx.clone();
+    bench.app.apply(&ctx, Command::Edit(LinesEdit::Add, None));
+    bench.settle();
+    assert!(!bench.app.is_untouched());
+    bench.key(Key::R);
+    assert!(bench.app.is_untouched());
+}
+
+#[test]
+fn a_course_that_breaks_or_vanishes_leaves_the_last_good_one() {
+    let mut bench = Bench::with(App::new(Course::embedded(), Settings::default()), SIZE);
+    let n_lessons = bench.app.place.lessons().len();
+    bench
+        .app
+        .take_course("lessons", crate::lesson::Loaded::default(), 0.0);
+    assert_eq!(bench.app.place.lessons().len(), n_lessons);
+    assert!(!bench.app.notices.is_empty());
+    bench.frame(0.1, Vec::new());
+}
+
+#[test]
+fn settings_come_back() {
+    let mut bench = Bench::with(App::new(Course::embedded(), Settings::default()), SIZE);
+    let ctx = bench.ctx.clone();
+    for command in [
+        Command::Lesson { forward: true },
+        Command::Speed(Transport::SPEEDS[4]),
+        Command::Theme(ThemeKind::Dark),
+        Command::Language(Lang::Es),
+    ] {
+        bench.app.apply(&ctx, command);
+    }
+    let stored = serde_json::to_string(&bench.app.settings()).expect("plain data");
+    let settings = serde_json::from_str(&stored).expect("as it was written");
+    let again = App::new(Course::embedded(), settings);
+    assert_eq!(again.place.indices(), bench.app.place.indices());
+    assert_eq!(again.settings(), bench.app.settings());
+}

@@ -1,0 +1,78 @@
+//! Files that come in and go out.
+
+use std::sync::Arc;
+
+use egui::Key;
+
+use super::{Bench, SIZE, ctrl};
+use crate::{
+    app::{App, Command, Desktop, Dialog, Settings},
+    labs::lines::Scene,
+    lesson::{Course, random_segments},
+};
+
+#[derive(Debug)]
+struct Dropped(&'static [u8]);
+
+impl egui::DroppedFile for Dropped {
+    fn path(&self) -> &std::path::Path {
+        std::path::Path::new("dropped.toml")
+    }
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        Ok(self.0.to_vec())
+    }
+}
+
+#[test]
+fn garbage_that_is_dropped_is_explained_and_changes_nothing() {
+    let mut bench = Bench::new(SIZE);
+    let before = bench.app.scene().clone();
+    for garbage in [
+        &b"\xff\xfe\x00"[..],
+        b"",
+        b"window = [1, 0, 0, 1]",
+        b"a = [[[[",
+    ] {
+        let bytes: &'static [u8] = Box::leak(garbage.to_vec().into_boxed_slice());
+        bench.frame_with(0.1, Vec::new(), vec![Arc::new(Dropped(bytes))]);
+        assert!(!bench.app.notices.is_empty(), "{garbage:?} is explained");
+        assert_eq!(bench.app.scene(), &before);
+        bench.key(Key::Escape);
+        assert!(bench.app.notices.is_empty());
+    }
+}
+
+#[test]
+fn a_scene_that_is_dropped_is_opened_and_can_be_undone() {
+    let mut bench = Bench::new(SIZE);
+    let before = bench.app.scene().clone();
+    let segments = random_segments(&before.window, 3, 7);
+    let scene = Scene::new(before.method, before.window, segments).expect("three segments");
+    let text = crate::lesson::scene_to_toml(&scene).into_bytes();
+    let file = Dropped(Box::leak(text.into_boxed_slice()));
+    bench.frame_with(0.1, Vec::new(), vec![Arc::new(file)]);
+    assert_eq!(bench.app.scene(), &scene);
+    bench.press(Key::Z, ctrl());
+    assert_eq!(bench.app.scene(), &before);
+}
+
+#[test]
+fn a_scene_is_saved_where_the_dialog_says() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let app = App::new(Course::default(), Settings::default()).with_platform(Desktop);
+    let mut bench = Bench::with(app, SIZE);
+    bench.press(Key::S, ctrl());
+    assert!(matches!(bench.app.shown.dialog, Some(Dialog::Save { .. })));
+    let path = folder.path().join("scene.toml").display().to_string();
+    let ctx = bench.ctx.clone();
+    bench.app.apply(
+        &ctx,
+        Command::Show(Some(Dialog::Save { path: path.clone() })),
+    );
+    bench.key(Key::Enter);
+    bench.settle();
+    assert_eq!(bench.app.shown.dialog, None);
+    let bytes = std::fs::read(&path).expect("the scene was written");
+    let read = crate::lesson::scene_from_toml(&path, &bytes).expect("what is saved can be opened");
+    assert_eq!(&read, bench.app.scene());
+}

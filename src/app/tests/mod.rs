@@ -1,0 +1,134 @@
+//! The window without a window: input goes in, frames come out.
+
+mod course;
+mod files;
+mod frames;
+mod hands;
+mod keys;
+
+use egui::{
+    Context, Event, Key, Modifiers, PointerButton, Pos2, RawInput, Rect, Vec2, ViewportId, pos2,
+    vec2,
+};
+
+use crate::{lesson::Course, paint::fonts};
+
+use super::{App, Settings};
+
+const SIZE: Vec2 = vec2(1280.0, 720.0);
+
+/// An app on a bare context, with a clock of its own.
+struct Bench {
+    ctx: Context,
+    app: App,
+    size: Vec2,
+    time: f64,
+    /// Seconds until the app wants to be drawn again, after the last frame.
+    wait_secs: f64,
+}
+
+impl Bench {
+    fn new(size: Vec2) -> Self {
+        Self::with(App::new(Course::default(), Settings::default()), size)
+    }
+
+    fn with(app: App, size: Vec2) -> Self {
+        let ctx = Context::default();
+        ctx.set_fonts(fonts::definitions());
+        let mut bench = Self {
+            ctx,
+            app,
+            size,
+            time: 0.0,
+            wait_secs: 0.0,
+        };
+        bench.settle();
+        bench
+    }
+
+    /// One frame with these events; `secs` after the last one.
+    fn frame(&mut self, secs: f64, events: Vec<Event>) -> usize {
+        self.frame_with(secs, events, Vec::new())
+    }
+
+    fn frame_with(
+        &mut self,
+        secs: f64,
+        events: Vec<Event>,
+        dropped_files: Vec<egui::DroppedFileHandle>,
+    ) -> usize {
+        self.time += secs;
+        let input = RawInput {
+            screen_rect: Some(Rect::from_min_size(Pos2::ZERO, self.size)),
+            time: Some(self.time),
+            events,
+            dropped_files,
+            ..RawInput::default()
+        };
+        let mut output = self.ctx.run_ui(input, |ui| self.app.ui(ui));
+        drop(output.textures_delta.set.drain());
+        let viewport = &output.viewport_output[&ViewportId::ROOT];
+        self.wait_secs = viewport.repaint_delay.as_secs_f64();
+        self.ctx.tessellate(output.shapes, 1.0).len()
+    }
+
+    /// Frames without input, until nothing moves any more.
+    fn settle(&mut self) {
+        for _ in 0..60 {
+            self.frame(0.1, Vec::new());
+            if self.wait_secs > 0.0 {
+                return;
+            }
+        }
+    }
+
+    fn press(&mut self, key: Key, modifiers: Modifiers) {
+        let event = |pressed| Event::Key {
+            key,
+            physical_key: None,
+            pressed,
+            repeat: false,
+            modifiers,
+        };
+        self.frame(0.05, vec![event(true)]);
+        self.frame(0.05, vec![event(false)]);
+    }
+
+    fn key(&mut self, key: Key) {
+        self.press(key, Modifiers::NONE);
+    }
+
+    /// Where a world point lies on the (first) stage.
+    fn on_screen(&self, world: [f64; 2]) -> Pos2 {
+        self.app
+            .stage
+            .seen()
+            .expect("a frame has been drawn")
+            .to_screen(world)
+    }
+
+    fn button(&mut self, at: Pos2, pressed: bool) {
+        let button = Event::PointerButton {
+            pos: at,
+            button: PointerButton::Primary,
+            pressed,
+            modifiers: Modifiers::NONE,
+        };
+        self.frame(0.02, vec![Event::PointerMoved(at), button]);
+    }
+
+    fn drag(&mut self, from: Pos2, to: Pos2) {
+        self.frame(0.02, vec![Event::PointerMoved(from)]);
+        self.button(from, true);
+        for i in 1..=8 {
+            let at = from + (to - from) * (i as f32 / 8.0);
+            self.frame(0.02, vec![Event::PointerMoved(at)]);
+        }
+        self.button(to, false);
+        self.frame(0.02, vec![Event::PointerMoved(pos2(5.0, 5.0))]);
+    }
+}
+
+fn ctrl() -> Modifiers {
+    Modifiers::CTRL | Modifiers::COMMAND
+}
