@@ -181,4 +181,5 @@ measure-start = Measure
 measure-again = Measure again
 measure-nanos = Nanoseconds
 measure-operations = Operations
+measure-batch = Batch, branch-free
 measure-note = For one segment, on average over { $count }. Time is that of the fastest of five passes.

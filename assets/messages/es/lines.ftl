@@ -181,4 +181,5 @@ measure-start = Medir
 measure-again = Medir de nuevo
 measure-nanos = Nanosegundos
 measure-operations = Operaciones
+measure-batch = Por lotes, sin saltos
 measure-note = Por segmento, promedio de { $count }. El tiempo es el de la más rápida de cinco pasadas.

@@ -181,4 +181,5 @@ measure-start = Medir
 measure-again = Medir de novo
 measure-nanos = Nanossegundos
 measure-operations = Operações
+measure-batch = Em lote, sem desvios
 measure-note = Por segmento, na média de { $count }. O tempo é o da mais rápida de cinco passagens.

@@ -181,4 +181,5 @@ measure-start = 测量
 measure-again = 重新测量
 measure-nanos = 纳秒
 measure-operations = 运算次数
+measure-batch = 无分支批处理
 measure-note = 每条线段的平均值，共 { $count } 条。时间取五遍中最快的一遍。

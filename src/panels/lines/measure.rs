@@ -4,6 +4,7 @@
 use std::hint::black_box;
 
 use crate::{
+    algo::line::batch::{Clipped, Segments, clip_all},
     geom::Segment,
     labs::lines::{Method, Pass, Scene},
     lesson::random_segments,
@@ -20,27 +21,70 @@ const N_PASSES: usize = 5;
 /// Work in one frame, in seconds.
 const SLICE_SECS: f64 = 0.008;
 
-/// What one method costs for one segment, on average.
-#[derive(Clone, Copy, PartialEq, Debug, Default)]
-pub struct MethodCost {
+/// What is measured.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Subject {
+    /// A taught method, one segment at a time.
+    Method(Method),
+    /// The batch clipper: what a renderer would call.
+    Batch,
+}
+
+impl Subject {
+    /// Every subject, the methods first.
+    pub fn all() -> impl Iterator<Item = Self> {
+        Method::all().map(Self::Method).chain([Self::Batch])
+    }
+
+    /// Catalogue key of its name.
+    #[must_use]
+    pub fn name_key(self) -> &'static str {
+        match self {
+            Self::Method(method) => method.info().name_key,
+            Self::Batch => "measure-batch",
+        }
+    }
+
+    fn pass(self, scene: &Scene, segments: &[Segment]) -> Pass {
+        match self {
+            Self::Method(method) => method.pass(scene, segments),
+            Self::Batch => {
+                let window = scene.window;
+                let segments: Segments = segments.iter().copied().collect();
+                let mut clipped = Clipped::default();
+                Box::new(move || {
+                    clip_all(&window, &segments, &mut clipped);
+                    // Counting all that is visible would take longer than clipping it.
+                    usize::from(clipped.get(0).is_some())
+                })
+            }
+        }
+    }
+}
+
+/// What a subject costs for one segment, on average.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct MeasuredCost {
+    /// What was measured.
+    pub subject: Subject,
     /// Nanoseconds.
     pub nanos: f64,
-    /// Additions, multiplications, divisions, comparisons.
-    pub operations: [f64; 4],
+    /// Operations of all kinds, where they can be counted.
+    pub operations: Option<f64>,
 }
 
 /// A measurement under way, or done.
 pub struct Measure {
     scene: Scene,
     batch: Vec<Segment>,
-    done: Vec<(Method, MethodCost)>,
-    waiting: Vec<Method>,
+    done: Vec<MeasuredCost>,
+    waiting: Vec<Subject>,
     current: Option<Current>,
 }
 
 /// The method that is being measured.
 struct Current {
-    method: Method,
+    subject: Subject,
     pass: Pass,
     best_secs: f64,
     n_done: usize,
@@ -52,7 +96,7 @@ impl Measure {
     /// Ready to measure every method on segments around the scene's window.
     #[must_use]
     pub fn new(scene: &Scene, seed: u64) -> Self {
-        let mut waiting: Vec<Method> = Method::all().collect();
+        let mut waiting: Vec<Subject> = Subject::all().collect();
         waiting.reverse();
         Self {
             scene: scene.clone(),
@@ -63,9 +107,9 @@ impl Measure {
         }
     }
 
-    /// What has been measured so far, in the order of the registry.
+    /// What has been measured so far, in the order of [`Subject::all`].
     #[must_use]
-    pub fn costs(&self) -> &[(Method, MethodCost)] {
+    pub fn costs(&self) -> &[MeasuredCost] {
         &self.done
     }
 
@@ -103,9 +147,9 @@ impl Measure {
     /// The smallest piece of work: one pass over the batch, or one counted run.
     fn one(&mut self) {
         let Some(current) = &mut self.current else {
-            self.current = self.waiting.pop().map(|method| Current {
-                method,
-                pass: method.pass(&self.scene, &self.batch),
+            self.current = self.waiting.pop().map(|subject| Current {
+                subject,
+                pass: subject.pass(&self.scene, &self.batch),
                 best_secs: f64::INFINITY,
                 n_done: 0,
                 counted: Counts::default(),
@@ -118,19 +162,21 @@ impl Measure {
             black_box((current.pass)());
             current.best_secs = current.best_secs.min(watch.secs());
             current.n_done += 1;
-        } else if current.n_counted < N_COUNTED.min(self.batch.len()) {
+        } else if let Subject::Method(method) = current.subject
+            && current.n_counted < N_COUNTED.min(self.batch.len())
+        {
             let segment = self.batch[current.n_counted];
-            let (_, counts) = current.method.cost(&self.scene, segment);
+            let (_, counts) = method.cost(&self.scene, segment);
             current.counted = current.counted + counts;
             current.n_counted += 1;
         } else {
-            let per_run = |count: u32| f64::from(count) / current.n_counted.max(1) as f64;
             let Counts { add, mul, div, cmp } = current.counted;
-            let cost = MethodCost {
+            let all = [add, mul, div, cmp].map(f64::from).iter().sum::<f64>();
+            self.done.push(MeasuredCost {
+                subject: current.subject,
                 nanos: current.best_secs * 1e9 / self.batch.len().max(1) as f64,
-                operations: [add, mul, div, cmp].map(per_run),
-            };
-            self.done.push((current.method, cost));
+                operations: (current.n_counted > 0).then(|| all / current.n_counted as f64),
+            });
             self.current = None;
         }
     }
@@ -152,12 +198,11 @@ mod tests {
         while !measure.is_done() {
             measure.work();
         }
-        assert_eq!(measure.costs().len(), Method::all().len());
-        for (method, cost) in measure.costs() {
-            assert!(
-                cost.nanos > 0.0 && cost.operations.iter().sum::<f64>() > 0.0,
-                "{method}"
-            );
+        assert_eq!(measure.costs().len(), Subject::all().count());
+        for cost in measure.costs() {
+            assert!(cost.nanos > 0.0, "{:?} takes time", cost.subject);
+            let is_counted = cost.operations.is_some_and(|all| all > 0.0);
+            assert_eq!(is_counted, cost.subject != Subject::Batch);
         }
     }
 }

@@ -3,9 +3,9 @@
 use egui::{Align2, ProgressBar, RichText, Ui, Vec2b};
 use egui_plot::{Bar, BarChart, Plot, PlotPoint, Text};
 
-use crate::{labs::lines::Method, paint::theme, text::Message, widgets::Look};
+use crate::{paint::theme, text::Message, widgets::Look};
 
-use super::{Measure, measure::MethodCost};
+use super::{Measure, measure::Subject};
 
 /// What was asked for in the window.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -30,24 +30,23 @@ pub fn measure_window(
         if !measure.is_done() {
             ui.add(ProgressBar::new(measure.progress()).desired_height(6.0));
         }
+        let costs = measure.costs();
         let height = (ui.ctx().content_rect().height() - 260.0).clamp(80.0, 320.0);
+        let nanos: Vec<_> = costs
+            .iter()
+            .map(|cost| (cost.subject, Some(cost.nanos)))
+            .collect();
+        let operations: Vec<_> = costs
+            .iter()
+            .map(|cost| (cost.subject, cost.operations))
+            .collect();
         ui.columns(2, |columns| {
-            let nanos = |cost: &MethodCost| cost.nanos;
-            chart(
-                &mut columns[0],
-                look,
-                "measure-nanos",
-                height,
-                measure.costs(),
-                &nanos,
-            );
-            let operations = |cost: &MethodCost| cost.operations.iter().sum();
+            chart(&mut columns[0], look, "measure-nanos", height, &nanos);
             chart(
                 &mut columns[1],
                 look,
                 "measure-operations",
                 height,
-                measure.costs(),
                 &operations,
             );
         });
@@ -75,37 +74,30 @@ pub fn measure_window(
     asked
 }
 
-/// One horizontal bar a method, its name over it and its value after it.
-fn chart(
-    ui: &mut Ui,
-    look: Look<'_>,
-    key: &str,
-    height: f32,
-    costs: &[(Method, MethodCost)],
-    value: &dyn Fn(&MethodCost) -> f64,
-) {
+/// One horizontal bar a subject, its name and value over it.
+fn chart(ui: &mut Ui, look: Look<'_>, key: &str, height: f32, values: &[(Subject, Option<f64>)]) {
     ui.label(RichText::new(look.say(key)).text_style(theme::strong()));
-    let n_rows = Method::all().len();
-    let most = costs
-        .iter()
-        .map(|(_, cost)| value(cost))
-        .fold(0.0, f64::max)
-        .max(1e-9);
+    let n_rows = Subject::all().count();
     let row = |i: usize| (n_rows - i) as f64;
-    let bars = costs.iter().enumerate().map(|(i, (_, cost))| {
-        Bar::new(row(i) - 0.2, value(cost))
+    let known = || {
+        values
+            .iter()
+            .enumerate()
+            .filter_map(|(i, (subject, value))| Some((i, subject, (*value)?)))
+    };
+    let most = known().map(|(_, _, value)| value).fold(1e-9, f64::max);
+    let bars = known().map(|(i, _, value)| {
+        Bar::new(row(i) - 0.2, value)
             .width(0.3)
             .fill(look.theme.accent)
     });
     let chart = BarChart::new(key, bars.collect())
         .horizontal()
         .allow_hover(false);
-    let names: Vec<(f64, String)> = costs
-        .iter()
-        .enumerate()
-        .map(|(i, (method, cost))| {
-            let name = look.say(method.info().name_key);
-            let value = look.catalog.number((value(cost) * 10.0).round() / 10.0);
+    let names: Vec<(f64, String)> = known()
+        .map(|(i, subject, value)| {
+            let name = look.say(subject.name_key());
+            let value = look.catalog.number((value * 10.0).round() / 10.0);
             (row(i) + 0.02, format!("{name}  {value}"))
         })
         .collect();
