@@ -302,11 +302,11 @@ fn never_happens(moment: &Moment, run: &dyn Run, span: Range<usize>, sink: &mut 
     moments.push(Moment::End.to_string());
     let wanted = moment.to_string();
     let names: Vec<&str> = moments.iter().map(String::as_str).collect();
-    // Fewer words than an event has are enough: `cut left` is a name for `cut left p1`.
+    // Fewer words than an event has are enough: `cut left` is a name for `cut p1 left`.
     let n_words = wanted.split_whitespace().count();
     let shorter: Vec<String> = names
         .iter()
-        .map(|name| first_words(name, n_words))
+        .flat_map(|name| shortened(name, n_words))
         .collect();
     let candidates = names
         .iter()
@@ -317,9 +317,20 @@ fn never_happens(moment: &Moment, run: &dyn Run, span: Range<usize>, sink: &mut 
     sink.error(span, message, suggestion(meant, &names));
 }
 
-fn first_words(moment: &str, count: usize) -> String {
-    let words: Vec<&str> = moment.split_whitespace().take(count).collect();
-    words.join(" ")
+/// The moment's name with `n_words - 1` of its other words, in each choice of them.
+fn shortened(moment: &str, n_words: usize) -> Vec<String> {
+    let mut words = moment.split_whitespace();
+    let name = words.next().unwrap_or_default();
+    // An event has three or four words; of more, the first would do.
+    let words: Vec<&str> = words.take(6).collect();
+    (0..1_u32 << words.len())
+        .filter(|choice| choice.count_ones() as usize + 1 == n_words)
+        .map(|choice| {
+            let chosen = words.iter().enumerate();
+            let chosen = chosen.filter(|(i, _)| choice & (1 << i) != 0);
+            chosen.fold(name.to_owned(), |text, (_, word)| text + " " + word)
+        })
+        .collect()
 }
 
 fn locks(item: &Item<'_>, sink: &mut Sink<'_>) -> Vec<Lock> {
