@@ -3,7 +3,7 @@
 use egui::{Align2, FontId, Rect, Ui, pos2, vec2};
 
 use crate::{
-    figure::Frame,
+    figure::{Frame, Run},
     labs::lines::{self, Method, Scene},
     paint::{Headless, Image, Theme, ThemeKind, Viewport, fonts::semibold, stage},
     text::{Catalog, Lang},
@@ -16,6 +16,8 @@ use crate::{
 const PAGE_PTS: [f32; 2] = [960.0, 540.0];
 /// White space beside the caption, and above and below it.
 const MARGIN_PTS: [f32; 2] = [24.0, 16.0];
+/// Height of the strip that names the method, where two stand side by side.
+const TITLE_PTS: f32 = 36.0;
 /// A caption may take this many lines: more than any needs on a page of this width.
 const MAX_ROWS: usize = 6;
 
@@ -44,12 +46,9 @@ pub fn draw(table: &mut Headless, picture: &Picture<'_>) -> Image {
     let first = scene.method.record(scene, scene.focused());
     let second = scene.compare.map(|method| {
         let run = method.record(scene, scene.focused());
-        let frame = run.frame(run.beside(&*first, picture.step));
-        Column { method, frame }
+        Column::new(method, &*run, run.beside(&*first, picture.step))
     });
-    let frame = first.frame(picture.step.min(first.n_steps()));
-    let method = scene.method;
-    let columns: Vec<Column> = std::iter::once(Column { method, frame })
+    let columns: Vec<Column> = std::iter::once(Column::new(scene.method, &*first, picture.step))
         .chain(second)
         .collect();
     let page = Page {
@@ -59,6 +58,10 @@ pub fn draw(table: &mut Headless, picture: &Picture<'_>) -> Image {
             catalog: Catalog::of(picture.lang),
         },
         is_comparison: columns.len() > 1,
+        line_height: match columns.iter().any(|c| c.frame.number_line.is_some()) {
+            true => number_line_height(Theme::of(picture.theme)),
+            false => 0.0,
+        },
     };
     table.draw(size / pixels_per_point, pixels_per_point, |ui| {
         let whole = ui.max_rect();
@@ -75,19 +78,34 @@ pub fn draw(table: &mut Headless, picture: &Picture<'_>) -> Image {
     })
 }
 
+/// One method at one step.
 struct Column {
     method: Method,
     frame: Frame,
+    at_end: bool,
+}
+
+impl Column {
+    fn new(method: Method, run: &dyn Run, step: usize) -> Self {
+        Self {
+            method,
+            frame: run.frame(step.min(run.n_steps())),
+            at_end: step >= run.n_steps(),
+        }
+    }
 }
 
 struct Page<'a> {
     scene: &'a Scene,
     look: Look<'static>,
     is_comparison: bool,
+    /// Height of the second view: the same under both stages, so that they show the same place.
+    line_height: f32,
 }
 
 impl Page<'_> {
-    fn column(&self, ui: &mut Ui, rect: Rect, Column { method, frame }: &Column) {
+    fn column(&self, ui: &mut Ui, rect: Rect, column: &Column) {
+        let frame = &column.frame;
         let [margin_x, margin_y] = MARGIN_PTS;
         let width = rect.width() - 2.0 * margin_x;
         let job = caption_job(ui, self.look, &frame.caption, width, MAX_ROWS);
@@ -96,15 +114,21 @@ impl Page<'_> {
         let bottom = rect.bottom() - margin_y;
         let caption_top = bottom - cost_height - caption.size().y;
         let strip_top = caption_top - margin_y;
-        let line_height = match frame.number_line {
-            Some(_) => number_line_height(self.look.theme),
-            None => 0.0,
+        let title_height = if self.is_comparison {
+            TITLE_PTS * self.look.theme.text_scale
+        } else {
+            0.0
         };
-        let stage_rect = rect.with_max_y(strip_top - line_height);
-        self.stage(ui, stage_rect, *method, frame);
+        let stage_rect = rect
+            .with_min_y(rect.top() + title_height)
+            .with_max_y(strip_top - self.line_height);
+        if self.is_comparison {
+            self.title(ui, rect.min, column.method);
+        }
+        self.stage(ui, stage_rect, column);
         if let Some(line) = &frame.number_line {
             let rect = rect
-                .with_min_y(strip_top - line_height)
+                .with_min_y(strip_top - self.line_height)
                 .with_max_y(strip_top);
             number_line(ui, self.look, rect, line, None);
         }
@@ -117,10 +141,15 @@ impl Page<'_> {
         }
     }
 
-    fn stage(&self, ui: &Ui, rect: Rect, method: Method, frame: &Frame) {
+    fn stage(&self, ui: &Ui, rect: Rect, column: &Column) {
+        let Column {
+            method,
+            frame,
+            at_end,
+        } = column;
         let viewport = Viewport::fit(rect, lines::bounds(self.scene));
         let painter = ui.painter().with_clip_rect(rect);
-        let mut marks = lines::backdrop(self.scene, method);
+        let mut marks = lines::backdrop(self.scene, *method, *at_end);
         marks.extend(frame.marks.iter().cloned());
         stage(
             &painter,
@@ -130,15 +159,16 @@ impl Page<'_> {
             &marks,
             None,
         );
-        if self.is_comparison {
-            painter.text(
-                rect.min + vec2(MARGIN_PTS[0], MARGIN_PTS[1]),
-                Align2::LEFT_TOP,
-                self.look.catalog.term(method.info().name_key),
-                FontId::new(13.0 * self.look.theme.text_scale, semibold()),
-                self.look.theme.ink,
-            );
-        }
+    }
+
+    fn title(&self, ui: &Ui, corner: egui::Pos2, method: Method) {
+        ui.painter().text(
+            corner + vec2(MARGIN_PTS[0], MARGIN_PTS[1]),
+            Align2::LEFT_TOP,
+            self.look.catalog.term(method.info().name_key),
+            FontId::new(13.0 * self.look.theme.text_scale, semibold()),
+            self.look.theme.ink,
+        );
     }
 
     fn cost(&self, ui: &Ui, left_bottom: egui::Pos2, counts: &Counts) {

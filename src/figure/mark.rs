@@ -46,6 +46,8 @@ pub enum Shape {
     Ring([f64; 2]),
     /// A small cross: a crossing that is not used.
     Cross([f64; 2]),
+    /// Many segments, each too thin to be read by itself: the ones out of focus.
+    Crowd(Vec<[[f64; 2]; 2]>),
     /// A label alone, anywhere inside the rectangle from a to b; infinite sides end at the stage's.
     Region([[f64; 2]; 2]),
 }

@@ -302,12 +302,8 @@ fn never_happens(moment: &Moment, run: &dyn Run, span: Range<usize>, sink: &mut 
     moments.push(Moment::End.to_string());
     let wanted = moment.to_string();
     let names: Vec<&str> = moments.iter().map(String::as_str).collect();
-    // Fewer words than an event has are enough: `cut left` is a name for `cut p1 left`.
-    let n_words = wanted.split_whitespace().count();
-    let shorter: Vec<String> = names
-        .iter()
-        .flat_map(|name| shortened(name, n_words))
-        .collect();
+    // The event and any of its words are enough: `cut left` is a name for `cut p1 left`.
+    let shorter: Vec<String> = names.iter().flat_map(|name| short_names(name)).collect();
     let candidates = names
         .iter()
         .copied()
@@ -317,20 +313,12 @@ fn never_happens(moment: &Moment, run: &dyn Run, span: Range<usize>, sink: &mut 
     sink.error(span, message, suggestion(meant, &names));
 }
 
-/// The moment's name with `n_words - 1` of its other words, in each choice of them.
-fn shortened(moment: &str, n_words: usize) -> Vec<String> {
+/// `cut`, `cut p1` and `cut left` for `cut p1 left`.
+fn short_names(moment: &str) -> Vec<String> {
     let mut words = moment.split_whitespace();
-    let name = words.next().unwrap_or_default();
-    // An event has three or four words; of more, the first would do.
-    let words: Vec<&str> = words.take(6).collect();
-    (0..1_u32 << words.len())
-        .filter(|choice| choice.count_ones() as usize + 1 == n_words)
-        .map(|choice| {
-            let chosen = words.iter().enumerate();
-            let chosen = chosen.filter(|(i, _)| choice & (1 << i) != 0);
-            chosen.fold(name.to_owned(), |text, (_, word)| text + " " + word)
-        })
-        .collect()
+    let event = words.next().unwrap_or_default();
+    let with_one = words.map(|word| format!("{event} {word}"));
+    std::iter::once(event.to_owned()).chain(with_one).collect()
 }
 
 fn locks(item: &Item<'_>, sink: &mut Sink<'_>) -> Vec<Lock> {

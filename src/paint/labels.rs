@@ -9,7 +9,7 @@ use egui::{Color32, FontFamily, FontId, Galley, Painter, Pos2, Rect, Vec2, pos2,
 
 use crate::{
     figure::{Label, Role},
-    text::{Catalog, Value},
+    text::Catalog,
 };
 
 use super::{Theme, fonts::semibold};
@@ -71,7 +71,7 @@ impl<'a> Labels<'a> {
             });
         let mut placed: Vec<Rect> = Vec::new();
         for &(label, anchor, colour, _) in &self.waiting {
-            let text = say(catalog, &label.text);
+            let text = catalog.value(&label.text);
             let galley = painter.layout_no_wrap(text, font(label, theme), colour);
             let place = self.best(&galley, anchor, &placed);
             placed.push(place);
@@ -107,7 +107,7 @@ impl<'a> Labels<'a> {
         let labels: f32 = placed
             .iter()
             .map(|other| near.intersect(*other))
-            .filter(|overlap| overlap.is_positive())
+            .filter(Rect::is_positive)
             .map(|overlap| 60.0 + overlap.area())
             .sum();
         let outside = if self.stage.shrink(4.0).contains_rect(place) {
@@ -117,11 +117,6 @@ impl<'a> Labels<'a> {
         };
         lines * 2.0 + discs as f32 * 60.0 + labels * 2.0 + outside
     }
-}
-
-/// What a label says.
-pub fn say(catalog: &Catalog, text: &Value) -> String {
-    catalog.value(text)
 }
 
 fn font(label: &Label, theme: &Theme) -> FontId {

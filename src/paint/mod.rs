@@ -1,6 +1,7 @@
 //! How things look: the theme, the fonts, and a painter that needs no display.
 
 mod cpu;
+mod crowd;
 pub mod fonts;
 mod headless;
 mod image;

@@ -10,6 +10,7 @@ use crate::{
 
 use super::{
     Theme, Viewport,
+    crowd::crowd,
     labels::{Anchor, Labels},
 };
 
@@ -78,6 +79,10 @@ impl<'a> Stage<'a> {
                 }
                 self.labels.avoid_disc(at, 6.0);
                 Some(Anchor::Point(at))
+            }
+            Shape::Crowd(segments) => {
+                self.crowd(segments, mark.role);
+                None
             }
             Shape::Region(corners) => Some(Anchor::Inside(self.visible(*corners))),
             Shape::Arrow([a, b]) => {
@@ -184,6 +189,15 @@ impl<'a> Stage<'a> {
             .add(Egui::convex_polygon(points, self.theme.accent_wash, stroke));
     }
 
+    fn crowd(&self, segments: &[[[f64; 2]; 2]], role: Role) {
+        // The more there are, the quieter each is: the focused segment stays in front.
+        let strength = if segments.len() > 50 { 0.35 } else { 0.55 };
+        let width = if role == Role::Accent { 2.0 } else { 1.0 };
+        let colour = self.colour(role).gamma_multiply(strength);
+        let stroke = self.theme.stroke(width, colour);
+        crowd(self.painter, self.viewport, segments, stroke);
+    }
+
     fn dot(&mut self, at: Pos2, colour: Color32) {
         let radius = DOT_RADIUS * self.theme.stroke_scale.sqrt();
         // A rim in the background's colour sets the dot off from the lines that meet in it.
@@ -219,7 +233,7 @@ impl<'a> Stage<'a> {
                 self.painter
                     .circle(self.at(*p), radius, fill, self.theme.stroke(1.5, rim));
             }
-            Shape::Polygon(_) | Shape::Region(_) => {}
+            Shape::Polygon(_) | Shape::Region(_) | Shape::Crowd(_) => {}
             line => {
                 if let Some(ends) = cut_to(self.ends(line), self.viewport.rect.expand(16.0)) {
                     self.painter.line_segment(ends, glow);
@@ -250,7 +264,7 @@ impl<'a> Stage<'a> {
 
 /// The part of a line that is inside a rectangle on the screen, so that dashes of lines that reach far
 /// beyond it are not laid in vain. Runs on this crate's own clipper.
-fn cut_to([a, b]: [Pos2; 2], rect: egui::Rect) -> Option<[Pos2; 2]> {
+pub(super) fn cut_to([a, b]: [Pos2; 2], rect: egui::Rect) -> Option<[Pos2; 2]> {
     use crate::{
         algo::line::{LiangBarsky, WindowInput},
         geom::{Segment, Window},

@@ -42,7 +42,7 @@ fn distance(viewport: &Viewport, shape: &Shape, at: Pos2) -> f32 {
             })
             .fold(f32::INFINITY, f32::min),
         Shape::Dot(p) | Shape::Ring(p) | Shape::Cross(p) => screen(*p).distance(at),
-        Shape::Region(_) => f32::INFINITY,
+        Shape::Region(_) | Shape::Crowd(_) => f32::INFINITY,
     }
 }
 

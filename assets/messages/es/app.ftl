@@ -128,7 +128,7 @@ help-ends = primer o último paso
 help-play = reproducir o pausar
 help-reset = restablecer la escena
 help-lesson-step = paso anterior o siguiente de la lección
-help-drag = arrastra cualquier punto, en cualquier paso: la ejecución se vuelve a grabar
+help-drag = arrastra cualquier tirador, en cualquier paso: la ejecución se vuelve a grabar
 
 ## What the program reports
 
@@ -145,4 +145,4 @@ status-recording = Grabando la ejecución…
 
 ## For screen readers
 
-access-handle = punto de control de { $name } en { $point }
+access-handle = tirador de { $name } en { $point }

@@ -1,1 +1,151 @@
 ### The lines lab: captions, watch table and controls.
+
+## Said by several methods
+
+line-opening = ¿Qué parte de P₁P₂ queda dentro de la ventana?
+line-parallel = Paralelo al { $edge }: no hay intersección.
+line-reject-edge = Se rechaza: los dos extremos están más allá del { $edge }.
+line-accept = Se acepta: visible desde { $p1 } hasta { $p2 }.
+line-touch = Se acepta: el segmento toca la ventana en un solo punto, { $at }.
+param-left = { $min } < { $max }: queda una parte.
+param-touch = { $min } = { $max }: queda un solo punto, y el borde cuenta como interior.
+param-empty = { $min } > { $max }: no queda nada.
+watch-crossings = intersecciones
+watch-crossings-used = útiles
+
+## Brute force
+
+bf-intersect = Intersección con la recta del { $edge }.
+bf-keep = Nada queda más allá del { $edge }: esta intersección no hacía falta.
+bf-cut = { $end } está más allá de { $border }: pasa a { $to }.
+code-bf-each = para cada borde no paralelo a P₁P₂
+code-bf-intersect = X ← recta P₁P₂ ∩ recta del borde
+code-bf-reject = si ambos extremos están fuera: rechazar
+code-bf-cut = si un extremo está fuera: extremo ← X
+code-bf-accept = aceptar P₁P₂
+words-bf-each = Toma los cuatro bordes, uno tras otro; salta los que sean paralelos al segmento.
+words-bf-intersect = Calcula dónde se cortan la recta del segmento y la del borde.
+words-bf-reject = Si los dos extremos están más allá del borde, no se ve nada.
+words-bf-cut = Si solo uno está más allá, llévalo a la intersección.
+words-bf-accept = Lo que queda es visible.
+
+## Cohen–Sutherland
+
+cs-code = { $end } está { $region }: { $code } = { $bits }.
+cs-or-accept = OR = { $bits }: los dos extremos están dentro.
+cs-or-open = OR = { $bits } ≠ 0000: no todo está dentro.
+cs-and-reject = AND = { $bits } ≠ 0000: los dos extremos están más allá del { $edge }.
+cs-and-open = AND = { $bits }: ningún borde deja fuera los dos extremos. Los códigos no deciden.
+cs-choose = El último 1 es el del { $edge }: { $end } está más allá.
+cs-cut = { $end } se recorta en { $border }.
+cs-reject = Se rechaza: los dos extremos están { $region }; AND = { $and }.
+code-cs-codes = code₁ ← code(P₁); code₂ ← code(P₂)
+code-cs-loop = repetir
+code-cs-accept = si code₁ OR code₂ = 0: aceptar
+code-cs-reject = si code₁ AND code₂ ≠ 0: rechazar
+code-cs-choose = borde ← último 1 de code₁ OR code₂
+code-cs-end = P ← el extremo cuyo código lo tiene
+code-cs-cut = P ← P₁P₂ ∩ borde
+code-cs-recode = código de P ← code(P)
+words-cs-codes = Da un código a cada extremo: un bit para cada borde, 1 si está más allá.
+words-cs-loop = Repite:
+words-cs-accept = Si no hay ningún 1 en los códigos, todo lo que queda es visible.
+words-cs-reject = Si los códigos tienen un 1 en común, los dos extremos están más allá del mismo borde.
+words-cs-choose = Si no, toma el borde del último 1.
+words-cs-end = Exactamente un extremo está más allá de él.
+words-cs-cut = Lleva ese extremo adonde el segmento cruza el borde.
+words-cs-recode = Dale un código nuevo.
+settings-bit-order = Orden de los bits
+bit-order-tbrl = arriba, abajo, derecha, izquierda
+bit-order-lrbt = izquierda, derecha, abajo, arriba
+
+## Liang–Barsky
+
+lb-delta = P(u) = P₁ + u (P₂ − P₁): a lo largo del segmento, x e y cambian en Δx y Δy.
+lb-row = k = { $k }, { $edge }: u · p ≤ q, { $direction }.
+lb-parallel-inside = Paralelo al { $edge } y por dentro: este borde, por sí solo, no decide nada.
+lb-parallel-outside = Paralelo al { $edge } y por fuera: ningún valor de u sirve.
+lb-enter = La recta entra por el { $edge }: u_min sube.
+lb-enter-idle = La recta entra por el { $edge }, pero antes de u_min: nada cambia.
+lb-leave = La recta sale por el { $edge }: u_max baja.
+lb-leave-idle = La recta sale por el { $edge }, pero después de u_max: nada cambia.
+lb-put = { $end } pasa a u = { $u }, en { $border }.
+lb-put-end = { $end } = { $at } ya estaba dentro y se queda.
+lb-reject = Se rechaza en el { $edge }: del segmento no queda nada.
+code-lb-start = u_min ← 0; u_max ← 1; Δ ← P₂ − P₁
+code-lb-each = para cada borde k = 1 … 4: p, q
+code-lb-parallel = si p = 0 y q < 0: rechazar
+code-lb-enter = si p < 0: u_min ← max(u_min, q/p)
+code-lb-leave = si p > 0: u_max ← min(u_max, q/p)
+code-lb-empty = si u_min > u_max: rechazar
+code-lb-accept = aceptar P(u_min) P(u_max)
+words-lb-start = Empieza con el segmento entero, u de 0 a 1.
+words-lb-each = Para cada borde, escribe «dentro» como una desigualdad u · p ≤ q.
+words-lb-parallel = p = 0: el segmento es paralelo al borde; si está por fuera, recházalo.
+words-lb-enter = p < 0: la recta entra por aquí. Antes de q/p no puede verse nada.
+words-lb-leave = p > 0: la recta sale por aquí. Después de q/p no puede verse nada.
+words-lb-empty = Si el intervalo está vacío, no se ve nada.
+words-lb-accept = Si no, los extremos del intervalo son los de la parte visible.
+
+## Cyrus–Beck
+
+cb-edge-entering = { $edge }: n·D > 0, la recta entra.
+cb-edge-leaving = { $edge }: n·D < 0, la recta sale.
+cb-edge-parallel = { $edge }: n·D = 0, la recta es paralela a la arista.
+cb-parallel-inside = Paralelo a { $edge } y por dentro: esta arista, por sí sola, no decide nada.
+cb-parallel-outside = Paralelo a { $edge } y por fuera: ningún valor de t sirve.
+cb-enter = La recta entra por { $edge }: t_min sube.
+cb-enter-idle = La recta entra por { $edge }, pero antes de t_min: nada cambia.
+cb-leave = La recta sale por { $edge }: t_max baja.
+cb-leave-idle = La recta sale por { $edge }, pero después de t_max: nada cambia.
+cb-put = { $end } pasa a t = { $t }, en { $edge }.
+cb-reject = Se rechaza en { $edge }: del segmento no queda nada.
+code-cb-start = t_min ← 0; t_max ← 1; D ← P₂ − P₁
+code-cb-each = para cada arista: n; w ← P₁ − E
+code-cb-parallel = si n·D = 0 y n·w < 0: rechazar
+code-cb-enter = si n·D > 0: t_min ← max(t_min, −n·w/n·D)
+code-cb-leave = si n·D < 0: t_max ← min(t_max, −n·w/n·D)
+code-cb-empty = si t_min > t_max: rechazar
+code-cb-accept = aceptar P(t_min) P(t_max)
+words-cb-start = Empieza con el segmento entero, t de 0 a 1.
+words-cb-each = Para cada arista, toma su normal, que apunta hacia dentro.
+words-cb-parallel = n·D = 0: paralelo a la arista; si está por fuera, recházalo.
+words-cb-enter = n·D > 0: a favor de la normal, así que la recta entra por aquí.
+words-cb-leave = n·D < 0: en contra de la normal, así que la recta sale por aquí.
+words-cb-empty = Si el intervalo está vacío, no se ve nada.
+words-cb-accept = Si no, los extremos del intervalo son los de la parte visible.
+
+## Nicholl–Lee–Nicholl
+
+nln-region = { $end } está { $region }.
+nln-side-enters = P₂ está { $turn } de la recta que va de P₁ a { $corner }: primero se cruza el { $first }.
+nln-side-meets = P₂ está { $turn } de la recta que va de P₁ a { $corner }: primero se cruza el { $first }.
+nln-side-leaves = P₂ está { $turn } de la recta que va de P₁ a { $corner }: sale por el { $first }.
+nln-side-through = P₂ está sobre la recta que va de P₁ a { $corner }: se cruzan los dos bordes a la vez.
+nln-miss = Se rechaza: el segmento pasa por fuera de { $corner }, más allá del { $edge }.
+nln-sector-inside = Los dos extremos están dentro: no hace falta ninguna intersección.
+nln-sector-enters = Entra por el { $enters } y P₂ está dentro: una intersección.
+nln-sector-leaves = P₁ está dentro; sale por el { $leaves }: una intersección.
+nln-sector-both = Entra por el { $enters } y sale por el { $leaves }: dos intersecciones, las dos útiles.
+nln-question-enters = por dónde entra
+nln-question-meets = si llega a entrar
+nln-question-leaves = por dónde sale
+turn-left = a la izquierda
+turn-through = sobre ella
+turn-right = a la derecha
+watch-region-1 = región de P₁
+watch-region-2 = región de P₂
+watch-enters = entra por
+watch-leaves = sale por
+code-nln-regions = región de P₁, región de P₂
+code-nln-shared = si ambos más allá de un borde: rechazar
+code-nln-enters = si P₁ en una esquina: su recta → entra por
+code-nln-meets = si pasa por fuera de la esquina: rechazar
+code-nln-leaves = si P₂ en una esquina: su recta → sale por
+code-nln-cut = P₁, P₂ ← la intersección o las dos
+words-nln-regions = Averigua en qué región está cada extremo.
+words-nln-shared = Si los dos están más allá del mismo borde, no se ve nada.
+words-nln-enters = Si P₁ está en una región de esquina, la recta que pasa por esa esquina dice por qué borde entra el segmento.
+words-nln-meets = Si P₂ está más allá de un borde contiguo, la recta que pasa por la esquina común dice si el segmento llega a la ventana.
+words-nln-leaves = Si P₂ está en una región de esquina, la recta que pasa por esa esquina dice por qué borde sale.
+words-nln-cut = Calcula solo esas intersecciones.

@@ -128,7 +128,7 @@ help-ends = primeiro ou último passo
 help-play = reproduzir ou pausar
 help-reset = redefinir a cena
 help-lesson-step = passo anterior ou próximo da lição
-help-drag = arraste qualquer ponto, em qualquer passo: a execução é gravada de novo
+help-drag = arraste qualquer ponto de controle, em qualquer passo: a execução é gravada de novo
 
 ## What the program reports
 

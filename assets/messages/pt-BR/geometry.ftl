@@ -48,15 +48,15 @@ plane-far = plano distante
 
 ## The nine regions around the window
 
-region-above-left = acima, à esquerda
+region-above-left = acima e à esquerda
 region-above = acima
-region-above-right = acima, à direita
+region-above-right = acima e à direita
 region-left = à esquerda
 region-inside = dentro
 region-right = à direita
-region-below-left = abaixo, à esquerda
+region-below-left = abaixo e à esquerda
 region-below = abaixo
-region-below-right = abaixo, à direita
+region-below-right = abaixo e à direita
 
 ## Algorithms
 
@@ -92,8 +92,8 @@ verdict-inside = dentro
 verdict-outside = fora
 verdict-on = sobre a borda
 verdict-straddles = em parte dentro
-verdict-entering = entra
-verdict-leaving = sai
+verdict-entering = entrando
+verdict-leaving = saindo
 verdict-parallel = paralelo
 verdict-visible = visível
 verdict-hidden = oculto

@@ -1,1 +1,151 @@
 ### The lines lab: captions, watch table and controls.
+
+## Said by several methods
+
+line-opening = Que parte de P₁P₂ está na janela?
+line-parallel = Paralelo à { $edge }: não há interseção.
+line-reject-edge = Rejeitado: os dois extremos estão além da { $edge }.
+line-accept = Aceito: visível de { $p1 } a { $p2 }.
+line-touch = Aceito: o segmento toca a janela em um único ponto, { $at }.
+param-left = { $min } < { $max }: sobra uma parte.
+param-touch = { $min } = { $max }: sobra um único ponto, e na borda ainda é dentro.
+param-empty = { $min } > { $max }: não sobra nada.
+watch-crossings = interseções
+watch-crossings-used = úteis
+
+## Brute force
+
+bf-intersect = Interseção com a reta da { $edge }.
+bf-keep = Nada está além da { $edge }: esta interseção não era necessária.
+bf-cut = { $end } está além de { $border }: passa para { $to }.
+code-bf-each = para cada lado não paralelo a P₁P₂
+code-bf-intersect = X ← reta P₁P₂ ∩ reta do lado
+code-bf-reject = se os dois extremos estão além: rejeite
+code-bf-cut = se um extremo está além: ele ← X
+code-bf-accept = aceite P₁P₂
+words-bf-each = Tome os quatro lados, um de cada vez; pule o que for paralelo ao segmento.
+words-bf-intersect = Calcule onde a reta do segmento encontra a reta do lado.
+words-bf-reject = Se os dois extremos estão além do lado, nada é visível.
+words-bf-cut = Se só um está além dele, leve esse extremo até a interseção.
+words-bf-accept = O que sobra é visível.
+
+## Cohen–Sutherland
+
+cs-code = { $end } está { $region }: { $code } = { $bits }.
+cs-or-accept = OR = { $bits }: os dois extremos estão dentro.
+cs-or-open = OR = { $bits } ≠ 0000: nem tudo está dentro.
+cs-and-reject = AND = { $bits } ≠ 0000: os dois extremos estão além da { $edge }.
+cs-and-open = AND = { $bits }: nenhum lado deixa os dois extremos de fora. Os códigos não decidem.
+cs-choose = O último bit 1 é o da { $edge }: { $end } está além dela.
+cs-cut = { $end } é cortado em { $border }.
+cs-reject = Rejeitado: os dois extremos estão { $region }; AND = { $and }.
+code-cs-codes = code₁ ← code(P₁); code₂ ← code(P₂)
+code-cs-loop = repita
+code-cs-accept = se code₁ OR code₂ = 0: aceite
+code-cs-reject = se code₁ AND code₂ ≠ 0: rejeite
+code-cs-choose = lado ← último bit 1 de code₁ OR code₂
+code-cs-end = P ← o extremo cujo código tem esse bit
+code-cs-cut = P ← P₁P₂ ∩ lado
+code-cs-recode = código de P ← code(P)
+words-cs-codes = Dê um código a cada extremo: um bit 1 para cada lado além do qual ele está.
+words-cs-loop = Repita:
+words-cs-accept = Se nenhum dos códigos tem bit 1, tudo o que sobrou é visível.
+words-cs-reject = Se os códigos têm um bit 1 em comum, os dois extremos estão além do mesmo lado.
+words-cs-choose = Senão, tome o lado do último bit 1, o menos significativo.
+words-cs-end = Exatamente um extremo está além dele.
+words-cs-cut = Leve esse extremo até onde o segmento cruza o lado.
+words-cs-recode = Dê a ele um novo código.
+settings-bit-order = Ordem dos bits
+bit-order-tbrl = superior, inferior, direita, esquerda
+bit-order-lrbt = esquerda, direita, inferior, superior
+
+## Liang–Barsky
+
+lb-delta = P(u) = P₁ + u (P₂ − P₁): ao longo do segmento, x varia Δx e y varia Δy.
+lb-row = k = { $k }, { $edge }: u · p ≤ q, { $direction }.
+lb-parallel-inside = Paralelo à { $edge }, do lado de dentro: sozinha, ela não decide nada.
+lb-parallel-outside = Paralelo à { $edge }, do lado de fora: nenhum u serve.
+lb-enter = A reta entra pela { $edge }: u_min sobe.
+lb-enter-idle = A reta entra pela { $edge }, mas não depois de u_min: nada muda.
+lb-leave = A reta sai pela { $edge }: u_max desce.
+lb-leave-idle = A reta sai pela { $edge }, mas não antes de u_max: nada muda.
+lb-put = { $end } vai para u = { $u }, em { $border }.
+lb-put-end = { $end } = { $at } já estava dentro e permanece.
+lb-reject = Rejeitado na { $edge }: não sobra nada do segmento.
+code-lb-start = u_min ← 0; u_max ← 1; Δ ← P₂ − P₁
+code-lb-each = para cada k = 1 … 4: p, q do lado k
+code-lb-parallel = se p = 0 e q < 0: rejeite
+code-lb-enter = se p < 0: u_min ← max(u_min; q/p)
+code-lb-leave = se p > 0: u_max ← min(u_max; q/p)
+code-lb-empty = se u_min > u_max: rejeite
+code-lb-accept = aceite P(u_min) P(u_max)
+words-lb-start = Comece com o segmento inteiro, u de 0 a 1.
+words-lb-each = Para cada lado, escreva “dentro” como uma desigualdade u · p ≤ q.
+words-lb-parallel = p = 0: o segmento é paralelo ao lado; se está do lado de fora, rejeite.
+words-lb-enter = p < 0: a reta entra por aqui. Antes de q/p, nada pode ser visível.
+words-lb-leave = p > 0: a reta sai por aqui. Depois de q/p, nada pode ser visível.
+words-lb-empty = Se o intervalo é vazio, nada é visível.
+words-lb-accept = Senão, os extremos do intervalo são os da parte visível.
+
+## Cyrus–Beck
+
+cb-edge-entering = { $edge }: n·D > 0, a reta entra.
+cb-edge-leaving = { $edge }: n·D < 0, a reta sai.
+cb-edge-parallel = { $edge }: n·D = 0, a reta é paralela à aresta.
+cb-parallel-inside = Paralelo a { $edge }, do lado de dentro: sozinha, esta aresta não decide nada.
+cb-parallel-outside = Paralelo a { $edge }, do lado de fora: nenhum t serve.
+cb-enter = A reta entra por { $edge }: t_min sobe.
+cb-enter-idle = A reta entra por { $edge }, mas não depois de t_min: nada muda.
+cb-leave = A reta sai por { $edge }: t_max desce.
+cb-leave-idle = A reta sai por { $edge }, mas não antes de t_max: nada muda.
+cb-put = { $end } vai para t = { $t }, em { $edge }.
+cb-reject = Rejeitado em { $edge }: não sobra nada do segmento.
+code-cb-start = t_min ← 0; t_max ← 1; D ← P₂ − P₁
+code-cb-each = para cada aresta: n, w ← P₁ − E
+code-cb-parallel = se n·D = 0 e n·w < 0: rejeite
+code-cb-enter = se n·D > 0: t_min ← max(t_min; −n·w / n·D)
+code-cb-leave = se n·D < 0: t_max ← min(t_max; −n·w / n·D)
+code-cb-empty = se t_min > t_max: rejeite
+code-cb-accept = aceite P(t_min) P(t_max)
+words-cb-start = Comece com o segmento inteiro, t de 0 a 1.
+words-cb-each = Para cada aresta, tome o vetor normal que aponta para dentro.
+words-cb-parallel = n·D = 0: paralelo à aresta; se está do lado de fora, rejeite.
+words-cb-enter = n·D > 0: no sentido da normal; a reta entra por aqui.
+words-cb-leave = n·D < 0: contra a normal; a reta sai por aqui.
+words-cb-empty = Se o intervalo é vazio, nada é visível.
+words-cb-accept = Senão, os extremos do intervalo são os da parte visível.
+
+## Nicholl–Lee–Nicholl
+
+nln-region = { $end } está { $region }.
+nln-side-enters = P₂ está { $turn } da reta que vai de P₁ a { $corner }: a { $first } é cruzada primeiro.
+nln-side-meets = P₂ está { $turn } da reta que vai de P₁ a { $corner }: a { $first } é cruzada primeiro.
+nln-side-leaves = P₂ está { $turn } da reta que vai de P₁ a { $corner }: sai pela { $first }.
+nln-side-through = P₂ está na reta que vai de P₁ a { $corner }: os dois lados são cruzados ao mesmo tempo.
+nln-miss = Rejeitado: o segmento passa por fora de { $corner }, além da { $edge }.
+nln-sector-inside = Os dois extremos estão dentro: nenhuma interseção é necessária.
+nln-sector-enters = Entra pela { $enters }, e P₂ está dentro: uma interseção.
+nln-sector-leaves = P₁ está dentro; sai pela { $leaves }: uma interseção.
+nln-sector-both = Entra pela { $enters }, sai pela { $leaves }: duas interseções, ambas úteis.
+nln-question-enters = por onde entra
+nln-question-meets = se entra
+nln-question-leaves = por onde sai
+turn-left = à esquerda
+turn-through = sobre ela
+turn-right = à direita
+watch-region-1 = região de P₁
+watch-region-2 = região de P₂
+watch-enters = entra por
+watch-leaves = sai por
+code-nln-regions = região de P₁, região de P₂
+code-nln-shared = se ambos além de um mesmo lado: rejeite
+code-nln-enters = se P₁ em canto: reta do canto → entra por
+code-nln-meets = se P₂ além do vizinho e não entra: rejeite
+code-nln-leaves = se P₂ em canto: reta do canto → sai por
+code-nln-cut = P₁, P₂ ← uma ou duas interseções
+words-nln-regions = Encontre a região de cada extremo.
+words-nln-shared = Se os dois estão além do mesmo lado, nada é visível.
+words-nln-enters = Se P₁ está em uma região de canto, a reta de P₁ a esse canto diz por qual lado o segmento entra.
+words-nln-meets = Se P₂ está além de um lado vizinho, a reta de P₁ ao canto comum diz se o segmento chega a encontrar a janela.
+words-nln-leaves = Se P₂ está em uma região de canto, a reta de P₁ a esse canto diz por qual lado ele sai.
+words-nln-cut = Calcule só essas interseções.

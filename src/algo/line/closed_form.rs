@@ -143,7 +143,7 @@ fn place(end: usize, x: &Extent, y: &Extent, xs: [f64; 2], ys: [f64; 2]) -> ([f6
     let by_y = [y.own[end], y.other[end]];
     let (beyond_x, beyond_y) = (xs[0] != x.border[end], ys[0] != y.border[end]);
     let (x_first, y_first) = (by_x[0] * by_y[1], by_y[0] * by_x[1]);
-    let on_x = beyond_x & !(x_first < y_first);
+    let on_x = beyond_x & (x_first >= y_first);
     let on_y = beyond_y & !on_x;
     let at_y = x.crossing(xs, by_y, y.length);
     let at_x = y.crossing(ys, by_x, x.length);

@@ -5,28 +5,36 @@ use crate::{
     geom::Point,
 };
 
-use super::{Method, Scene};
+use super::{Method, Scene, crowd::crowd};
 
-/// The clip region of `method`, to be drawn under a step's marks.
+/// What lies under a step's marks: the clip region of `method`, and the segments out of focus. These show
+/// what becomes of them once the focused one is decided (`at_end`), so as not to answer first.
 #[must_use]
-pub fn backdrop(scene: &Scene, method: Method) -> Vec<Mark> {
+pub fn backdrop(scene: &Scene, method: Method, at_end: bool) -> Vec<Mark> {
     let region = scene.region(method);
     let outline = region.vertices().iter().map(|p| p.to_array()).collect();
-    vec![Mark::new(Role::Ink, Shape::Polygon(outline)).linked("window")]
+    let mut marks = vec![Mark::new(Role::Ink, Shape::Polygon(outline)).linked("window")];
+    marks.extend(crowd(scene, at_end));
+    marks
 }
 
-/// The world rectangle that holds the clip region and the focused segment: what a view shows at first.
+/// Up to this many segments, a view shows all of them at first; of more, the one in focus.
+const MAX_FITTED: usize = 20;
+
+/// The world rectangle that holds the clip region and the segments that matter: what a view shows at first.
 #[must_use]
 pub fn bounds(scene: &Scene) -> [[f64; 2]; 2] {
+    let focused = [scene.focused()];
+    let segments = match scene.segments() {
+        few if few.len() <= MAX_FITTED => few,
+        _ => &focused,
+    };
     let region = scene.region(scene.method);
-    let window = scene.window.corners();
-    let segment = scene.focused();
     let points = region
         .vertices()
         .iter()
         .copied()
-        .chain(window)
-        .chain([segment.p1, segment.p2])
+        .chain(segments.iter().flat_map(|s| [s.p1, s.p2]))
         .map(Point::to_array);
     points.fold(
         [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]],

@@ -1,6 +1,7 @@
 //! The lines lab: segments against a window, five methods.
 
 mod backdrop;
+mod crowd;
 mod demo;
 mod handle;
 mod methods;

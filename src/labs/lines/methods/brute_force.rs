@@ -141,7 +141,10 @@ impl Demo for BruteForce {
             } else if used {
                 Mark::new(Role::Accent, Shape::Dot(at.to_array())).linked(edge_link(edge))
             } else {
-                Mark::new(Role::Discarded, Shape::Cross(at.to_array())).linked(edge_link(edge))
+                let label = Formula::default().sym("t = ").ratio(u.num, u.den);
+                Mark::new(Role::Discarded, Shape::Cross(at.to_array()))
+                    .labelled(label)
+                    .linked(edge_link(edge))
             });
         }
         marks

@@ -1,0 +1,46 @@
+//! Many segments beside the one that is stepped.
+
+use egui::{Color32, Mesh, Painter, Pos2, Shape, Stroke, Vec2};
+
+use super::{Viewport, stage::cut_to};
+
+/// Beyond this number lines are drawn as bare quadrilaterals, without the soft edges that take most of the
+/// time: 100,000 of them then fit into a frame.
+const MAX_SMOOTH: usize = 2_000;
+
+/// Draws the segments with one stroke.
+pub fn crowd(painter: &Painter, viewport: &Viewport, segments: &[[[f64; 2]; 2]], stroke: Stroke) {
+    let lines = segments.iter().filter_map(|ends| {
+        let ends = ends.map(|p| viewport.to_screen(p));
+        cut_to(ends, viewport.rect.expand(4.0))
+    });
+    if segments.len() <= MAX_SMOOTH {
+        painter.extend(lines.map(|ends| Shape::line_segment(ends, stroke)));
+    } else {
+        painter.add(quads(lines, stroke));
+    }
+}
+
+fn quads(lines: impl Iterator<Item = [Pos2; 2]>, stroke: Stroke) -> Mesh {
+    let mut mesh = Mesh::default();
+    for [a, b] in lines {
+        let along = (b - a).normalized();
+        let along = if along == Vec2::ZERO { Vec2::X } else { along };
+        let across = along.rot90() * (0.5 * stroke.width);
+        quad(
+            &mut mesh,
+            [a - across, a + across, b + across, b - across],
+            stroke.color,
+        );
+    }
+    mesh
+}
+
+fn quad(mesh: &mut Mesh, corners: [Pos2; 4], colour: Color32) {
+    let first = mesh.vertices.len() as u32;
+    for corner in corners {
+        mesh.colored_vertex(corner, colour);
+    }
+    mesh.add_triangle(first, first + 1, first + 2);
+    mesh.add_triangle(first, first + 2, first + 3);
+}
