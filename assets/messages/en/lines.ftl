@@ -149,3 +149,36 @@ words-nln-enters = If P₁ lies in a corner region, the line through that corner
 words-nln-meets = If P₂ lies beyond a neighbouring side, the line through their corner tells whether the segment meets the window at all.
 words-nln-leaves = If P₂ lies in a corner region, the line through that corner tells by which side it goes out.
 words-nln-cut = Compute only those crossings.
+
+
+## Handles, by name
+
+handle-end = { $end }
+handle-segment = the segment
+handle-window = the window
+handle-side = the { $edge }
+handle-corner-bottom-left = the bottom left corner
+handle-corner-bottom-right = the bottom right corner
+handle-corner-top-left = the top left corner
+handle-corner-top-right = the top right corner
+handle-vertex = vertex { $number }
+
+## The scene
+
+action-add-segment = Add a segment
+action-remove-segment = Remove the segment
+batch-title = Random segments
+batch-count = How many
+batch-seed = Seed
+batch-make = Replace all segments
+
+## Costs, measured
+
+cost-measure = Measure on this machine…
+measure-title = What a segment costs
+measure-about = Every method clips the same random segments, here and now.
+measure-start = Measure
+measure-again = Measure again
+measure-nanos = Nanoseconds
+measure-operations = Operations
+measure-note = For one segment, on average over { $count }. Time is that of the fastest of five passes.

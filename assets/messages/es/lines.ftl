@@ -149,3 +149,36 @@ words-nln-enters = Si P₁ está en una región de esquina, la recta que pasa po
 words-nln-meets = Si P₂ está más allá de un borde contiguo, la recta que pasa por la esquina común dice si el segmento llega a la ventana.
 words-nln-leaves = Si P₂ está en una región de esquina, la recta que pasa por esa esquina dice por qué borde sale.
 words-nln-cut = Calcula solo esas intersecciones.
+
+
+## Handles, by name
+
+handle-end = { $end }
+handle-segment = el segmento
+handle-window = la ventana
+handle-side = { $edge }
+handle-corner-bottom-left = la esquina inferior izquierda
+handle-corner-bottom-right = la esquina inferior derecha
+handle-corner-top-left = la esquina superior izquierda
+handle-corner-top-right = la esquina superior derecha
+handle-vertex = vértice { $number }
+
+## The scene
+
+action-add-segment = Añadir un segmento
+action-remove-segment = Quitar el segmento
+batch-title = Segmentos al azar
+batch-count = Cuántos
+batch-seed = Semilla
+batch-make = Reemplazar todos los segmentos
+
+## Costs, measured
+
+cost-measure = Medir en este equipo…
+measure-title = Lo que cuesta un segmento
+measure-about = Todos los métodos recortan los mismos segmentos al azar, aquí y ahora.
+measure-start = Medir
+measure-again = Medir de nuevo
+measure-nanos = Nanosegundos
+measure-operations = Operaciones
+measure-note = Por segmento, promedio de { $count }. El tiempo es el de la más rápida de cinco pasadas.
