@@ -7,9 +7,13 @@ use clap::{
     builder::{PossibleValuesParser, TypedValueParser},
 };
 
+use egui::vec2;
+
 use crate::{
-    export::{self, Failure, Options, jobs, run},
-    paint::ThemeKind,
+    app::{App, Settings},
+    export::{self, Failure, Job, Options, jobs, run},
+    lesson::Course,
+    paint::{Headless, ThemeKind},
     text::{Lang, Message},
 };
 
@@ -139,12 +143,21 @@ pub(super) fn export(args: &Args) -> Outcome {
         steps: args.steps.into(),
     };
     let jobs = jobs(&chosen.lessons, options.steps);
+    let course = Course {
+        lessons: chosen.lessons.clone(),
+    };
     let mut progress = Progress::new(jobs.len() as u64);
     let failures = run(
         &jobs,
         options.theme,
         &args.out,
-        |job, table| job.png(table, &options),
+        |job, table| {
+            if args.window {
+                window_png(job, &course, table, args)
+            } else {
+                job.png(table, &options)
+            }
+        },
         || progress.advance(1),
     );
     drop(progress);
@@ -163,4 +176,19 @@ pub(super) fn export(args: &Args) -> Outcome {
         (false, 0) => Outcome::Unusable,
         (false, _) => Outcome::Refused,
     }
+}
+
+/// The whole window, standing at the picture's step.
+fn window_png(job: &Job<'_>, course: &Course, table: &mut Headless, args: &Args) -> Vec<u8> {
+    let settings = Settings {
+        lang: args.lang,
+        theme: args.theme,
+        last: Some((job.lesson.id.clone(), job.step.id.clone())),
+        ..Settings::default()
+    };
+    let size = vec2(args.size.width as f32, args.size.height as f32);
+    let mut app = App::new(course.clone(), settings);
+    app.seek(job.position);
+    let image = table.draw(size, args.scale, |ui| app.ui(ui));
+    image.to_png()
 }
