@@ -23,8 +23,14 @@ pub mod paint;
 #[cfg(feature = "gui")]
 pub mod widgets;
 
+#[cfg(feature = "gui")]
+pub mod panels;
+
 #[cfg(all(feature = "gui", not(target_arch = "wasm32")))]
 pub mod export;
+
+#[cfg(feature = "gui")]
+pub mod app;
 
 #[cfg(all(feature = "gui", not(target_arch = "wasm32")))]
 pub mod cli;

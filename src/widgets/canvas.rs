@@ -1,8 +1,6 @@
 //! The stage surface: pan, zoom, grid, handles, and the figure's marks over them.
 
-use egui::{
-    Id, Painter, PointerButton, Pos2, Rect, Response, Role, Sense, StrokeKind, Ui, WidgetInfo,
-};
+use egui::{Id, PointerButton, Pos2, Rect, Response, Role, Sense, StrokeKind, Ui, WidgetInfo};
 
 use crate::{
     figure::{Link, Mark},
@@ -117,8 +115,9 @@ pub struct CanvasShown {
 }
 
 impl Canvas<'_> {
-    /// Draws the stage. `under` draws what lies between the grid and the marks.
-    pub fn show(self, ui: &mut Ui, under: impl FnOnce(&Painter, &Viewport)) -> CanvasShown {
+    /// Draws the stage.
+    #[must_use]
+    pub fn show(self, ui: &mut Ui) -> CanvasShown {
         let viewport = self.viewport;
         let response = ui.interact(viewport.rect, self.id, Sense::click_and_drag());
         response.widget_info(|| WidgetInfo {
@@ -142,7 +141,6 @@ impl Canvas<'_> {
         let painter = ui.painter_at(viewport.rect);
         painter.rect_filled(viewport.rect, 0.0, theme.background);
         grid::draw(&painter, &viewport, step, theme.hairline);
-        under(&painter, &viewport);
         paint::stage(
             &painter,
             &viewport,

@@ -14,13 +14,10 @@ use crate::{
 
 use super::Look;
 
-/// Lines that a caption may take.
-const MAX_ROWS: usize = 2;
-
-/// Height of the bar that holds a caption: the same at every step, so that nothing moves.
+/// Height of the bar that holds a caption of up to `n_rows`: the same at every step, so that nothing moves.
 #[must_use]
-pub fn caption_height(theme: &Theme) -> f32 {
-    (24.0 + 20.0 * MAX_ROWS as f32 * theme.text_scale).ceil()
+pub fn caption_height(theme: &Theme, n_rows: usize) -> f32 {
+    (24.0 + 20.0 * n_rows as f32 * theme.text_scale).ceil()
 }
 
 /// The caption as plain text, for screen readers and tooltips.
@@ -34,10 +31,10 @@ pub fn caption_text(catalog: &Catalog, caption: &Caption) -> String {
     text
 }
 
-/// Draws the caption in `rect`, in the middle of its height, on one line or two.
-pub fn caption(ui: &mut Ui, look: Look<'_>, rect: Rect, shown: &Caption) {
+/// Draws the caption in `rect`, in the middle of its height, on as many lines as it takes, `n_rows` at most.
+pub fn caption(ui: &mut Ui, look: Look<'_>, rect: Rect, n_rows: usize, shown: &Caption) {
     let inner = rect.shrink2(vec2(24.0, 8.0).min(rect.size() * 0.1));
-    let job = caption_job(ui, look, shown, inner.width(), MAX_ROWS);
+    let job = caption_job(ui, look, shown, inner.width(), n_rows);
     let height = ui.fonts_mut(|fonts| fonts.layout_job(job.clone())).size().y;
     let place = Rect::from_min_size(
         egui::pos2(inner.left(), (inner.center().y - 0.5 * height).round()),

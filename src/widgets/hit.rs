@@ -32,13 +32,13 @@ fn distance(viewport: &Viewport, shape: &Shape, at: Pos2) -> f32 {
         Shape::Segment([a, b])
         | Shape::Arrow([a, b])
         | Shape::Ray([a, b])
-        | Shape::Line([a, b]) => to_segment(at, screen(*a), screen(*b)),
+        | Shape::Line([a, b]) => distance_to_segment(at, screen(*a), screen(*b)),
         Shape::Border(Axis::X, x) => (at.x - screen([*x, 0.0]).x).abs(),
         Shape::Border(Axis::Y, y) => (at.y - screen([0.0, *y]).y).abs(),
         Shape::Polygon(outline) => (0..outline.len())
             .map(|i| {
                 let next = outline[(i + 1) % outline.len()];
-                to_segment(at, screen(outline[i]), screen(next))
+                distance_to_segment(at, screen(outline[i]), screen(next))
             })
             .fold(f32::INFINITY, f32::min),
         Shape::Dot(p) | Shape::Ring(p) | Shape::Cross(p) => screen(*p).distance(at),
@@ -47,7 +47,8 @@ fn distance(viewport: &Viewport, shape: &Shape, at: Pos2) -> f32 {
 }
 
 /// Distance of a point from a segment, all on the screen.
-pub(crate) fn to_segment(at: Pos2, a: Pos2, b: Pos2) -> f32 {
+#[must_use]
+pub fn distance_to_segment(at: Pos2, a: Pos2, b: Pos2) -> f32 {
     let along = b - a;
     let length_sq = along.length_sq();
     let t = if length_sq > 0.0 {

@@ -22,7 +22,7 @@ pub use canvas::{Canvas, CanvasShown, View};
 pub use caption::{caption, caption_height, caption_job, caption_text};
 pub use cost::{Cost, cost};
 pub use handles::{Gesture, Moved, Snap, Spot};
-pub use hit::link_at;
+pub use hit::{distance_to_segment, link_at};
 pub use icon::{Icon, icon_button};
 pub use lesson_text::lesson_text;
 pub use number_line::{number_line, number_line_height};

@@ -146,3 +146,25 @@ status-recording = Recording the run…
 ## For screen readers
 
 access-handle = handle of { $name } at { $point }
+
+## More of the window: menus, dialogs, keys
+
+menu-more = More
+cost-title = Cost so far
+cost-compared-with = compared with { $method }
+save-title = Save the scene
+export-title = Export this figure
+save-path = File
+help-zoom = zoom in or out; also Ctrl and wheel
+help-course = show or hide the course
+help-inspector = show or hide the inspector
+help-leave = close, or leave the presentation
+help-tab = to the next handle or button
+help-nudge = move the handle that has the focus; Shift: ten times as far
+help-alt = while dragging: off the grid
+status-last-good = The last version that worked is shown.
+status-more-problems =
+    { $count ->
+        [one] … and { $count } more problem.
+       *[other] … and { $count } more problems.
+    }

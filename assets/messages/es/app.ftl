@@ -146,3 +146,25 @@ status-recording = Grabando la ejecución…
 ## For screen readers
 
 access-handle = tirador de { $name } en { $point }
+
+## More of the window: menus, dialogs, keys
+
+menu-more = Más
+cost-title = Coste hasta aquí
+cost-compared-with = en comparación con { $method }
+save-title = Guardar la escena
+export-title = Exportar esta figura
+save-path = Archivo
+help-zoom = acercar o alejar; también Ctrl y la rueda
+help-course = mostrar u ocultar el curso
+help-inspector = mostrar u ocultar el inspector
+help-leave = cerrar, o salir de la presentación
+help-tab = al siguiente tirador o botón
+help-nudge = mover el tirador que tiene el foco; con Mayús, diez veces más lejos
+help-alt = al arrastrar: sin ajustar a la cuadrícula
+status-last-good = Se muestra la última versión que funcionaba.
+status-more-problems =
+    { $count ->
+        [one] … y { $count } problema más.
+       *[other] … y { $count } problemas más.
+    }

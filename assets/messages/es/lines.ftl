@@ -66,9 +66,9 @@ lb-row = k = { $k }, { $edge }: u · p ≤ q, { $direction }.
 lb-parallel-inside = Paralelo al { $edge } y por dentro: este borde, por sí solo, no decide nada.
 lb-parallel-outside = Paralelo al { $edge } y por fuera: ningún valor de u sirve.
 lb-enter = La recta entra por el { $edge }: u_min sube.
-lb-enter-idle = La recta entra por el { $edge }, pero antes de u_min: nada cambia.
+lb-enter-idle = La recta entra por el { $edge }, pero no después de u_min: nada cambia.
 lb-leave = La recta sale por el { $edge }: u_max baja.
-lb-leave-idle = La recta sale por el { $edge }, pero después de u_max: nada cambia.
+lb-leave-idle = La recta sale por el { $edge }, pero no antes de u_max: nada cambia.
 lb-put = { $end } pasa a u = { $u }, en { $border }.
 lb-put-end = { $end } = { $at } ya estaba dentro y se queda.
 lb-reject = Se rechaza en el { $edge }: del segmento no queda nada.
@@ -95,9 +95,9 @@ cb-edge-parallel = { $edge }: n·D = 0, la recta es paralela a la arista.
 cb-parallel-inside = Paralelo a { $edge } y por dentro: esta arista, por sí sola, no decide nada.
 cb-parallel-outside = Paralelo a { $edge } y por fuera: ningún valor de t sirve.
 cb-enter = La recta entra por { $edge }: t_min sube.
-cb-enter-idle = La recta entra por { $edge }, pero antes de t_min: nada cambia.
+cb-enter-idle = La recta entra por { $edge }, pero no después de t_min: nada cambia.
 cb-leave = La recta sale por { $edge }: t_max baja.
-cb-leave-idle = La recta sale por { $edge }, pero después de t_max: nada cambia.
+cb-leave-idle = La recta sale por { $edge }, pero no antes de t_max: nada cambia.
 cb-put = { $end } pasa a t = { $t }, en { $edge }.
 cb-reject = Se rechaza en { $edge }: del segmento no queda nada.
 code-cb-start = t_min ← 0; t_max ← 1; D ← P₂ − P₁
@@ -149,3 +149,36 @@ words-nln-enters = Si P₁ está en una región de esquina, la recta que pasa po
 words-nln-meets = Si P₂ está más allá de un borde contiguo, la recta que pasa por la esquina común dice si el segmento llega a la ventana.
 words-nln-leaves = Si P₂ está en una región de esquina, la recta que pasa por esa esquina dice por qué borde sale.
 words-nln-cut = Calcula solo esas intersecciones.
+
+
+## Handles, by name
+
+handle-end = { $end }
+handle-segment = el segmento
+handle-window = la ventana
+handle-side = { $edge }
+handle-corner-bottom-left = la esquina inferior izquierda
+handle-corner-bottom-right = la esquina inferior derecha
+handle-corner-top-left = la esquina superior izquierda
+handle-corner-top-right = la esquina superior derecha
+handle-vertex = vértice { $number }
+
+## The scene
+
+action-add-segment = Añadir un segmento
+action-remove-segment = Quitar el segmento
+batch-title = Segmentos al azar
+batch-count = Cuántos
+batch-seed = Semilla
+batch-make = Reemplazar todos los segmentos
+
+## Costs, measured
+
+cost-measure = Medir en este equipo…
+measure-title = Lo que cuesta un segmento
+measure-about = Todos los métodos recortan los mismos segmentos al azar, aquí y ahora.
+measure-start = Medir
+measure-again = Medir de nuevo
+measure-nanos = Nanosegundos
+measure-operations = Operaciones
+measure-note = Por segmento, promedio de { $count }. El tiempo es el de la más rápida de cinco pasadas.

@@ -146,3 +146,25 @@ status-recording = Gravando a execução…
 ## For screen readers
 
 access-handle = ponto de controle de { $name } em { $point }
+
+## More of the window: menus, dialogs, keys
+
+menu-more = Mais
+cost-title = Custo até aqui
+cost-compared-with = em comparação com { $method }
+save-title = Salvar a cena
+export-title = Exportar esta figura
+save-path = Arquivo
+help-zoom = aproximar ou afastar; também Ctrl e a roda do mouse
+help-course = mostrar ou ocultar o curso
+help-inspector = mostrar ou ocultar o inspetor
+help-leave = fechar, ou sair da apresentação
+help-tab = ir para o próximo ponto de controle ou botão
+help-nudge = mover o ponto de controle que tem o foco; com Shift, dez vezes mais longe
+help-alt = ao arrastar: sem ajustar à grade
+status-last-good = É exibida a última versão que funcionava.
+status-more-problems =
+    { $count ->
+        [one] … e mais { $count } problema.
+       *[other] … e mais { $count } problemas.
+    }

@@ -101,7 +101,7 @@ cb-leave-idle = A reta sai por { $edge }, mas não antes de t_max: nada muda.
 cb-put = { $end } vai para t = { $t }, em { $edge }.
 cb-reject = Rejeitado em { $edge }: não sobra nada do segmento.
 code-cb-start = t_min ← 0; t_max ← 1; D ← P₂ − P₁
-code-cb-each = para cada aresta: n, w ← P₁ − E
+code-cb-each = para cada aresta: n; w ← P₁ − E
 code-cb-parallel = se n·D = 0 e n·w < 0: rejeite
 code-cb-enter = se n·D > 0: t_min ← max(t_min; −n·w / n·D)
 code-cb-leave = se n·D < 0: t_max ← min(t_max; −n·w / n·D)
@@ -149,3 +149,36 @@ words-nln-enters = Se P₁ está em uma região de canto, a reta de P₁ a esse 
 words-nln-meets = Se P₂ está além de um lado vizinho, a reta de P₁ ao canto comum diz se o segmento chega a encontrar a janela.
 words-nln-leaves = Se P₂ está em uma região de canto, a reta de P₁ a esse canto diz por qual lado ele sai.
 words-nln-cut = Calcule só essas interseções.
+
+
+## Handles, by name
+
+handle-end = { $end }
+handle-segment = o segmento
+handle-window = a janela
+handle-side = { $edge }
+handle-corner-bottom-left = o canto inferior esquerdo
+handle-corner-bottom-right = o canto inferior direito
+handle-corner-top-left = o canto superior esquerdo
+handle-corner-top-right = o canto superior direito
+handle-vertex = vértice { $number }
+
+## The scene
+
+action-add-segment = Adicionar um segmento
+action-remove-segment = Remover o segmento
+batch-title = Segmentos aleatórios
+batch-count = Quantos
+batch-seed = Semente
+batch-make = Substituir todos os segmentos
+
+## Costs, measured
+
+cost-measure = Medir neste computador…
+measure-title = Quanto custa um segmento
+measure-about = Todos os métodos recortam os mesmos segmentos aleatórios, aqui e agora.
+measure-start = Medir
+measure-again = Medir de novo
+measure-nanos = Nanossegundos
+measure-operations = Operações
+measure-note = Por segmento, na média de { $count }. O tempo é o da mais rápida de cinco passagens.

@@ -142,3 +142,21 @@ status-recording = 正在记录运行过程…
 ## For screen readers
 
 access-handle = { $name } 的控制柄，位于 { $point }
+
+## More of the window: menus, dialogs, keys
+
+menu-more = 更多
+cost-title = 至此的运算量
+cost-compared-with = 与{ $method }比较
+save-title = 保存场景
+export-title = 导出此图
+save-path = 文件
+help-zoom = 放大或缩小；也可按住 Ctrl 滚动滚轮
+help-course = 显示或隐藏课程
+help-inspector = 显示或隐藏检查器
+help-leave = 关闭，或退出演示
+help-tab = 转到下一个控制柄或按钮
+help-nudge = 移动获得焦点的控制柄；按住 Shift：十倍距离
+help-alt = 拖动时：不吸附网格
+status-last-good = 显示的是上一个可用的版本。
+status-more-problems = ……另有 { $count } 个问题。

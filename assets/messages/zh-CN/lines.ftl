@@ -66,9 +66,9 @@ lb-row = k = { $k }，{ $edge }：u · p ≤ q，{ $direction }。
 lb-parallel-inside = 与{ $edge }平行且在其内侧：单凭这条边界还不能判定。
 lb-parallel-outside = 与{ $edge }平行且在其外侧：任何 u 都不满足。
 lb-enter = 直线由{ $edge }进入：u_min 增大。
-lb-enter-idle = 直线由{ $edge }进入，但早于 u_min：不变。
+lb-enter-idle = 直线由{ $edge }进入，但不晚于 u_min：不变。
 lb-leave = 直线由{ $edge }离开：u_max 减小。
-lb-leave-idle = 直线由{ $edge }离开，但晚于 u_max：不变。
+lb-leave-idle = 直线由{ $edge }离开，但不早于 u_max：不变。
 lb-put = { $end } 移到 u = { $u } 处，落在 { $border } 上。
 lb-put-end = { $end } = { $at } 本来就在窗口内，保持不动。
 lb-reject = 处理到{ $edge }时舍弃：线段一点不剩。
@@ -95,9 +95,9 @@ cb-edge-parallel = { $edge }：n·D = 0，直线与该边平行。
 cb-parallel-inside = 与 { $edge } 平行且在其内侧：单凭这条边还不能判定。
 cb-parallel-outside = 与 { $edge } 平行且在其外侧：任何 t 都不满足。
 cb-enter = 直线由 { $edge } 进入：t_min 增大。
-cb-enter-idle = 直线由 { $edge } 进入，但早于 t_min：不变。
+cb-enter-idle = 直线由 { $edge } 进入，但不晚于 t_min：不变。
 cb-leave = 直线由 { $edge } 离开：t_max 减小。
-cb-leave-idle = 直线由 { $edge } 离开，但晚于 t_max：不变。
+cb-leave-idle = 直线由 { $edge } 离开，但不早于 t_max：不变。
 cb-put = { $end } 移到 t = { $t } 处，落在 { $edge } 上。
 cb-reject = 处理到 { $edge } 时舍弃：线段一点不剩。
 code-cb-start = t_min ← 0; t_max ← 1; D ← P₂ − P₁
@@ -149,3 +149,36 @@ words-nln-enters = 若 P₁ 在角区域，则由 P₁ 与该角点的连线判�
 words-nln-meets = 若 P₂ 在相邻边界的外侧，则由 P₁ 与公共角点的连线判断线段是否与窗口相交。
 words-nln-leaves = 若 P₂ 在角区域，则由 P₁ 与该角点的连线判断线段从哪条边界离开。
 words-nln-cut = 只计算这些交点。
+
+
+## Handles, by name
+
+handle-end = { $end }
+handle-segment = 线段
+handle-window = 窗口
+handle-side = { $edge }
+handle-corner-bottom-left = 左下角
+handle-corner-bottom-right = 右下角
+handle-corner-top-left = 左上角
+handle-corner-top-right = 右上角
+handle-vertex = 顶点 { $number }
+
+## The scene
+
+action-add-segment = 添加线段
+action-remove-segment = 删除线段
+batch-title = 随机线段
+batch-count = 数量
+batch-seed = 种子
+batch-make = 替换所有线段
+
+## Costs, measured
+
+cost-measure = 在本机上测量…
+measure-title = 裁剪一条线段的代价
+measure-about = 每种方法都在本机上当场裁剪同一批随机线段。
+measure-start = 测量
+measure-again = 重新测量
+measure-nanos = 纳秒
+measure-operations = 运算次数
+measure-note = 每条线段的平均值，共 { $count } 条。时间取五遍中最快的一遍。

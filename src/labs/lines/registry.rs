@@ -9,7 +9,7 @@ use crate::{
     algo::line::{self, Visible},
     figure::Run,
     geom::Segment,
-    trace::Counts,
+    trace::{Counts, silent},
 };
 
 use super::{
@@ -34,6 +34,7 @@ pub struct MethodInfo {
     record: fn(&Scene, Segment) -> Box<dyn Run>,
     clip: fn(&Scene, Segment) -> Visible,
     cost: fn(&Scene, Segment) -> (Visible, Counts),
+    pass: fn(&Scene, &[Segment]) -> Box<dyn FnMut() -> usize>,
 }
 
 /// One line of pseudocode.
@@ -63,7 +64,17 @@ const fn info<A: Demo>() -> MethodInfo {
         record: record::<A>,
         clip: clip::<A>,
         cost: cost::<A>,
+        pass: pass::<A>,
     }
+}
+
+/// Inputs are made beforehand: only the clipping itself is left to measure.
+fn pass<A: Demo>(scene: &Scene, segments: &[Segment]) -> Box<dyn FnMut() -> usize> {
+    let inputs: Vec<A::Input> = segments
+        .iter()
+        .map(|&segment| A::input(scene, segment))
+        .collect();
+    Box::new(move || inputs.iter().filter_map(silent::<A>).count())
 }
 
 /// Every method, in the order in which they are taught.
@@ -113,6 +124,12 @@ impl Method {
     #[must_use]
     pub fn cost(self, scene: &Scene, segment: Segment) -> (Visible, Counts) {
         (self.info().cost)(scene, segment)
+    }
+
+    /// Clips all `segments` silently each time it is called; the number of those that are visible.
+    #[must_use]
+    pub fn pass(self, scene: &Scene, segments: &[Segment]) -> Box<dyn FnMut() -> usize> {
+        (self.info().pass)(scene, segments)
     }
 }
 

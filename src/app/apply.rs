@@ -1,0 +1,247 @@
+//! Doing what was asked for: the only place where the app changes.
+
+use egui::Context;
+
+use crate::{
+    lesson::scene_to_toml,
+    panels::lines::LinesEdit,
+    text::{Catalog, Message},
+};
+
+use super::{
+    App, Command, Dialog, document::Gesture, layout::Room, notice::Notice, platform::Picture,
+};
+
+impl App {
+    /// Does one thing.
+    pub fn apply(&mut self, ctx: &Context, command: Command) {
+        let now = ctx.input(|input| input.time);
+        match command {
+            Command::Edit(edit, gesture) => self.edit(edit, gesture, now),
+            Command::EndGesture => self.document.end_gesture(),
+            Command::Undo => self.travel(|app| app.document.undo()),
+            Command::Redo => self.travel(|app| app.document.redo()),
+            Command::Reset => self.reset(now),
+            Command::Lesson { forward } => {
+                if self.place.go(forward) {
+                    self.enter_step();
+                }
+            }
+            Command::Open([lesson, step]) => {
+                if self.place.open(lesson, step) {
+                    self.enter_step();
+                    self.shown.room = Room::Stage;
+                }
+            }
+            Command::Save
+            | Command::Export
+            | Command::Show(_)
+            | Command::Confirm
+            | Command::Help => {
+                self.apply_dialog(ctx, command, now);
+            }
+            Command::Present
+            | Command::Cancel
+            | Command::Course
+            | Command::Inspector
+            | Command::Language(_)
+            | Command::Theme(_)
+            | Command::Code(_)
+            | Command::Snap(_)
+            | Command::Measure(_)
+            | Command::Dismiss => self.apply_shown(ctx, command),
+            Command::View(_) | Command::FitView | Command::Zoom(_) => {
+                self.stage.look(ctx, self.document.now(), &command);
+            }
+            _ => self.apply_transport(&command),
+        }
+    }
+
+    fn apply_transport(&mut self, command: &Command) {
+        let phase = |app: &Self, by| app.playback.phase(by);
+        let (before, after) = (phase(self, -1), phase(self, 1));
+        let transport = self.playback.transport_mut();
+        match *command {
+            Command::Step(by) => transport.step(by),
+            Command::Seek(step) => transport.seek(step),
+            Command::First => transport.seek(0),
+            Command::Last => transport.seek(usize::MAX),
+            Command::Phase(by) => transport.seek(if by < 0 { before } else { after }),
+            Command::Play => transport.toggle(),
+            Command::Speed(speed) => {
+                transport.set_speed(speed);
+                self.settings.speed = speed;
+            }
+            _ => {}
+        }
+    }
+
+    fn edit(&mut self, edit: LinesEdit, gesture: Option<Gesture>, now: f64) {
+        let size = self.document.now().segments().len();
+        let is_drag = matches!(edit, LinesEdit::Drag(..));
+        let fits = matches!(edit, LinesEdit::Replace(_) | LinesEdit::Random { .. });
+        let changed = self
+            .document
+            .edit(gesture, now, size, |scene| edit.apply(scene));
+        match changed {
+            Ok(true) => {
+                self.playback.rerecord(self.document.now());
+                if fits {
+                    self.stage.fit(self.document.now());
+                }
+            }
+            Ok(false) => {}
+            // A handle that cannot go there stays where it is: that is answer enough.
+            Err(_) if is_drag => {}
+            Err(error) => self.notices.push(Notice::problem(error.to_string())),
+        }
+    }
+
+    /// Undo or redo.
+    fn travel(&mut self, step: impl FnOnce(&mut Self)) {
+        let before = self.document.revision();
+        step(self);
+        if self.document.revision() != before {
+            self.playback.rerecord(self.document.now());
+        }
+    }
+
+    /// The scene, the moment and the view as the lesson has them; undo brings back what was there.
+    fn reset(&mut self, now: f64) {
+        let wanted = self
+            .place
+            .step()
+            .map(|step| (step.scene.clone(), step.position));
+        if let Some((scene, position)) = wanted {
+            let replace = LinesEdit::Replace(Box::new((*scene).clone()));
+            self.edit(replace, None, now);
+            self.playback.transport_mut().seek(position);
+        } else {
+            self.playback.transport_mut().seek(0);
+        }
+        self.stage.fit(self.document.now());
+    }
+
+    fn apply_shown(&mut self, ctx: &Context, command: Command) {
+        let is_narrow = self.shown.room.is_narrow(ctx);
+        match command {
+            Command::Present => self.shown.presenting ^= true,
+            Command::Cancel => self.cancel(),
+            Command::Course if is_narrow => self.shown.room = self.shown.room.toggled(Room::Course),
+            Command::Inspector if is_narrow => {
+                self.shown.room = self.shown.room.toggled(Room::Inspector);
+            }
+            Command::Course => self.settings.course ^= true,
+            Command::Inspector => self.settings.inspector ^= true,
+            Command::Language(lang) => self.settings.lang = lang,
+            Command::Theme(theme) => self.settings.theme = theme,
+            Command::Code(code) => self.shown.code = code,
+            Command::Snap(snap) => self.settings.snap = snap,
+            Command::Measure(open) => self.lab.is_measuring = open,
+            Command::Dismiss => self.notices.clear(),
+            _ => {}
+        }
+    }
+
+    fn cancel(&mut self) {
+        if self.shown.dialog.take().is_some() {
+            return;
+        }
+        if std::mem::take(&mut self.lab.is_measuring) {
+            return;
+        }
+        if !self.notices.is_empty() {
+            self.notices.clear();
+            return;
+        }
+        self.shown.presenting = false;
+        self.shown.room = Room::Stage;
+    }
+
+    fn apply_dialog(&mut self, ctx: &Context, command: Command, now: f64) {
+        let name = |app: &Self, ending: &str| {
+            let step = app.place.step().and_then(|step| step.figure.clone());
+            let stem = step.unwrap_or_else(|| app.document.now().method.to_string());
+            app.platform.suggest(&format!("{stem}.{ending}"))
+        };
+        match command {
+            Command::Help if self.shown.dialog == Some(Dialog::Help) => self.shown.dialog = None,
+            Command::Help => self.shown.dialog = Some(Dialog::Help),
+            Command::Save => {
+                self.shown.dialog = Some(Dialog::Save {
+                    path: name(self, "toml"),
+                })
+            }
+            Command::Export => {
+                self.shown.dialog = Some(Dialog::Export {
+                    path: name(self, "png"),
+                })
+            }
+            Command::Show(dialog) => self.shown.dialog = dialog,
+            Command::Confirm => {
+                let notice = match self.shown.dialog.take() {
+                    Some(Dialog::Save { path }) => self.save(&path, now),
+                    Some(Dialog::Export { path }) => self.export(&path, now),
+                    _ => return,
+                };
+                self.notices.push(notice);
+                ctx.request_repaint();
+            }
+            _ => {}
+        }
+    }
+
+    fn save(&mut self, path: &str, now: f64) -> Notice {
+        let text = scene_to_toml(self.document.now());
+        let written = self.platform.write(path, text.as_bytes());
+        self.reported(written, ["status-saved", "status-save-failed"], now)
+    }
+
+    fn export(&mut self, path: &str, now: f64) -> Notice {
+        let picture = Picture {
+            scene: self.document.now(),
+            position: self.playback.transport().position(),
+            theme: self.settings.theme,
+            lang: self.settings.lang,
+        };
+        let drawn = self.platform.draw(picture);
+        let written = drawn.and_then(|bytes| self.platform.write(path, &bytes));
+        self.reported(written, ["status-exported", "status-export-failed"], now)
+    }
+
+    fn reported(
+        &self,
+        written: Result<String, String>,
+        [done, failed]: [&'static str; 2],
+        now: f64,
+    ) -> Notice {
+        let catalog = Catalog::of(self.settings.lang);
+        match written {
+            Ok(path) => {
+                Notice::passing(catalog.message(&Message::new(done).with("path", path)), now)
+            }
+            Err(reason) => {
+                Notice::problem(catalog.message(&Message::new(failed).with("reason", reason)))
+            }
+        }
+    }
+
+    /// After another version of the course has been read.
+    pub(super) fn course_changed(&mut self, was_untouched: bool) {
+        if was_untouched {
+            let position = self.playback.transport().position();
+            let at_lesson = self.place.step().map(|step| step.position);
+            self.enter_step();
+            if at_lesson.is_none() {
+                self.playback.transport_mut().seek(position);
+            }
+        }
+    }
+
+    /// Does the stage show the lesson's own scene?
+    pub(super) fn is_untouched(&self) -> bool {
+        self.place
+            .step()
+            .is_none_or(|step| *step.scene == *self.document.now())
+    }
+}

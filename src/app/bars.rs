@@ -1,0 +1,249 @@
+//! The bar at the top and the transport at the bottom.
+
+use egui::{Align, Button, Layout, Rect, RichText, Ui, UiBuilder, pos2, vec2};
+
+use crate::{
+    paint::theme,
+    panels::lines::{Batch, compare_picker, method_picker, scene_menu},
+    text::{Message, Value},
+    widgets::{
+        Icon, Look, Press, Timeline, caption_text, icon_button, language_menu, speed_menu,
+        theme_menu, transport_buttons, transport_width,
+    },
+};
+
+use super::{
+    Command,
+    layout::{Room, SIDES, transport_has_room},
+    model::Model,
+};
+
+/// Name, labs and methods at the left; menus at the right.
+pub fn top(
+    model: &Model<'_>,
+    ui: &mut Ui,
+    batch: &mut Batch,
+    room: Room,
+    course_width: f32,
+    commands: &mut Vec<Command>,
+) {
+    let look = model.look;
+    let bar = ui.max_rect();
+    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        if model.is_narrow {
+            sides(model, ui, room, commands);
+            icon_menu(model, ui, batch, commands);
+        } else {
+            menus(model, ui, batch, commands);
+        }
+        let right = ui.available_rect_before_wrap().right();
+        let left = Rect::from_min_max(bar.min, pos2(right - 8.0, bar.bottom()));
+        let layout = Layout::left_to_right(Align::Center);
+        ui.scope_builder(UiBuilder::new().max_rect(left).layout(layout), |ui| {
+            ui.shrink_clip_rect(left);
+            if !model.is_narrow {
+                ui.label(
+                    RichText::new(look.say("app-title"))
+                        .heading()
+                        .size(15.0 * look.theme.text_scale),
+                );
+                let tabs = bar.left() + course_width + 8.0 - ui.cursor().left();
+                ui.add_space(if model.settings.course {
+                    tabs.max(16.0)
+                } else {
+                    24.0
+                });
+                tab(ui, look, bar);
+                ui.add_space(16.0);
+            }
+            pickers(model, ui, commands);
+        });
+    });
+}
+
+/// The one lab that there is; underlined, as it is open.
+fn tab(ui: &mut Ui, look: Look<'_>, bar: Rect) {
+    let text = RichText::new(look.say("lab-lines"))
+        .text_style(theme::strong())
+        .color(look.theme.accent);
+    let label = ui.label(text).on_hover_text(look.say("lab-lines-about"));
+    let line = Rect::from_x_y_ranges(label.rect.x_range(), bar.bottom() - 2.0..=bar.bottom());
+    ui.painter().rect_filled(line, 0.0, look.theme.accent);
+}
+
+fn pickers(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
+    let edit = method_picker(ui, model.look, model.scene);
+    commands.extend(edit.map(|edit| Command::Edit(edit, None)));
+    if ui.available_width() > 150.0 * model.look.theme.text_scale {
+        let edit = compare_picker(ui, model.look, model.scene);
+        commands.extend(edit.map(|edit| Command::Edit(edit, None)));
+    }
+}
+
+/// From right to left.
+fn menus(model: &Model<'_>, ui: &mut Ui, batch: &mut Batch, commands: &mut Vec<Command>) {
+    let look = model.look;
+    if ui.button(look.say("action-present")).clicked() {
+        commands.push(Command::Present);
+    }
+    ui.menu_button(look.say("settings-theme"), |ui| {
+        commands.extend(theme_menu(ui, look).map(Command::Theme));
+    });
+    ui.menu_button(model.settings.lang.native_name(), |ui| {
+        commands.extend(language_menu(ui, model.settings.lang).map(Command::Language));
+    });
+    ui.menu_button(look.say("panel-scene"), |ui| {
+        scene(model, ui, batch, commands)
+    });
+    if !(model.settings.course && model.settings.inspector) {
+        sides(model, ui, Room::Stage, commands);
+    }
+}
+
+/// Everything that the wide bar holds, behind one button.
+fn icon_menu(model: &Model<'_>, ui: &mut Ui, batch: &mut Batch, commands: &mut Vec<Command>) {
+    let look = model.look;
+    let button = icon_button(ui, look, Icon::More, &look.say("menu-more"), true);
+    egui::Popup::menu(&button).show(|ui| {
+        ui.menu_button(look.say("panel-scene"), |ui| {
+            scene(model, ui, batch, commands)
+        });
+        ui.menu_button(look.say("settings-theme"), |ui| {
+            commands.extend(theme_menu(ui, look).map(Command::Theme));
+        });
+        ui.menu_button(model.settings.lang.native_name(), |ui| {
+            commands.extend(language_menu(ui, model.settings.lang).map(Command::Language));
+        });
+        if ui.button(look.say("action-present")).clicked() {
+            commands.push(Command::Present);
+        }
+    });
+}
+
+fn sides(model: &Model<'_>, ui: &mut Ui, room: Room, commands: &mut Vec<Command>) {
+    for (icon, key, command) in SIDES.iter().rev() {
+        let is_open = match command {
+            Command::Course => room == Room::Course || (!model.is_narrow && model.settings.course),
+            _ => room == Room::Inspector || (!model.is_narrow && model.settings.inspector),
+        };
+        let button = icon_button(ui, model.look, *icon, &model.look.say(key), true);
+        if is_open {
+            let under =
+                Rect::from_min_size(button.rect.left_bottom() - vec2(0.0, 3.0), vec2(32.0, 2.0));
+            ui.painter()
+                .rect_filled(under.shrink2(vec2(8.0, 0.0)), 0.0, model.look.theme.accent);
+        }
+        if button.clicked() {
+            commands.push(command.clone());
+        }
+    }
+}
+
+fn scene(model: &Model<'_>, ui: &mut Ui, batch: &mut Batch, commands: &mut Vec<Command>) {
+    let look = model.look;
+    let edit = scene_menu(ui, look, model.scene, batch);
+    commands.extend(edit.map(|edit| Command::Edit(edit, None)));
+    let mut snap = model.settings.snap;
+    if ui.checkbox(&mut snap, look.say("settings-snap")).changed() {
+        commands.push(Command::Snap(snap));
+    }
+    ui.separator();
+    let mut action = |ui: &mut Ui, key: &str, keys: &str, enabled: bool, command: Command| {
+        let button =
+            Button::new(look.say(key)).right_text(RichText::new(keys).color(look.theme.soft));
+        if ui.add_enabled(enabled, button).clicked() {
+            commands.push(command);
+        }
+    };
+    action(ui, "action-undo", "Ctrl+Z", model.can_undo, Command::Undo);
+    action(
+        ui,
+        "action-redo",
+        "Ctrl+Shift+Z",
+        model.can_redo,
+        Command::Redo,
+    );
+    action(ui, "action-reset", "R", true, Command::Reset);
+    action(ui, "action-reset-view", "0", true, Command::FitView);
+    ui.separator();
+    action(ui, "action-save", "Ctrl+S", true, Command::Save);
+    action(ui, "action-export", "Ctrl+E", true, Command::Export);
+    action(ui, "cost-measure", "Ctrl+M", true, Command::Measure(true));
+    action(ui, "action-help", "?", true, Command::Help);
+}
+
+/// The buttons, the timeline, the number of the step, and the speed.
+pub fn transport(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
+    let width = ui.available_width();
+    ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+        buttons(model, ui, commands);
+        let has_room = transport_has_room(width);
+        ui.add_space(if has_room { 24.0 } else { 0.0 });
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if has_room {
+                let speed = model.playback.transport().speed();
+                let chosen = speed_menu(ui, model.look, speed);
+                commands.extend(chosen.map(Command::Speed));
+                ui.add_space(8.0);
+                ui.add(egui::Label::new(step_text(model)).extend());
+            }
+            timeline(model, ui, commands);
+        });
+    });
+}
+
+/// The buttons and the number of the step, for a lecture hall.
+pub fn small_transport(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
+    ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+        buttons(model, ui, commands);
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let leave =
+                RichText::new(model.look.say("action-present-leave")).color(model.look.theme.soft);
+            if ui.add(Button::new(leave)).clicked() {
+                commands.push(Command::Present);
+            }
+            if ui.available_width() > 160.0 + transport_width() {
+                ui.label(step_text(model));
+                timeline(model, ui, commands);
+            }
+        });
+    });
+}
+
+fn buttons(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
+    let pressed = ui
+        .scope(|ui| transport_buttons(ui, model.look, model.playback.transport()))
+        .inner;
+    commands.extend(pressed.map(|press| match press {
+        Press::First => Command::First,
+        Press::Back => Command::Step(-1),
+        Press::Play => Command::Play,
+        Press::Forward => Command::Step(1),
+        Press::Last => Command::Last,
+    }));
+}
+
+fn step_text(model: &Model<'_>) -> String {
+    let transport = model.playback.transport();
+    let message = Message::new("transport-step")
+        .with("step", Value::Count(transport.position()))
+        .with("total", Value::Count(transport.n_steps()));
+    model.look.catalog.message(&message)
+}
+
+fn timeline(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
+    let transport = model.playback.transport();
+    let catalog = model.look.catalog;
+    let run = model.playback.main();
+    let asked = Timeline {
+        n_steps: transport.n_steps(),
+        position: transport.position(),
+        tick: &|step| run.tick(step),
+        tip: &|step| caption_text(catalog, &run.frame(step).caption),
+        name: model.look.say("panel-timeline"),
+        look: model.look,
+    }
+    .show(ui);
+    commands.extend(asked.map(Command::Seek));
+}

@@ -1,0 +1,189 @@
+//! Everything that can be done, and the keys that do it.
+
+use egui::{Key, Modifiers};
+
+use crate::{
+    lesson::CodeView, paint::ThemeKind, panels::lines::LinesEdit, text::Lang, widgets::View,
+};
+
+use super::{dialog::Dialog, document::Gesture};
+
+/// Something to be done: applied between frames, whether a key, a button or a drag asked for it.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Command {
+    /// So many steps on, or back.
+    Step(isize),
+    /// To a step.
+    Seek(usize),
+    /// To the first step.
+    First,
+    /// To the last one.
+    Last,
+    /// To the next phase, or back to the one before.
+    Phase(isize),
+    /// Play or pause.
+    Play,
+    /// Steps a second.
+    Speed(f32),
+    /// The scene and the view as the lesson has them.
+    Reset,
+    /// To the next step of the lesson, or back.
+    Lesson {
+        /// On or back.
+        forward: bool,
+    },
+    /// Opens a step of a lesson, by its indices.
+    Open([usize; 2]),
+    /// Changes the scene.
+    Edit(LinesEdit, Option<Gesture>),
+    /// The pointer has let go of what it dragged.
+    EndGesture,
+    /// Takes a change back.
+    Undo,
+    /// Makes it again.
+    Redo,
+    /// Asks where to save the scene.
+    Save,
+    /// Asks where to export the figure.
+    Export,
+    /// Opens or closes a dialog.
+    Show(Option<Dialog>),
+    /// Does what the open dialog offers.
+    Confirm,
+    /// Opens or closes the list of keys.
+    Help,
+    /// Enters or leaves the presentation.
+    Present,
+    /// Leaves what is open: a dialog, the presentation.
+    Cancel,
+    /// Shows or hides the course.
+    Course,
+    /// Shows or hides the inspector.
+    Inspector,
+    /// Speaks another language.
+    Language(Lang),
+    /// Takes on another look.
+    Theme(ThemeKind),
+    /// Shows the pseudocode in another way.
+    Code(CodeView),
+    /// Handles keep to the grid, or not.
+    Snap(bool),
+    /// Looks elsewhere.
+    View(View),
+    /// Looks at the whole scene.
+    FitView,
+    /// Looks nearer, or from farther away.
+    Zoom(f64),
+    /// Opens or closes the measured costs.
+    Measure(bool),
+    /// The messages have been read.
+    Dismiss,
+}
+
+/// One line of the table of keys.
+pub struct Binding {
+    /// What is done.
+    pub command: Command,
+    /// The keys that do it.
+    pub keys: &'static [(Modifiers, Key)],
+    /// Catalogue key of what the help says; lines with the same one are one line of the help.
+    pub help: &'static str,
+    /// Does it go on while the key is held?
+    pub repeats: bool,
+}
+
+const NONE: Modifiers = Modifiers::NONE;
+const SHIFT: Modifiers = Modifiers::SHIFT;
+const CTRL: Modifiers = Modifiers::COMMAND;
+const CTRL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
+/// A zoom by one key press.
+const ZOOM: f64 = 1.25;
+
+const fn held(command: Command, keys: &'static [(Modifiers, Key)], help: &'static str) -> Binding {
+    Binding {
+        command,
+        keys,
+        help,
+        repeats: true,
+    }
+}
+
+const fn once(command: Command, keys: &'static [(Modifiers, Key)], help: &'static str) -> Binding {
+    Binding {
+        command,
+        keys,
+        help,
+        repeats: false,
+    }
+}
+
+/// Every key, in the order of the help.
+pub static BINDINGS: [Binding; 27] = [
+    held(Command::Step(-1), &[(NONE, Key::ArrowLeft)], "help-step"),
+    held(Command::Step(1), &[(NONE, Key::ArrowRight)], "help-step"),
+    held(
+        Command::Step(-10),
+        &[(SHIFT, Key::ArrowLeft)],
+        "help-step-ten",
+    ),
+    held(
+        Command::Step(10),
+        &[(SHIFT, Key::ArrowRight)],
+        "help-step-ten",
+    ),
+    held(Command::Phase(-1), &[(CTRL, Key::ArrowLeft)], "help-phase"),
+    held(Command::Phase(1), &[(CTRL, Key::ArrowRight)], "help-phase"),
+    once(Command::First, &[(NONE, Key::Home)], "help-ends"),
+    once(Command::Last, &[(NONE, Key::End)], "help-ends"),
+    once(Command::Play, &[(NONE, Key::Space)], "help-play"),
+    once(Command::Reset, &[(NONE, Key::R)], "help-reset"),
+    once(
+        Command::Lesson { forward: false },
+        &[(NONE, Key::PageUp)],
+        "help-lesson-step",
+    ),
+    once(
+        Command::Lesson { forward: true },
+        &[(NONE, Key::PageDown)],
+        "help-lesson-step",
+    ),
+    once(Command::FitView, &[(NONE, Key::Num0)], "action-reset-view"),
+    held(
+        Command::Zoom(ZOOM),
+        &[(NONE, Key::Plus), (NONE, Key::Equals)],
+        "help-zoom",
+    ),
+    held(
+        Command::Zoom(1.0 / ZOOM),
+        &[(NONE, Key::Minus)],
+        "help-zoom",
+    ),
+    held(Command::Undo, &[(CTRL, Key::Z)], "action-undo"),
+    held(
+        Command::Redo,
+        &[(CTRL_SHIFT, Key::Z), (CTRL, Key::Y)],
+        "action-redo",
+    ),
+    once(
+        Command::Edit(LinesEdit::Add, None),
+        &[(NONE, Key::Insert)],
+        "action-add-segment",
+    ),
+    once(
+        Command::Edit(LinesEdit::Remove, None),
+        &[(NONE, Key::Delete)],
+        "action-remove-segment",
+    ),
+    once(Command::Save, &[(CTRL, Key::S)], "action-save"),
+    once(Command::Export, &[(CTRL, Key::E)], "action-export"),
+    once(Command::Course, &[(NONE, Key::F6)], "help-course"),
+    once(Command::Inspector, &[(NONE, Key::F7)], "help-inspector"),
+    once(Command::Present, &[(NONE, Key::F5)], "action-present"),
+    once(Command::Cancel, &[(NONE, Key::Escape)], "help-leave"),
+    once(
+        Command::Help,
+        &[(NONE, Key::Questionmark), (NONE, Key::F1)],
+        "action-help",
+    ),
+    once(Command::Measure(true), &[(CTRL, Key::M)], "cost-measure"),
+];

@@ -1,0 +1,212 @@
+//! The course: lessons, the steps of the open one, its text, its source.
+
+use egui::{
+    Align, Align2, Button, CursorIcon, Frame, Id, Layout, Panel, RichText, Role, ScrollArea, Sense,
+    TextStyle, Ui, Vec2, WidgetInfo, pos2, vec2,
+};
+
+use crate::{
+    lesson::Lesson,
+    paint::theme,
+    text::Message,
+    widgets::{Look, lesson_text, rule},
+};
+
+use super::{Command, model::Model};
+
+/// Draws the panel.
+pub fn show(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
+    let look = model.look;
+    let Some(lesson) = model.place.lesson() else {
+        ui.label(RichText::new(look.say("lesson-empty")).color(look.theme.soft));
+        return;
+    };
+    if !lesson.source.is_empty() && !model.is_low {
+        Panel::bottom("source")
+            .frame(Frame::NONE)
+            .show_separator_line(false)
+            .show(ui, |ui| {
+                ui.add_space(4.0);
+                padded(ui, |ui| {
+                    ui.label(RichText::new(&lesson.source).small().color(look.theme.soft))
+                });
+            });
+    }
+    let most = if model.is_narrow { 0.4 } else { 0.5 } * ui.available_height();
+    ScrollArea::vertical()
+        .id_salt("lessons")
+        .max_height(most)
+        .auto_shrink([false, true])
+        .show(ui, |ui| {
+            lessons(model, ui, commands);
+        });
+    padded(ui, |ui| rule(ui, look));
+    let [lesson_idx, step_idx] = model.place.indices();
+    padded(ui, |ui| steps(model, ui, lesson, commands));
+    let text = lesson.text(model.settings.lang);
+    let Some(step) = text.steps.get(step_idx) else {
+        return;
+    };
+    let id = Id::unique(("lesson text", lesson_idx, step_idx));
+    ScrollArea::vertical()
+        .id_salt(id)
+        .auto_shrink(false)
+        .show(ui, |ui| {
+            padded(ui, |ui| {
+                ui.spacing_mut().item_spacing.y = 8.0;
+                ui.label(RichText::new(&step.title).text_style(theme::strong()));
+                lesson_text(ui, look, id, &step.body);
+                if !lesson.speaks(model.settings.lang) {
+                    ui.label(
+                        RichText::new(look.say("lesson-not-translated"))
+                            .small()
+                            .color(look.theme.soft),
+                    );
+                }
+                if !model.is_untouched {
+                    changed(ui, look, commands);
+                }
+            });
+        });
+}
+
+fn padded<R>(ui: &mut Ui, content: impl FnOnce(&mut Ui) -> R) -> R {
+    Frame::new()
+        .inner_margin(egui::Margin::symmetric(8, 0))
+        .show(ui, content)
+        .inner
+}
+
+fn lessons(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
+    ui.spacing_mut().item_spacing.y = 0.0;
+    let [open, _] = model.place.indices();
+    for (i, lesson) in model.place.lessons().iter().enumerate() {
+        let title = &lesson.text(model.settings.lang).title;
+        if row(ui, model.look, i + 1, title, i == open) {
+            commands.push(Command::Open([i, 0]));
+        }
+    }
+}
+
+/// A lesson's number and title; was it clicked?
+fn row(ui: &mut Ui, look: Look<'_>, number: usize, title: &str, is_open: bool) -> bool {
+    let theme = look.theme;
+    let height = (30.0 * theme.text_scale.sqrt()).round();
+    let (rect, response) =
+        ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::click());
+    response.widget_info(|| WidgetInfo::selected(Role::Tab, true, is_open, title));
+    let plate = rect.shrink2(vec2(0.0, 1.0));
+    if is_open {
+        ui.painter().rect_filled(plate, 6.0, theme.accent_wash);
+    } else if response.hovered() {
+        ui.painter().rect_filled(plate, 6.0, theme.hover);
+    }
+    if response.has_focus() {
+        ui.painter().rect_stroke(
+            plate,
+            6.0,
+            theme.stroke(2.0, theme.accent),
+            egui::StrokeKind::Inside,
+        );
+    }
+    let mono = TextStyle::Small.resolve(ui.style());
+    let colour = if is_open { theme.accent } else { theme.faint };
+    let at = pos2(rect.left() + 16.0, rect.center().y);
+    ui.painter()
+        .text(at, Align2::CENTER_CENTER, number, mono, colour);
+    let style = if is_open {
+        theme::strong()
+    } else {
+        TextStyle::Body
+    };
+    let colour = if is_open { theme.ink } else { theme.soft };
+    let left = rect.left() + 32.0;
+    let mut job = egui::text::LayoutJob::single_section(
+        title.to_owned(),
+        egui::TextFormat::simple(style.resolve(ui.style()), colour),
+    );
+    job.wrap = egui::text::TextWrapping::truncate_at_width(rect.right() - 8.0 - left);
+    let galley = ui.fonts_mut(|fonts| fonts.layout_job(job));
+    let is_cut = galley.elided;
+    let at = pos2(left, rect.center().y - 0.5 * galley.size().y);
+    ui.painter().galley(at, galley, colour);
+    let response = response.on_hover_cursor(CursorIcon::PointingHand);
+    let response = if is_cut {
+        response.on_hover_text(title)
+    } else {
+        response
+    };
+    response.clicked()
+}
+
+/// One small disc a step, the open one filled; arrows at the right.
+fn steps(model: &Model<'_>, ui: &mut Ui, lesson: &Lesson, commands: &mut Vec<Command>) {
+    let look = model.look;
+    let [lesson_idx, open] = model.place.indices();
+    let titles = &lesson.text(model.settings.lang).steps;
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
+        for i in 0..lesson.steps.len() {
+            let title = titles.get(i).map_or("", |step| &step.title);
+            if disc(ui, look, i + 1, title, i == open) {
+                commands.push(Command::Open([lesson_idx, i]));
+            }
+        }
+    });
+    ui.add_space(8.0);
+}
+
+fn disc(ui: &mut Ui, look: Look<'_>, number: usize, title: &str, is_open: bool) -> bool {
+    let theme = look.theme;
+    let size = (22.0 * theme.text_scale.sqrt()).round();
+    let (rect, response) = ui.allocate_exact_size(Vec2::splat(size), Sense::click());
+    response.widget_info(|| {
+        WidgetInfo::selected(Role::Tab, true, is_open, format!("{number}: {title}"))
+    });
+    let (fill, text) = match (is_open, response.hovered()) {
+        (true, _) => (theme.accent, theme.background),
+        (false, true) => (theme.hover, theme.ink),
+        (false, false) => (theme.panel, theme.soft),
+    };
+    let radius = 0.5 * size - 0.5;
+    ui.painter().circle(
+        rect.center(),
+        radius,
+        fill,
+        egui::Stroke::new(
+            1.0,
+            if is_open {
+                theme.accent
+            } else {
+                theme.hairline
+            },
+        ),
+    );
+    if response.has_focus() {
+        ui.painter()
+            .circle_stroke(rect.center(), radius + 2.0, theme.stroke(2.0, theme.accent));
+    }
+    let font = TextStyle::Small.resolve(ui.style());
+    ui.painter()
+        .text(rect.center(), Align2::CENTER_CENTER, number, font, text);
+    response
+        .on_hover_cursor(CursorIcon::PointingHand)
+        .on_hover_text(title)
+        .clicked()
+}
+
+/// The scene is not the lesson's any more: says so, and offers the way back.
+fn changed(ui: &mut Ui, look: Look<'_>, commands: &mut Vec<Command>) {
+    ui.with_layout(Layout::top_down(Align::Min), |ui| {
+        ui.label(
+            RichText::new(look.say("lesson-changed"))
+                .small()
+                .color(look.theme.soft),
+        );
+        let restore = RichText::new(look.say("lesson-restore")).color(look.theme.accent);
+        if ui.add(Button::new(restore).frame(false)).clicked() {
+            commands.push(Command::Reset);
+        }
+    });
+    let _ = Message::new("lesson-changed");
+}

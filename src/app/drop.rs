@@ -1,0 +1,92 @@
+//! Files that are dropped on the window.
+
+use egui::Context;
+
+use crate::{
+    lesson::{Problem, Severity, scene_from_toml},
+    panels::lines::LinesEdit,
+    text::{Catalog, Message},
+};
+
+use super::{App, notice::Notice};
+
+impl App {
+    /// Opens a scene that was dropped, or says what is wrong with it.
+    pub(super) fn take_dropped_files(&mut self, ctx: &Context) {
+        let dropped = ctx.input_mut(|input| std::mem::take(&mut input.raw.dropped_files));
+        for file in dropped {
+            let name = file.path().display().to_string();
+            match bytes_of(&file) {
+                Ok(bytes) => self.open_scene(ctx, &name, &bytes),
+                Err(reason) => {
+                    let message = Message::new("status-open-failed")
+                        .with("path", name)
+                        .with("reason", reason);
+                    let text = self.catalog().message(&message);
+                    self.notices.push(Notice::problem(text));
+                }
+            }
+        }
+    }
+
+    /// Shows the scene in these bytes; what is wrong with them is shown, and the scene left as it was.
+    pub fn open_scene(&mut self, ctx: &Context, name: &str, bytes: &[u8]) {
+        match scene_from_toml(name, bytes) {
+            Ok(scene) => {
+                self.notices.clear();
+                let replace = LinesEdit::Replace(Box::new(scene));
+                self.apply(ctx, super::Command::Edit(replace, None));
+                self.apply(ctx, super::Command::First);
+            }
+            Err(problems) => {
+                let mut text = self.listing(&problems);
+                text.push('\n');
+                text.push_str(&self.catalog().term("status-kept"));
+                self.notices.push(Notice::problem(text));
+            }
+        }
+    }
+
+    /// Shows what is wrong with a course that has just been opened.
+    pub(super) fn report(&mut self, problems: &[Problem]) {
+        let errors: Vec<Problem> = problems
+            .iter()
+            .filter(|p| p.severity == Severity::Error)
+            .cloned()
+            .collect();
+        if !errors.is_empty() {
+            self.notices.push(Notice::problem(self.listing(&errors)));
+        }
+    }
+
+    /// Problems as a compiler prints them; of very many, the first.
+    pub(super) fn listing(&self, problems: &[Problem]) -> String {
+        const MOST: usize = 8;
+        let catalog = self.catalog();
+        let mut lines: Vec<String> = problems
+            .iter()
+            .take(MOST)
+            .map(|p| p.render(catalog))
+            .collect();
+        if problems.len() > MOST {
+            let more = Message::new("status-more-problems").with("count", problems.len() - MOST);
+            lines.push(catalog.message(&more));
+        }
+        lines.join("\n")
+    }
+
+    pub(super) fn catalog(&self) -> &'static Catalog {
+        Catalog::of(self.settings.lang)
+    }
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+fn bytes_of(file: &egui::DroppedFileHandle) -> Result<Vec<u8>, String> {
+    file.bytes()
+}
+
+/// A browser hands files over later; the page will do that in its own way.
+#[cfg(target_arch = "wasm32")]
+fn bytes_of(_file: &egui::DroppedFileHandle) -> Result<Vec<u8>, String> {
+    Err(String::new())
+}

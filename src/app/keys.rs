@@ -1,0 +1,131 @@
+//! From key presses to commands.
+
+use egui::{Context, Event, FocusDirection, Id, Key, Modifiers};
+
+use super::command::{BINDINGS, Binding, Command};
+
+/// What the keyboard is doing when a key is pressed.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Focus {
+    /// Nothing, or the stage, has the focus: every key is a command.
+    Free,
+    /// A handle has it: arrows move the handle.
+    Handle,
+    /// A button or a menu has it: arrows and Space are egui's.
+    Widget,
+    /// Text is being written: only keys that write nothing are commands.
+    Text,
+}
+
+impl Focus {
+    /// What has the focus now; `stages` and `handles` are the ids of what stands on the stage.
+    #[must_use]
+    pub fn now(ctx: &Context, stages: &[Id], handles: &[Id]) -> Self {
+        if ctx.text_edit_focused() {
+            return Self::Text;
+        }
+        match ctx.memory(egui::Memory::focused) {
+            None => Self::Free,
+            Some(id) if stages.contains(&id) => Self::Free,
+            Some(id) if handles.contains(&id) => Self::Handle,
+            Some(_) => Self::Widget,
+        }
+    }
+
+    fn takes(self, key: Key, modifiers: Modifiers) -> bool {
+        let is_arrow = matches!(
+            key,
+            Key::ArrowLeft | Key::ArrowRight | Key::ArrowUp | Key::ArrowDown
+        );
+        match self {
+            Self::Free => false,
+            Self::Handle => is_arrow && !modifiers.command,
+            Self::Widget => (is_arrow && !modifiers.command) || key == Key::Space,
+            // A text field undoes and saves nothing of the scene's.
+            Self::Text => !matches!(key, Key::F1 | Key::F5 | Key::F6 | Key::F7 | Key::Escape),
+        }
+    }
+}
+
+/// Takes the presses out of the input that are commands, in their order.
+#[must_use]
+pub fn commands(ctx: &Context, focus: Focus) -> Vec<Command> {
+    let mut commands = Vec::new();
+    ctx.input_mut(|input| {
+        input.events.retain(|event| {
+            let Event::Key {
+                key,
+                pressed: true,
+                repeat,
+                modifiers,
+                ..
+            } = event
+            else {
+                return true;
+            };
+            let binding = binding(*key, *modifiers).filter(|_| !focus.takes(*key, *modifiers));
+            let Some(binding) = binding else {
+                return true;
+            };
+            if !repeat || binding.repeats {
+                commands.push(binding.command.clone());
+            }
+            // egui closes its own popups with Escape, too.
+            *key == Key::Escape
+        });
+    });
+    if focus == Focus::Free && !commands.is_empty() {
+        // The arrow that stepped the trace must not move the focus as well.
+        ctx.memory_mut(|memory| memory.move_focus(FocusDirection::None));
+    }
+    commands
+}
+
+fn binding(key: Key, modifiers: Modifiers) -> Option<&'static Binding> {
+    let matches = |(wanted, k): &(Modifiers, Key)| {
+        // These two are written with Shift on some keyboards and without on others.
+        let shift_is_free = matches!(k, Key::Questionmark | Key::Plus);
+        let shift = if shift_is_free {
+            wanted.shift
+        } else {
+            modifiers.shift
+        };
+        *k == key && Modifiers { shift, ..modifiers }.matches_exact(*wanted)
+    };
+    BINDINGS
+        .iter()
+        .find(|binding| binding.keys.iter().any(matches))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_key_means_two_things() {
+        let all: Vec<_> = BINDINGS.iter().flat_map(|binding| binding.keys).collect();
+        for (i, a) in all.iter().enumerate() {
+            assert!(all[..i].iter().all(|b| a != b), "{a:?} is bound twice");
+        }
+    }
+
+    #[test]
+    fn shift_tells_shortcuts_apart_but_not_signs() {
+        let command = |key, modifiers| binding(key, modifiers).map(|b| b.command.clone());
+        let ctrl = Modifiers::CTRL | Modifiers::COMMAND;
+        assert_eq!(command(Key::Z, ctrl), Some(Command::Undo));
+        assert_eq!(
+            command(Key::Z, ctrl | Modifiers::SHIFT),
+            Some(Command::Redo)
+        );
+        assert_eq!(
+            command(Key::Questionmark, Modifiers::SHIFT),
+            Some(Command::Help)
+        );
+        assert_eq!(
+            command(Key::Questionmark, Modifiers::NONE),
+            Some(Command::Help)
+        );
+        assert_eq!(command(Key::R, Modifiers::SHIFT), None);
+    }
+}

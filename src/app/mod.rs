@@ -1,0 +1,276 @@
+//! The window: what it holds, what can be done to it, and how that is drawn.
+//!
+//! ```text
+//! input ─► keys ─┐
+//!                ├─► Command ─► App::apply ─► document, playback, place, settings
+//! panels ────────┘                                   │
+//!   ▲                                                ▼
+//!   └───────────────── Model (what is shown) ◄───────┘
+//! ```
+//!
+//! Panels read a `Model` and push [`Command`]s; nothing else changes anything.
+
+mod apply;
+mod bars;
+mod command;
+mod course_panel;
+mod dialog;
+mod document;
+mod drop;
+mod inspector;
+mod keys;
+mod layout;
+mod model;
+#[cfg(not(target_arch = "wasm32"))]
+mod native;
+mod notice;
+mod overlays;
+mod place;
+mod platform;
+mod playback;
+#[cfg(not(target_arch = "wasm32"))]
+mod reload;
+mod settings;
+mod stage;
+#[cfg(test)]
+mod tests;
+#[cfg(target_arch = "wasm32")]
+mod web;
+
+pub use command::{BINDINGS, Binding, Command};
+pub use dialog::Dialog;
+#[cfg(not(target_arch = "wasm32"))]
+pub use native::{Opening, run_native};
+#[cfg(not(target_arch = "wasm32"))]
+pub use platform::Desktop;
+pub use platform::{NoFiles, Picture, Platform};
+pub use settings::Settings;
+#[cfg(target_arch = "wasm32")]
+pub use web::start;
+
+use egui::Ui;
+
+use crate::{
+    algo::line::BitOrder,
+    geom::{Segment, Window},
+    labs::lines::{Method, Scene},
+    lesson::{CodeView, Course, Step},
+    paint::ThemeKind,
+    panels::lines::{Batch, Measure},
+};
+
+use document::Document;
+use keys::Focus;
+use layout::Room;
+use notice::Notices;
+use place::Place;
+use playback::Playback;
+use stage::StageState;
+
+/// The whole app, without a window of its own.
+pub struct App {
+    settings: Settings,
+    place: Place,
+    document: Document<Scene>,
+    playback: Playback,
+    stage: StageState,
+    lab: LinesLab,
+    shown: Shown,
+    notices: Notices,
+    platform: Box<dyn Platform>,
+    #[cfg(not(target_arch = "wasm32"))]
+    reload: Option<reload::Reload>,
+}
+
+/// What the lines lab remembers that is not part of its document.
+#[derive(Default)]
+struct LinesLab {
+    batch: Batch,
+    measure: Option<Measure>,
+    /// Is the window with the measured costs open?
+    is_measuring: bool,
+}
+
+/// What of the window is shown.
+struct Shown {
+    code: CodeView,
+    dialog: Option<Dialog>,
+    /// Stage, caption and a small transport alone.
+    presenting: bool,
+    /// In a narrow window, the one place there is room for.
+    room: Room,
+    /// The theme that the context has been given.
+    theme: Option<ThemeKind>,
+}
+
+impl App {
+    /// The app on a course, where it was left.
+    #[must_use]
+    pub fn new(course: Course, settings: Settings) -> Self {
+        let mut place = Place::new(course);
+        if let Some((lesson, step)) = &settings.last {
+            place.open_ids(lesson, step);
+        }
+        let scene = place
+            .step()
+            .map_or_else(first_scene, |step| (*step.scene).clone());
+        let mut app = Self {
+            settings,
+            place,
+            playback: Playback::record(&scene, 0),
+            stage: StageState::new(&scene),
+            document: Document::new(scene),
+            lab: LinesLab::default(),
+            shown: Shown {
+                code: CodeView::Full,
+                dialog: None,
+                presenting: false,
+                room: Room::Stage,
+                theme: None,
+            },
+            notices: Notices::default(),
+            platform: Box::new(NoFiles),
+            #[cfg(not(target_arch = "wasm32"))]
+            reload: None,
+        };
+        app.enter_step();
+        app
+    }
+
+    /// With files of this kind to save to.
+    #[must_use]
+    pub fn with_platform(mut self, platform: impl Platform + 'static) -> Self {
+        self.platform = Box::new(platform);
+        self
+    }
+
+    /// On this scene instead of the lesson's: what `clipscope open scene.toml` shows.
+    #[must_use]
+    pub fn with_scene(mut self, scene: Scene) -> Self {
+        self.stage = StageState::new(&scene);
+        self.playback = Playback::record(&scene, 0);
+        self.document = Document::new(scene);
+        self
+    }
+
+    /// What is remembered until the next time.
+    #[must_use]
+    pub fn settings(&self) -> Settings {
+        Settings {
+            last: self.place.ids(),
+            speed: self.playback.transport().speed(),
+            ..self.settings.clone()
+        }
+    }
+
+    /// The document.
+    #[must_use]
+    pub const fn scene(&self) -> &Scene {
+        self.document.now()
+    }
+
+    /// The step of the run that is shown.
+    #[must_use]
+    pub const fn position(&self) -> usize {
+        self.playback.transport().position()
+    }
+
+    /// One frame: takes input, lets time pass, draws everything, and does what was asked for.
+    pub fn ui(&mut self, ui: &mut Ui) {
+        let ctx = ui.ctx().clone();
+        self.install_theme(&ctx);
+        let now = ctx.input(|input| input.time);
+        for command in self.pressed(&ctx) {
+            self.apply(&ctx, command);
+        }
+        self.take_dropped_files(&ctx);
+        #[cfg(not(target_arch = "wasm32"))]
+        self.take_changed_course(now);
+        self.pass_time(&ctx, now);
+        self.playback.prepare();
+
+        let mut commands = Vec::new();
+        let lit = self.stage.lit;
+        layout::show(self, ui, &mut commands);
+        if !commands.is_empty() || lit != self.stage.lit {
+            ctx.request_repaint();
+        }
+        for command in commands {
+            self.apply(&ctx, command);
+        }
+    }
+
+    fn pressed(&self, ctx: &egui::Context) -> Vec<Command> {
+        let focus = Focus::now(ctx, &self.stage.canvas_ids, &self.stage.handle_ids);
+        let mut commands = keys::commands(ctx, focus);
+        if self.stage.handle_focused || egui::Popup::is_any_open(ctx) {
+            // Escape gives the handle's focus back, or closes the menu: nothing more.
+            commands.retain(|command| *command != Command::Cancel);
+        }
+        if self.shown.dialog.is_some() || self.lab.is_measuring {
+            commands.retain(|command| matches!(command, Command::Cancel | Command::Help));
+        }
+        commands
+    }
+
+    fn pass_time(&mut self, ctx: &egui::Context, now: f64) {
+        if let Some(wait) = self.playback.advance(now) {
+            ctx.request_repaint_after_secs(wait.max(0.0));
+        }
+        if let Some(wait) = self.notices.expire(now) {
+            ctx.request_repaint_after_secs(wait);
+        }
+        if let Some(measure) = &mut self.lab.measure
+            && !measure.is_done()
+        {
+            measure.work();
+            ctx.request_repaint();
+        }
+    }
+
+    /// Gives the context the theme, unless it has it: a headless table brings its own.
+    fn install_theme(&mut self, ctx: &egui::Context) {
+        let kind = self.settings.theme;
+        if self.shown.theme == Some(kind) {
+            return;
+        }
+        let wanted = crate::paint::Theme::of(kind).style();
+        let has = ctx.global_style();
+        if has.text_styles != wanted.text_styles
+            || has.visuals.panel_fill != wanted.visuals.panel_fill
+        {
+            crate::paint::theme::install(ctx, kind);
+        }
+        self.shown.theme = Some(kind);
+    }
+
+    /// Shows the open step as its lesson has it.
+    fn enter_step(&mut self) {
+        let speed = self.settings.speed;
+        if let Some(Step {
+            scene,
+            position,
+            code,
+            ..
+        }) = self.place.step()
+        {
+            self.playback = Playback::record(scene, *position);
+            self.stage = StageState::new(scene);
+            self.shown.code = *code;
+            self.document = Document::new((**scene).clone());
+        }
+        self.playback.transport_mut().set_speed(speed);
+    }
+}
+
+/// The scene of an app without a course.
+fn first_scene() -> Scene {
+    let method = Method::by_id("cohen-sutherland").or_else(|| Method::all().next());
+    let window = Window::new(-1.0, -1.0, 1.0, 1.0);
+    let segment = Segment::new(-2.0, -1.0, 2.0, 1.5);
+    let scene = method.zip(window.ok()).zip(segment.ok());
+    let ((method, window), segment) = scene.expect("constants that are valid");
+    let mut scene = Scene::new(method, window, vec![segment]).expect("one segment");
+    scene.bit_order = BitOrder::default();
+    scene
+}

@@ -1,0 +1,62 @@
+//! What panels may read.
+
+use crate::{labs::lines::Scene, lesson::CodeView, paint::Theme, text::Catalog, widgets::Look};
+
+use super::{App, Settings, place::Place, playback::Playback};
+
+/// The app as its panels see it.
+#[derive(Clone, Copy)]
+pub struct Model<'a> {
+    /// Colours and words.
+    pub look: Look<'a>,
+    /// What is remembered.
+    pub settings: &'a Settings,
+    /// Where in the course.
+    pub place: &'a Place,
+    /// The document.
+    pub scene: &'a Scene,
+    /// Another number after every change of it.
+    pub revision: u64,
+    /// Runs and cursor.
+    pub playback: &'a Playback,
+    /// How the pseudocode is shown.
+    pub code: CodeView,
+    /// Is it still the lesson's own scene?
+    pub is_untouched: bool,
+    /// What can be undone and redone.
+    pub can_undo: bool,
+    /// What can be redone.
+    pub can_redo: bool,
+    /// A narrow window, where only one place is shown.
+    pub is_narrow: bool,
+    /// Not high enough for comfort.
+    pub is_low: bool,
+}
+
+impl App {
+    /// Colours and words of the present settings.
+    pub(super) fn look(&self) -> Look<'static> {
+        Look {
+            theme: Theme::of(self.settings.theme),
+            catalog: Catalog::of(self.settings.lang),
+        }
+    }
+
+    /// What panels may read, in a window of this size.
+    pub(super) fn model(&self, size: egui::Vec2) -> Model<'_> {
+        Model {
+            look: self.look(),
+            settings: &self.settings,
+            place: &self.place,
+            scene: self.document.now(),
+            revision: self.document.revision(),
+            playback: &self.playback,
+            code: self.shown.code,
+            is_untouched: self.is_untouched(),
+            can_undo: self.document.can_undo(),
+            can_redo: self.document.can_redo(),
+            is_narrow: super::layout::is_narrow(size),
+            is_low: size.y < 420.0,
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! The app in a window of a desktop.
+
+use eframe::{CreationContext, NativeOptions, Storage};
+use egui::{Ui, ViewportBuilder};
+
+use crate::{
+    lesson::{Course, Folder},
+    paint::fonts,
+};
+
+use super::{App, Desktop, Settings};
+
+const SETTINGS_KEY: &str = "settings";
+const DEFAULT_SIZE: [f32; 2] = [1280.0, 720.0];
+const LEAST_SIZE: [f32; 2] = [320.0, 240.0];
+
+/// What the window is opened on.
+#[derive(Default)]
+pub struct Opening {
+    /// A lesson folder, read again whenever it changes; else the embedded course.
+    pub folder: Option<Folder>,
+    /// A scene instead of the lesson's own.
+    pub scene: Option<crate::labs::lines::Scene>,
+}
+
+/// Opens the window, and comes back when it has been closed.
+///
+/// # Errors
+/// Why there can be no window: no display, no OpenGL.
+pub fn run_native(opening: Opening) -> Result<(), String> {
+    let options = NativeOptions {
+        viewport: ViewportBuilder::default()
+            .with_app_id("clipscope")
+            .with_title("Clipscope")
+            .with_inner_size(DEFAULT_SIZE)
+            .with_min_inner_size(LEAST_SIZE)
+            .with_icon(icon()),
+        ..NativeOptions::default()
+    };
+    let result = eframe::run_native(
+        "clipscope",
+        options,
+        Box::new(|creation| Ok(Box::new(Window(create(creation, opening))))),
+    );
+    result.map_err(|error| error.to_string())
+}
+
+fn create(creation: &CreationContext<'_>, opening: Opening) -> App {
+    let ctx = &creation.egui_ctx;
+    ctx.set_fonts(fonts::definitions());
+    let stored = creation
+        .storage
+        .and_then(|storage| eframe::get_value(storage, SETTINGS_KEY));
+    let settings: Settings = stored.unwrap_or_else(Settings::of_system);
+    let loaded = opening.folder.as_ref().map(|folder| Course::load(folder));
+    let course = loaded
+        .as_ref()
+        .map_or_else(Course::embedded, |loaded| loaded.course.clone());
+    let mut app = App::new(course, settings).with_platform(Desktop);
+    if let Some(scene) = opening.scene {
+        app = app.with_scene(scene);
+    }
+    if let Some(folder) = opening.folder {
+        app.report(&loaded.unwrap_or_default().problems);
+        app.watch(folder, ctx.clone());
+    }
+    app
+}
+
+/// The icon, where its file can be read: a window without one is still a window.
+fn icon() -> egui::IconData {
+    let bytes = include_bytes!("../../assets/icon.png");
+    eframe::icon_data::from_png_bytes(bytes).unwrap_or_default()
+}
+
+struct Window(App);
+
+impl eframe::App for Window {
+    fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
+        self.0.ui(ui);
+    }
+
+    fn save(&mut self, storage: &mut dyn Storage) {
+        eframe::set_value(storage, SETTINGS_KEY, &self.0.settings());
+    }
+
+    fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
+        visuals.window_fill.to_normalized_gamma_f32()
+    }
+}

@@ -1,0 +1,233 @@
+//! What lies over the window: messages, the list of keys, where to save, measured costs.
+
+use egui::{
+    Align2, Area, Context, Frame, Grid, Id, Key, KeyboardShortcut, Margin, Modal, Modifiers, Order,
+    RichText, ScrollArea, TextEdit, Ui, vec2,
+};
+
+use crate::{
+    paint::theme,
+    panels::lines::{Measure, MeasureAsk, measure_window},
+    widgets::{Icon, Look, icon_button},
+};
+
+use super::{App, BINDINGS, Command, Dialog, notice::Notice};
+
+/// Draws whatever is open.
+pub fn show(app: &mut App, ui: &mut Ui, commands: &mut Vec<Command>) {
+    let ctx = ui.ctx().clone();
+    let look = app.look();
+    if !app.notices.is_empty() {
+        notices(&ctx, look, app.notices.shown(), commands);
+    }
+    if app.lab.is_measuring {
+        measure(app, &ctx, look, commands);
+    }
+    match app.shown.dialog.clone() {
+        Some(Dialog::Help) => help(&ctx, look, commands),
+        Some(dialog) => path_dialog(&ctx, look, dialog, commands),
+        None => {}
+    }
+}
+
+fn modal(id: &str, look: Look<'_>) -> Modal {
+    let frame = Frame::new()
+        .fill(look.theme.background)
+        .stroke(egui::Stroke::new(1.0, look.theme.hairline))
+        .corner_radius(8)
+        .inner_margin(24);
+    Modal::new(Id::unique(id)).frame(frame)
+}
+
+fn notices(ctx: &Context, look: Look<'_>, notices: &[Notice], commands: &mut Vec<Command>) {
+    let width = (ctx.content_rect().width() - 32.0).clamp(64.0, 640.0);
+    let height = 0.6 * ctx.content_rect().height();
+    let area = Area::new(Id::unique("notices"))
+        .order(Order::Foreground)
+        .anchor(Align2::CENTER_TOP, vec2(0.0, 56.0));
+    area.show(ctx, |ui| {
+        let is_problem = notices.iter().any(|notice| notice.is_problem);
+        let edge = if is_problem {
+            look.theme.signal
+        } else {
+            look.theme.hairline
+        };
+        let frame = Frame::new()
+            .fill(look.theme.background)
+            .stroke(egui::Stroke::new(1.0, edge))
+            .corner_radius(6)
+            .inner_margin(Margin::symmetric(16, 8));
+        frame.show(ui, |ui| {
+            ui.set_max_width(width - 32.0);
+            ui.horizontal_top(|ui| {
+                let room = ui.available_width() - 40.0;
+                ScrollArea::both()
+                    .max_height(height)
+                    .max_width(room)
+                    .auto_shrink([true, true])
+                    .show(ui, |ui| {
+                        ui.vertical(|ui| {
+                            ui.set_max_width(room);
+                            for notice in notices {
+                                text(ui, look, notice);
+                            }
+                        });
+                    });
+                if icon_button(ui, look, Icon::Close, &look.say("action-close"), true).clicked() {
+                    commands.push(Command::Dismiss);
+                }
+            });
+        });
+    });
+}
+
+/// Lines of a file keep their columns, as the caret under them must.
+fn text(ui: &mut Ui, look: Look<'_>, notice: &Notice) {
+    let is_listing = notice.text.contains('\n');
+    let words = RichText::new(&notice.text).color(look.theme.ink);
+    if is_listing {
+        ui.add(egui::Label::new(words.monospace()).extend());
+    } else {
+        ui.add_space(6.0);
+        ui.add(egui::Label::new(words).wrap());
+    }
+}
+
+fn help(ctx: &Context, look: Look<'_>, commands: &mut Vec<Command>) {
+    let response = modal("help", look).show(ctx, |ui| {
+        let height = ctx.content_rect().height() - 120.0;
+        heading(ui, look, "help-title", commands);
+        ScrollArea::vertical()
+            .max_height(height.max(60.0))
+            .show(ui, |ui| {
+                Grid::new("keys")
+                    .num_columns(2)
+                    .spacing(vec2(24.0, 8.0))
+                    .show(ui, |ui| {
+                        for (keys, help) in lines(ctx) {
+                            ui.label(RichText::new(keys).monospace().color(look.theme.ink));
+                            ui.label(RichText::new(look.say(help)).color(look.theme.soft));
+                            ui.end_row();
+                        }
+                        for (keys, help) in [
+                            ("Tab", "help-tab"),
+                            ("↑ ↓ ← →", "help-nudge"),
+                            ("Alt", "help-alt"),
+                        ] {
+                            ui.label(RichText::new(keys).monospace().color(look.theme.ink));
+                            ui.label(RichText::new(look.say(help)).color(look.theme.soft));
+                            ui.end_row();
+                        }
+                    });
+                ui.add_space(8.0);
+                ui.label(RichText::new(look.say("help-drag")).color(look.theme.soft));
+            });
+    });
+    if response.should_close() {
+        commands.push(Command::Show(None));
+    }
+}
+
+fn heading(ui: &mut Ui, look: Look<'_>, key: &str, commands: &mut Vec<Command>) {
+    ui.horizontal(|ui| {
+        ui.label(RichText::new(look.say(key)).heading());
+        ui.add_space(24.0);
+        if icon_button(ui, look, Icon::Close, &look.say("action-close"), true).clicked() {
+            commands.push(Command::Show(None));
+        }
+    });
+}
+
+/// The table of keys, one line for each thing that is done.
+fn lines(ctx: &Context) -> Vec<(String, &'static str)> {
+    let mut lines: Vec<(String, &'static str)> = Vec::new();
+    for binding in &BINDINGS {
+        let keys = binding.keys.iter().filter(|(_, key)| *key != Key::Equals);
+        let keys: Vec<String> = keys
+            .map(|&(modifiers, key)| written(ctx, modifiers, key))
+            .collect();
+        let keys = keys.join("  ");
+        match lines.last_mut() {
+            Some((known, help)) if *help == binding.help => *known = format!("{known}  {keys}"),
+            _ => lines.push((keys, binding.help)),
+        }
+    }
+    lines
+}
+
+fn written(ctx: &Context, modifiers: Modifiers, key: Key) -> String {
+    let sign = match key {
+        Key::ArrowLeft => "←",
+        Key::ArrowRight => "→",
+        Key::Questionmark => "?",
+        Key::Plus => "+",
+        Key::Minus => "−",
+        _ => return ctx.format_shortcut(&KeyboardShortcut::new(modifiers, key)),
+    };
+    let whole = ctx.format_shortcut(&KeyboardShortcut::new(modifiers, Key::A));
+    format!("{}{sign}", whole.trim_end_matches('A'))
+}
+
+fn path_dialog(ctx: &Context, look: Look<'_>, dialog: Dialog, commands: &mut Vec<Command>) {
+    let (key, action, mut path) = match &dialog {
+        Dialog::Save { path } => ("save-title", "action-save", path.clone()),
+        Dialog::Export { path } => ("export-title", "action-export", path.clone()),
+        Dialog::Help => return,
+    };
+    let response = modal("path", look).show(ctx, |ui| {
+        ui.set_max_width((ctx.content_rect().width() - 64.0).clamp(120.0, 480.0));
+        heading(ui, look, key, commands);
+        ui.add_space(8.0);
+        let label = ui.label(RichText::new(look.say("save-path")).color(look.theme.soft));
+        let field = TextEdit::singleline(&mut path)
+            .desired_width(f32::INFINITY)
+            .font(egui::TextStyle::Monospace);
+        let field = ui.add(field).labelled_by(label.id);
+        let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+        if !field.has_focus() && !entered && ui.memory(|memory| memory.focused().is_none()) {
+            field.request_focus();
+        }
+        ui.add_space(8.0);
+        ui.horizontal(|ui| {
+            let text = RichText::new(look.say(action))
+                .text_style(theme::strong())
+                .color(look.theme.background);
+            let go = egui::Button::new(text).fill(look.theme.accent);
+            let ready = !path.trim().is_empty();
+            if (ui.add_enabled(ready, go).clicked() || entered) && ready {
+                commands.push(Command::Confirm);
+            }
+            if ui.button(look.say("action-cancel")).clicked() {
+                commands.push(Command::Show(None));
+            }
+        });
+        field.changed()
+    });
+    if response.inner {
+        // Before a press of the button, so that it does what is written now.
+        let dialog = match dialog {
+            Dialog::Save { .. } => Dialog::Save { path },
+            _ => Dialog::Export { path },
+        };
+        commands.insert(0, Command::Show(Some(dialog)));
+    } else if response.should_close() {
+        commands.push(Command::Show(None));
+    }
+}
+
+fn measure(app: &mut App, ctx: &Context, look: Look<'_>, commands: &mut Vec<Command>) {
+    let response = modal("measure", look).show(ctx, |ui| {
+        ScrollArea::vertical()
+            .show(ui, |ui| measure_window(ui, look, app.lab.measure.as_ref()))
+            .inner
+    });
+    match response.inner {
+        Some(MeasureAsk::Start) => {
+            app.lab.measure = Some(Measure::new(app.document.now(), app.lab.batch.seed));
+            ctx.request_repaint();
+        }
+        Some(MeasureAsk::Close) => commands.push(Command::Measure(false)),
+        None if response.should_close() => commands.push(Command::Measure(false)),
+        None => {}
+    }
+}

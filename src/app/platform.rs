@@ -1,0 +1,92 @@
+//! What the app needs of the place where it runs: the seam to files.
+
+#[cfg(not(target_arch = "wasm32"))]
+use crate::{export, paint::Headless};
+use crate::{labs::lines::Scene, paint::ThemeKind, text::Lang};
+
+/// A figure to be exported: what the stage shows.
+#[derive(Clone, Copy, Debug)]
+pub struct Picture<'a> {
+    /// What is clipped.
+    pub scene: &'a Scene,
+    /// Where its run stands.
+    pub position: usize,
+    /// How it looks.
+    pub theme: ThemeKind,
+    /// What is spoken.
+    pub lang: Lang,
+}
+
+/// Files, as far as there are any. Errors are in the words of the system.
+pub trait Platform {
+    /// Where a file of this name would be put, to be shown and changed before it is written.
+    fn suggest(&self, name: &str) -> String;
+
+    /// Writes a file whole or not at all; the path it was written to.
+    ///
+    /// # Errors
+    /// Why it could not be written: what stood there before is as it was.
+    fn write(&mut self, path: &str, bytes: &[u8]) -> Result<String, String>;
+
+    /// Draws a figure as a file's bytes.
+    ///
+    /// # Errors
+    /// Why it could not be drawn.
+    fn draw(&mut self, picture: Picture<'_>) -> Result<Vec<u8>, String>;
+}
+
+/// A place without files: a page in a browser, a headless table.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct NoFiles;
+
+/// In the words of a system that has none.
+const NO_FILES: &str = "ENOSYS";
+
+impl Platform for NoFiles {
+    fn suggest(&self, name: &str) -> String {
+        name.to_owned()
+    }
+
+    fn write(&mut self, _path: &str, _bytes: &[u8]) -> Result<String, String> {
+        Err(NO_FILES.to_owned())
+    }
+
+    fn draw(&mut self, _picture: Picture<'_>) -> Result<Vec<u8>, String> {
+        Err(NO_FILES.to_owned())
+    }
+}
+
+/// A desktop with files.
+#[cfg(not(target_arch = "wasm32"))]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Desktop;
+
+/// Size of an exported figure: a slide's.
+#[cfg(not(target_arch = "wasm32"))]
+const SIZE_PX: [u32; 2] = [1920, 1080];
+
+#[cfg(not(target_arch = "wasm32"))]
+impl Platform for Desktop {
+    fn suggest(&self, name: &str) -> String {
+        let folder = std::env::current_dir().unwrap_or_default();
+        folder.join(name).display().to_string()
+    }
+
+    fn write(&mut self, path: &str, bytes: &[u8]) -> Result<String, String> {
+        let written = export::write_whole(std::path::Path::new(path), bytes);
+        written.map_err(|error| error.to_string())?;
+        Ok(path.to_owned())
+    }
+
+    fn draw(&mut self, picture: Picture<'_>) -> Result<Vec<u8>, String> {
+        let mut table = Headless::new(picture.theme);
+        let figure = export::Picture {
+            scene: picture.scene,
+            step: picture.position,
+            lang: picture.lang,
+            theme: picture.theme,
+            size_px: SIZE_PX,
+        };
+        Ok(export::draw(&mut table, &figure).to_png())
+    }
+}

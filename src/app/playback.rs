@@ -1,0 +1,150 @@
+//! The recorded runs on stage, and the cursor that walks them together.
+
+use crate::{
+    figure::{Frame, Run, Tick},
+    labs::lines::{Method, Scene},
+    trace::{Counts, Transport},
+};
+
+/// One run, or two side by side; with the frames of the present step.
+pub struct Playback {
+    transport: Transport,
+    main: Box<dyn Run>,
+    other: Option<Box<dyn Run>>,
+    /// What the plainest method does on the same input, in all; none where it is that method.
+    baseline: Option<(Method, Counts)>,
+    /// Frames of the step they were made for.
+    frames: Vec<Frame>,
+    framed_at: Option<usize>,
+    /// When time last passed, in seconds.
+    clock: Option<f64>,
+}
+
+impl Playback {
+    /// Records the scene's focused segment, with the cursor at `position`.
+    #[must_use]
+    pub fn record(scene: &Scene, position: usize) -> Self {
+        let (main, other) = runs(scene);
+        let mut playback = Self {
+            transport: Transport::new(main.n_steps()),
+            main,
+            other,
+            baseline: baseline(scene),
+            frames: Vec::new(),
+            framed_at: None,
+            clock: None,
+        };
+        playback.transport.seek(position);
+        playback
+    }
+
+    /// Records the changed scene; the cursor stays at the same moment where it comes again.
+    pub fn rerecord(&mut self, scene: &Scene) {
+        let (main, other) = runs(scene);
+        let before = self.transport.position();
+        let position = main.corresponding(&*self.main, before);
+        self.transport.rebase(main.n_steps(), position);
+        (self.main, self.other) = (main, other);
+        self.baseline = baseline(scene);
+        self.framed_at = None;
+    }
+
+    /// Where the cursor stands, and how fast it goes.
+    #[must_use]
+    pub const fn transport(&self) -> &Transport {
+        &self.transport
+    }
+
+    /// To move it.
+    pub const fn transport_mut(&mut self) -> &mut Transport {
+        &mut self.transport
+    }
+
+    /// The run of the scene's method.
+    #[must_use]
+    pub fn main(&self) -> &dyn Run {
+        &*self.main
+    }
+
+    /// The next step, in this direction, at which a phase begins; the end where there is none.
+    #[must_use]
+    pub fn phase(&self, direction: isize) -> usize {
+        let n_steps = self.transport.n_steps();
+        let mut step = self.transport.position();
+        loop {
+            match step.checked_add_signed(direction) {
+                None => return 0,
+                Some(next) if next > n_steps => return n_steps,
+                Some(0) => return 0,
+                Some(next) => step = next,
+            }
+            if self.main.tick(step) == Tick::Phase {
+                return step;
+            }
+        }
+    }
+
+    /// Makes the frames of the present step, unless they are there already.
+    pub fn prepare(&mut self) {
+        let position = self.transport.position();
+        if self.framed_at == Some(position) {
+            return;
+        }
+        let beside = |run: &dyn Run| run.frame(run.beside(&*self.main, position));
+        self.frames = std::iter::once(self.main.frame(position))
+            .chain(self.other.as_deref().map(beside))
+            .collect();
+        self.framed_at = Some(position);
+    }
+
+    /// The present step's, the scene's method first; empty before [`Playback::prepare`].
+    #[must_use]
+    pub fn frames(&self) -> &[Frame] {
+        &self.frames
+    }
+
+    /// Cost so far and in the end, of the scene's method and of the one beside it.
+    #[must_use]
+    pub fn costs(&self) -> Vec<[Counts; 2]> {
+        let position = self.transport.position();
+        let cost = |run: &dyn Run| {
+            let step = run.beside(&*self.main, position);
+            [run.counts_at(step), run.counts_at(run.n_steps())]
+        };
+        std::iter::once(cost(&*self.main))
+            .chain(self.other.as_deref().map(cost))
+            .collect()
+    }
+
+    /// A method to compare with where none stands beside, and its cost in all.
+    #[must_use]
+    pub const fn baseline(&self) -> Option<(Method, Counts)> {
+        self.baseline
+    }
+
+    /// Lets time pass up to `now`, in seconds. Returns how long until the next step while playing.
+    pub fn advance(&mut self, now: f64) -> Option<f32> {
+        let elapsed = self.clock.map_or(0.0, |before| now - before);
+        self.clock = self.transport.is_playing().then_some(now);
+        let wait = self.transport.advance(elapsed as f32);
+        if wait.is_none() {
+            self.clock = None;
+        }
+        wait
+    }
+}
+
+fn runs(scene: &Scene) -> (Box<dyn Run>, Option<Box<dyn Run>>) {
+    let segment = scene.focused();
+    let other = scene.compare.map(|method| method.record(scene, segment));
+    (scene.method.record(scene, segment), other)
+}
+
+/// The first method of the registry is the plainest.
+fn baseline(scene: &Scene) -> Option<(Method, Counts)> {
+    let method = Method::all()
+        .next()
+        .filter(|&method| method != scene.method)?;
+    let (_, counts) = method.cost(scene, scene.focused());
+    Some((method, counts))
+}

@@ -1,0 +1,130 @@
+//! A lesson folder that is read again whenever it changes.
+
+use std::{
+    sync::mpsc::{Receiver, channel},
+    time::Duration,
+};
+
+use egui::Context;
+use notify::{RecommendedWatcher, RecursiveMode, Watcher as _};
+
+use crate::{
+    lesson::{Course, Folder, Lesson, Loaded, Severity},
+    text::Message,
+};
+
+use super::{App, notice::Notice};
+
+/// Editors write a file in several strokes: wait until they are done.
+const SETTLE: Duration = Duration::from_millis(150);
+
+/// A folder under observation.
+pub struct Reload {
+    folder: Folder,
+    changed: Receiver<()>,
+    /// Stops watching when it is dropped. `None` where the system offers no watching.
+    _watcher: Option<RecommendedWatcher>,
+}
+
+impl Reload {
+    /// Watches a folder; every change wakes the window.
+    #[must_use]
+    pub fn new(folder: Folder, ctx: Context) -> Self {
+        let (sender, receiver) = channel();
+        let (raw_sender, raw) = channel::<()>();
+        let watcher = notify::recommended_watcher(move |event: notify::Result<notify::Event>| {
+            if event.is_ok_and(|event| !event.kind.is_access()) {
+                // The window is gone: nobody is left to tell.
+                let _ = raw_sender.send(());
+            }
+        });
+        let watcher = watcher.ok().and_then(|mut watcher| {
+            watcher
+                .watch(folder.root(), RecursiveMode::Recursive)
+                .ok()?;
+            Some(watcher)
+        });
+        std::thread::spawn(move || {
+            while raw.recv().is_ok() {
+                while raw.recv_timeout(SETTLE).is_ok() {}
+                if sender.send(()).is_err() {
+                    return;
+                }
+                ctx.request_repaint();
+            }
+        });
+        Self {
+            folder,
+            changed: receiver,
+            _watcher: watcher,
+        }
+    }
+
+    fn has_changed(&self) -> bool {
+        self.changed.try_iter().count() > 0
+    }
+}
+
+impl App {
+    /// Reads this folder again whenever it changes.
+    pub fn watch(&mut self, folder: Folder, ctx: Context) {
+        self.reload = Some(Reload::new(folder, ctx));
+    }
+
+    pub(super) fn take_changed_course(&mut self, now: f64) {
+        let changed = self.reload.as_ref().filter(|reload| reload.has_changed());
+        if let Some(folder) = changed.map(|reload| reload.folder.clone()) {
+            let path = folder.root().display().to_string();
+            self.take_course(&path, Course::load(&folder), now);
+        }
+    }
+
+    /// Takes over what was read of a course; of broken lessons, the last good version stays.
+    pub(super) fn take_course(&mut self, path: &str, loaded: Loaded, now: f64) {
+        let was_untouched = self.is_untouched();
+        let before = self.place.step().cloned();
+        let is_gone = loaded.course.lessons.is_empty();
+        let errors: Vec<_> = loaded
+            .problems
+            .into_iter()
+            .filter(|p| p.severity == Severity::Error)
+            .collect();
+        let path = path.to_owned();
+        self.notices.clear();
+        if !is_gone {
+            let merged = merged(self.place.lessons(), loaded.course.lessons, |lesson| {
+                errors
+                    .iter()
+                    .any(|problem| problem.file.contains(&lesson.id))
+            });
+            self.place.replace(Course { lessons: merged });
+            if self.place.step() != before.as_ref() {
+                self.course_changed(was_untouched);
+            }
+        }
+        let catalog = self.catalog();
+        if errors.is_empty() && !is_gone {
+            let text = catalog.message(&Message::new("status-reloaded").with("path", path));
+            self.notices.push(Notice::passing(text, now));
+        } else {
+            let text = format!(
+                "{}\n{}",
+                self.listing(&errors),
+                catalog.term("status-last-good")
+            );
+            self.notices.push(Notice::problem(text));
+        }
+    }
+}
+
+/// The new lessons, and the old ones that are broken now, in the order of their ids.
+fn merged(old: &[Lesson], new: Vec<Lesson>, is_broken: impl Fn(&Lesson) -> bool) -> Vec<Lesson> {
+    let kept = old
+        .iter()
+        .filter(|lesson| is_broken(lesson) && new.iter().all(|n| n.id != lesson.id))
+        .cloned();
+    let mut lessons: Vec<Lesson> = kept.collect();
+    lessons.extend(new);
+    lessons.sort_by(|a, b| a.id.cmp(&b.id));
+    lessons
+}

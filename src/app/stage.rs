@@ -1,0 +1,333 @@
+//! The stage: the figure, a second view below it where the method has one, and the caption. Two of each
+//! where two methods stand side by side.
+
+use egui::{Context, Id, Rect, RichText, Stroke, Ui, UiBuilder, pos2, vec2};
+
+use crate::{
+    figure::{Frame, Link, Mark},
+    labs::lines::{Handle, Method, Scene, backdrop, bounds},
+    paint::{Viewport, theme},
+    panels::lines::{LinesEdit, spots},
+    widgets::{
+        Canvas, CanvasShown, Gesture as HandleGesture, Spot, View, caption, caption_height,
+        caption_text, number_line, number_line_height,
+    },
+};
+
+use super::{Command, document::Gesture, model::Model};
+
+/// A click this near to a segment, in points, puts it in focus.
+const CLICK_REACH: f32 = 8.0;
+/// The least height that a stage keeps when a second view wants room.
+const LEAST_STAGE: f32 = 140.0;
+
+/// What the stage remembers between frames. None of it is part of the document.
+#[derive(Default)]
+pub struct StageState {
+    /// As panned and zoomed; `None` fits `bounds`.
+    view: Option<View>,
+    /// What was to be seen when the scene was opened: dragging a handle does not move the view.
+    bounds: [[f64; 2]; 2],
+    /// What stands out.
+    pub lit: Option<Link>,
+    /// What the pointer is on, on the stage and in the inspector.
+    pub pointed_on_stage: Option<Link>,
+    /// See above.
+    pub pointed_in_inspector: Option<Link>,
+    /// Widgets that are stages, and those that are handles.
+    pub canvas_ids: Vec<Id>,
+    /// See above.
+    pub handle_ids: Vec<Id>,
+    /// Did a handle have the focus in the last frame?
+    pub handle_focused: bool,
+    seen: Option<Viewport>,
+    layers: Vec<Layers>,
+}
+
+/// The marks of one column, kept until something changes: a large scene is not clipped again every frame.
+struct Layers {
+    under: (u64, Method, bool),
+    n_under: usize,
+    step: usize,
+    marks: Vec<Mark>,
+}
+
+impl StageState {
+    /// A stage that shows all of a scene.
+    #[must_use]
+    pub fn new(scene: &Scene) -> Self {
+        Self {
+            bounds: bounds(scene),
+            ..Self::default()
+        }
+    }
+
+    /// Shows all of a scene.
+    pub fn fit(&mut self, scene: &Scene) {
+        (self.view, self.bounds) = (None, bounds(scene));
+    }
+
+    /// Looks elsewhere.
+    pub fn look(&mut self, ctx: &Context, scene: &Scene, command: &Command) {
+        match *command {
+            Command::View(view) => self.view = Some(view),
+            Command::FitView => self.fit(scene),
+            Command::Zoom(factor) => {
+                if let Some(seen) = self.seen {
+                    let pointer = ctx.input(|input| input.pointer.hover_pos());
+                    let around = pointer.filter(|&at| seen.rect.contains(at));
+                    let around = around.unwrap_or_else(|| seen.rect.center());
+                    self.view = Some(View::of(&seen).zoomed(seen.rect, factor, around));
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn viewport(&self, rect: Rect) -> Viewport {
+        self.view
+            .map_or_else(|| Viewport::fit(rect, self.bounds), |view| view.on(rect))
+    }
+
+    /// What is drawn in a column: the backdrop, and this step's marks over it.
+    fn marks(
+        &mut self,
+        column: usize,
+        model: &Model<'_>,
+        method: Method,
+        frame: &Frame,
+    ) -> &[Mark] {
+        let transport = model.playback.transport();
+        let step = transport.position();
+        let under = (model.revision, method, step >= transport.n_steps());
+        let known = self
+            .layers
+            .get(column)
+            .filter(|layers| layers.under == under);
+        if known.is_none() {
+            let marks = backdrop(model.scene, method, under.2);
+            self.layers.truncate(column);
+            self.layers.push(Layers {
+                under,
+                n_under: marks.len(),
+                step: usize::MAX,
+                marks,
+            });
+        }
+        let layers = &mut self.layers[column];
+        if layers.step != step {
+            layers.marks.truncate(layers.n_under);
+            layers.marks.extend(frame.marks.iter().cloned());
+            layers.step = step;
+        }
+        &layers.marks
+    }
+}
+
+/// Draws the stage into all the room there is.
+pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &mut Vec<Command>) {
+    let rect = ui.max_rect();
+    let frames = model.playback.frames();
+    let methods = [Some(model.scene.method), model.scene.compare];
+    let handles = Handle::all(model.scene);
+    let locks = model
+        .place
+        .step()
+        .filter(|_| model.is_untouched || model.place.step().is_some());
+    let locks = locks.map_or(&[][..], |step| &step.locks);
+    let spots = spots(model.look, model.scene, &handles, locks);
+    state.canvas_ids.clear();
+    state.handle_ids.clear();
+    state.handle_focused = false;
+    let width = rect.width() / frames.len().max(1) as f32;
+    for (i, (frame, method)) in frames.iter().zip(methods.into_iter().flatten()).enumerate() {
+        let left = (rect.left() + i as f32 * width).round();
+        let right = (rect.left() + (i + 1) as f32 * width).round();
+        let column = Rect::from_x_y_ranges(left..=right, rect.y_range());
+        let column = Column {
+            index: i,
+            is_one_of_two: frames.len() > 1,
+            second_view: frames.iter().any(|frame| frame.number_line.is_some()),
+            rect: column,
+            method,
+        };
+        let inner = UiBuilder::new()
+            .max_rect(column.rect)
+            .id_salt(("column", i));
+        ui.scope_builder(inner, |ui| {
+            ui.set_clip_rect(column.rect.intersect(ui.clip_rect()));
+            let shown = column.show(model, ui, state, frame, &spots);
+            ask(model, &shown, &handles, state, commands);
+        });
+        if i > 0 {
+            let line = Stroke::new(1.0, model.look.theme.hairline);
+            ui.painter().vline(left, rect.y_range(), line);
+        }
+    }
+}
+
+/// One method's part of the stage.
+struct Column {
+    index: usize,
+    is_one_of_two: bool,
+    /// Does any column have a second view?
+    second_view: bool,
+    rect: Rect,
+    method: Method,
+}
+
+impl Column {
+    fn show(
+        &self,
+        model: &Model<'_>,
+        ui: &mut Ui,
+        state: &mut StageState,
+        frame: &Frame,
+        spots: &[Spot],
+    ) -> CanvasShown {
+        let look = model.look;
+        let n_rows = self.caption_rows(model);
+        let (stage, rest) = split(
+            self.rect,
+            caption_height(look.theme, n_rows).min(0.4 * self.rect.height()),
+        );
+        let second = number_line_height(look.theme);
+        let (stage, below) = match &frame.number_line {
+            Some(line) if stage.height() - second >= LEAST_STAGE => {
+                let (stage, below) = split(stage, second);
+                (stage, Some((line, below)))
+            }
+            // Room that another column needs: both stages show the same place.
+            None if self.second_view && stage.height() - second >= LEAST_STAGE => {
+                let (stage, blank) = split(stage, second);
+                ui.painter().rect_filled(blank, 0.0, look.theme.background);
+                (stage, None)
+            }
+            _ => (stage, None),
+        };
+        let shown = self.canvas(model, ui, state, frame, spots, stage);
+        if let Some((line, below)) = below {
+            let pointed = number_line(ui, look, below, line, state.lit);
+            state.pointed_on_stage = state.pointed_on_stage.or(pointed);
+        }
+        ui.painter().rect_filled(rest, 0.0, look.theme.background);
+        let line = Stroke::new(1.0, look.theme.hairline);
+        ui.painter().hline(rest.x_range(), rest.top() + 0.5, line);
+        caption(ui, look, rest, n_rows, &frame.caption);
+        shown
+    }
+
+    /// A caption that has little width gets another line.
+    fn caption_rows(&self, model: &Model<'_>) -> usize {
+        let wide = 560.0 * model.look.theme.text_scale;
+        if self.rect.width() < wide && !model.is_low {
+            3
+        } else {
+            2
+        }
+    }
+
+    fn canvas(
+        &self,
+        model: &Model<'_>,
+        ui: &mut Ui,
+        state: &mut StageState,
+        frame: &Frame,
+        spots: &[Spot],
+        rect: Rect,
+    ) -> CanvasShown {
+        let look = model.look;
+        let viewport = state.viewport(rect);
+        let lit = state.lit;
+        let id = Id::unique(("stage", self.index));
+        let shown = Canvas {
+            id,
+            viewport,
+            name: format!(
+                "{}: {}",
+                look.say("panel-stage"),
+                look.say(self.method.info().name_key)
+            ),
+            text: caption_text(look.catalog, &frame.caption),
+            spots,
+            snap: model.settings.snap,
+            marks: state.marks(self.index, model, self.method, frame),
+            lit,
+            look,
+        }
+        .show(ui);
+        if self.is_one_of_two {
+            let name =
+                RichText::new(look.say(self.method.info().name_key)).text_style(theme::strong());
+            let place =
+                Rect::from_min_size(rect.min + vec2(16.0, 8.0), vec2(rect.width() - 32.0, 24.0));
+            ui.scope_builder(UiBuilder::new().max_rect(place), |ui| ui.label(name));
+        }
+        state.canvas_ids.push(id);
+        state
+            .handle_ids
+            .extend((0..spots.len()).map(|i| id.with(i)));
+        state.handle_focused |= shown.handle_focused;
+        state.pointed_on_stage = state.pointed_on_stage.or(shown.pointed);
+        state.seen = Some(shown.viewport);
+        shown
+    }
+}
+
+/// The upper part, and the lower one of this height.
+fn split(rect: Rect, height: f32) -> (Rect, Rect) {
+    let y = (rect.bottom() - height).round();
+    (
+        Rect::from_min_max(rect.min, pos2(rect.right(), y)),
+        Rect::from_min_max(pos2(rect.left(), y), rect.max),
+    )
+}
+
+/// What was done to a canvas, as commands.
+fn ask(
+    model: &Model<'_>,
+    shown: &CanvasShown,
+    handles: &[Handle],
+    state: &StageState,
+    commands: &mut Vec<Command>,
+) {
+    commands.extend(shown.view.map(Command::View));
+    if let Some(moved) = shown.moved {
+        let edit = LinesEdit::Drag(handles[moved.spot], moved.to);
+        let gesture = match moved.by {
+            HandleGesture::Drag => Gesture::Drag(moved.spot),
+            HandleGesture::Nudge => Gesture::Nudge(moved.spot),
+        };
+        commands.push(Command::Edit(edit, Some(gesture)));
+    }
+    if shown.released {
+        commands.push(Command::EndGesture);
+    }
+    if let (Some(at), Some(seen)) = (shown.clicked, state.seen)
+        && let Some(segment_idx) = segment_at(
+            model.scene,
+            &Viewport {
+                rect: shown.viewport.rect,
+                ..seen
+            },
+            at,
+        )
+    {
+        commands.push(Command::Edit(LinesEdit::Focus(segment_idx), None));
+    }
+}
+
+/// The segment under a place on the screen, unless it is in focus already.
+fn segment_at(scene: &Scene, viewport: &Viewport, at: egui::Pos2) -> Option<usize> {
+    let distance = |i: usize| {
+        let [a, b] = [scene.segments()[i].p1, scene.segments()[i].p2]
+            .map(|p| viewport.to_screen(p.to_array()));
+        crate::widgets::distance_to_segment(at, a, b)
+    };
+    (0..scene.segments().len())
+        .map(|i| (i, distance(i)))
+        .filter(|&(_, d)| d <= CLICK_REACH)
+        .min_by(|a, b| a.1.total_cmp(&b.1))
+        .map(|(i, _)| i)
+        .filter(|&i| i != scene.focus())
+}

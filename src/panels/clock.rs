@@ -1,0 +1,20 @@
+//! The one seam through which a panel measures time: browsers have no `std::time::Instant`.
+
+use web_time::Instant;
+
+/// Measures how long something takes, on this machine, here and now.
+pub struct Stopwatch(Instant);
+
+impl Stopwatch {
+    /// Starts it.
+    #[must_use]
+    pub fn start() -> Self {
+        Self(Instant::now())
+    }
+
+    /// Since the start.
+    #[must_use]
+    pub fn secs(&self) -> f64 {
+        self.0.elapsed().as_secs_f64()
+    }
+}

@@ -1,0 +1,163 @@
+//! The lab's methods measured on this machine: all clip the same random batch, a slice of it in each
+//! frame, so that the window stays alive.
+
+use std::hint::black_box;
+
+use crate::{
+    geom::Segment,
+    labs::lines::{Method, Scene},
+    lesson::random_segments,
+    panels::Stopwatch,
+    trace::Counts,
+};
+
+/// Segments in the batch: more than a cache line's worth of luck, less than a second of waiting.
+const N_SEGMENTS: usize = 20_000;
+/// Segments whose operations are counted: counting runs are slow, and averages settle early.
+const N_COUNTED: usize = 500;
+/// Passes over the batch, of which the fastest counts: what disturbs a measurement only makes it slower.
+const N_PASSES: usize = 5;
+/// Work in one frame, in seconds.
+const SLICE_SECS: f64 = 0.008;
+
+/// What one method costs for one segment, on average.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub struct MethodCost {
+    /// Nanoseconds.
+    pub nanos: f64,
+    /// Additions, multiplications, divisions, comparisons.
+    pub operations: [f64; 4],
+}
+
+/// A measurement under way, or done.
+pub struct Measure {
+    scene: Scene,
+    batch: Vec<Segment>,
+    done: Vec<(Method, MethodCost)>,
+    waiting: Vec<Method>,
+    current: Option<Current>,
+}
+
+/// The method that is being measured.
+struct Current {
+    method: Method,
+    pass: Box<dyn FnMut() -> usize>,
+    best_secs: f64,
+    n_done: usize,
+    counted: Counts,
+    n_counted: usize,
+}
+
+impl Measure {
+    /// Ready to measure every method on segments around the scene's window.
+    #[must_use]
+    pub fn new(scene: &Scene, seed: u64) -> Self {
+        let mut waiting: Vec<Method> = Method::all().collect();
+        waiting.reverse();
+        Self {
+            scene: scene.clone(),
+            batch: random_segments(&scene.window, N_SEGMENTS, seed),
+            done: Vec::new(),
+            waiting,
+            current: None,
+        }
+    }
+
+    /// What has been measured so far, in the order of the registry.
+    #[must_use]
+    pub fn costs(&self) -> &[(Method, MethodCost)] {
+        &self.done
+    }
+
+    /// Segments in the batch.
+    #[must_use]
+    pub fn n_segments(&self) -> usize {
+        self.batch.len()
+    }
+
+    /// From 0 to 1.
+    #[must_use]
+    pub fn progress(&self) -> f32 {
+        let current = self.current.as_ref().map_or(0.0, |current| {
+            0.5 * current.n_done as f32 / N_PASSES as f32
+                + 0.5 * current.n_counted as f32 / N_COUNTED as f32
+        });
+        let all = self.done.len() + self.waiting.len() + usize::from(self.current.is_some());
+        (self.done.len() as f32 + current) / all.max(1) as f32
+    }
+
+    /// Is there nothing left to do?
+    #[must_use]
+    pub const fn is_done(&self) -> bool {
+        self.current.is_none() && self.waiting.is_empty()
+    }
+
+    /// Works for a slice of a frame.
+    pub fn work(&mut self) {
+        let watch = Stopwatch::start();
+        while !self.is_done() && watch.secs() < SLICE_SECS {
+            self.one();
+        }
+    }
+
+    /// The smallest piece of work: one pass over the batch, or one counted run.
+    fn one(&mut self) {
+        let Some(current) = &mut self.current else {
+            self.current = self.waiting.pop().map(|method| Current {
+                method,
+                pass: method.pass(&self.scene, &self.batch),
+                best_secs: f64::INFINITY,
+                n_done: 0,
+                counted: Counts::default(),
+                n_counted: 0,
+            });
+            return;
+        };
+        if current.n_done < N_PASSES {
+            let watch = Stopwatch::start();
+            black_box((current.pass)());
+            current.best_secs = current.best_secs.min(watch.secs());
+            current.n_done += 1;
+        } else if current.n_counted < N_COUNTED.min(self.batch.len()) {
+            let segment = self.batch[current.n_counted];
+            let (_, counts) = current.method.cost(&self.scene, segment);
+            current.counted = current.counted + counts;
+            current.n_counted += 1;
+        } else {
+            let per_run = |count: u32| f64::from(count) / current.n_counted.max(1) as f64;
+            let Counts { add, mul, div, cmp } = current.counted;
+            let cost = MethodCost {
+                nanos: current.best_secs * 1e9 / self.batch.len().max(1) as f64,
+                operations: [add, mul, div, cmp].map(per_run),
+            };
+            self.done.push((current.method, cost));
+            self.current = None;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geom::Window;
+
+    #[test]
+    fn every_method_is_measured_and_then_it_rests() {
+        let window = Window::new(-1.0, -1.0, 1.0, 1.0).expect("ordered");
+        let segments = random_segments(&window, 1, 1);
+        let method = Method::all().next().expect("there are methods");
+        let scene = Scene::new(method, window, segments).expect("one segment");
+        let mut measure = Measure::new(&scene, 1);
+        measure.batch.truncate(50);
+        while !measure.is_done() {
+            measure.work();
+        }
+        assert_eq!(measure.costs().len(), Method::all().len());
+        for (method, cost) in measure.costs() {
+            assert!(
+                cost.nanos > 0.0 && cost.operations.iter().sum::<f64>() > 0.0,
+                "{method}"
+            );
+        }
+    }
+}
