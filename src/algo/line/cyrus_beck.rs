@@ -215,7 +215,9 @@ impl Algorithm for CyrusBeck {
                     plane,
                     distances: [d1.get(), d2.get()],
                 };
-                shrink(&mut interval, -d1 / slope, border, &mut emit)
+                // A zero has no sign.
+                let t = R::new((-d1 / slope).get() + 0.0);
+                shrink(&mut interval, t, border, &mut emit)
             };
             if !visible {
                 emit(Event::Reject { edge_idx });

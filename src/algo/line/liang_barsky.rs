@@ -341,10 +341,11 @@ fn shrink<R: Real>(
     !empty
 }
 
-/// `q / p`, also where a difference of huge coordinates has overflowed: halves give the same quotient.
+/// `q / p`, also where a difference of huge coordinates has overflowed: halves give the same quotient. A zero
+/// has no sign.
 fn quotient<R: Real>(q: R, p: R, segment: &Segment, window: &Window, edge: Edge) -> R {
     if q.get().is_finite() && p.get().is_finite() {
-        return q / p;
+        return R::new((q / p).get() + 0.0);
     }
     let [a1, _] = split::<f64>(segment.p1, edge.axis());
     let [a2, _] = split::<f64>(segment.p2, edge.axis());
