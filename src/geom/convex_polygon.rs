@@ -236,9 +236,9 @@ mod tests {
             (
                 "a pentagram",
                 &pentagram,
-                SelfIntersecting { vertex_idx: 3 },
+                SelfIntersecting { vertex_idx: 4 },
             ),
-            ("twice around", &twice, SelfIntersecting { vertex_idx: 4 }),
+            ("twice around", &twice, SelfIntersecting { vertex_idx: 6 }),
         ];
         for (name, outline, expected) in cases {
             let refused = ConvexPolygon::new(outline).unwrap_err();
