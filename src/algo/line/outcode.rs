@@ -49,21 +49,17 @@ impl BitOrder {
 pub struct Outcode(u8);
 
 impl Outcode {
-    /// The code of a point. A point on a border is inside it.
+    /// The code of a point. A point on a border is inside it. Four comparisons and no branch.
     #[inline]
     pub fn of<R: Real>([x, y]: [R; 2], window: &Window, order: BitOrder) -> Self {
-        let mut code = 0;
-        if x < R::new(window.border(Edge::Left)) {
-            code |= order.bit(Edge::Left);
-        } else if x > R::new(window.border(Edge::Right)) {
-            code |= order.bit(Edge::Right);
-        }
-        if y < R::new(window.border(Edge::Bottom)) {
-            code |= order.bit(Edge::Bottom);
-        } else if y > R::new(window.border(Edge::Top)) {
-            code |= order.bit(Edge::Top);
-        }
-        Self(code)
+        let bit = |beyond: bool, edge: Edge| u8::from(beyond) * order.bit(edge);
+        let border = |edge: Edge| R::new(window.border(edge));
+        Self(
+            bit(x < border(Edge::Left), Edge::Left)
+                | bit(x > border(Edge::Right), Edge::Right)
+                | bit(y < border(Edge::Bottom), Edge::Bottom)
+                | bit(y > border(Edge::Top), Edge::Top),
+        )
     }
 
     /// The code of a point, uncounted: for labels of regions and for tests.
