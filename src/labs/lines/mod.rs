@@ -11,5 +11,5 @@ mod scene;
 pub use backdrop::{backdrop, bounds};
 pub use demo::{Demo, output_json};
 pub use handle::{Corner, Handle, Lock};
-pub use registry::{CodeLine, METHODS, Method, MethodInfo};
+pub use registry::{CodeLine, METHODS, Method, MethodInfo, Pass};
 pub use scene::{MAX_SEGMENTS, Scene, SceneError};

@@ -34,8 +34,11 @@ pub struct MethodInfo {
     record: fn(&Scene, Segment) -> Box<dyn Run>,
     clip: fn(&Scene, Segment) -> Visible,
     cost: fn(&Scene, Segment) -> (Visible, Counts),
-    pass: fn(&Scene, &[Segment]) -> Box<dyn FnMut() -> usize>,
+    pass: fn(&Scene, &[Segment]) -> Pass,
 }
+
+/// Clips a batch, the same one each time it is called; the number of segments that are visible.
+pub type Pass = Box<dyn FnMut() -> usize>;
 
 /// One line of pseudocode.
 #[derive(Clone, Copy, Debug)]
@@ -69,7 +72,7 @@ const fn info<A: Demo>() -> MethodInfo {
 }
 
 /// Inputs are made beforehand: only the clipping itself is left to measure.
-fn pass<A: Demo>(scene: &Scene, segments: &[Segment]) -> Box<dyn FnMut() -> usize> {
+fn pass<A: Demo>(scene: &Scene, segments: &[Segment]) -> Pass {
     let inputs: Vec<A::Input> = segments
         .iter()
         .map(|&segment| A::input(scene, segment))
@@ -128,7 +131,7 @@ impl Method {
 
     /// Clips all `segments` silently each time it is called; the number of those that are visible.
     #[must_use]
-    pub fn pass(self, scene: &Scene, segments: &[Segment]) -> Box<dyn FnMut() -> usize> {
+    pub fn pass(self, scene: &Scene, segments: &[Segment]) -> Pass {
         (self.info().pass)(scene, segments)
     }
 }
