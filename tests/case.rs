@@ -142,7 +142,7 @@ fn every_mistake_is_named_with_its_place() {
         (clip("[[0,0],[1,0]]"), "degenerate", "clip"),
         (clip("[]"), "degenerate", "clip"),
         (clip("[[0,0],[1,0],[1,0],[0,1]]"), "degenerate", "clip[2]"),
-        (clip("[[0,0],[1,0],[2,0]]"), "not-convex", "clip[2]"),
+        (clip("[[0,0],[1,0],[2,0]]"), "degenerate", "clip[0]"),
         (clip("[[0,0],[4,0],[1,1],[0,4]]"), "not-convex", "clip[2]"),
         (
             clip("[[0,3],[-2,-3],[3,1],[-3,1],[2,-3]]"),
