@@ -9,7 +9,11 @@ use crate::{
 };
 
 use super::{
-    App, Command, Dialog, document::Gesture, layout::Room, notice::Notice, platform::Picture,
+    App, Command, Dialog,
+    document::Gesture,
+    layout::{Room, is_narrow},
+    notice::Notice,
+    platform::Picture,
 };
 
 impl App {
@@ -49,7 +53,7 @@ impl App {
             | Command::Code(_)
             | Command::Snap(_)
             | Command::Measure(_)
-            | Command::Dismiss => self.apply_shown(ctx, command),
+            | Command::Dismiss => self.apply_shown(ctx, &command),
             Command::View(_) | Command::FitView | Command::Zoom(_) => {
                 self.stage.look(ctx, self.document.now(), &command);
             }
@@ -122,9 +126,9 @@ impl App {
         self.stage.fit(self.document.now());
     }
 
-    fn apply_shown(&mut self, ctx: &Context, command: Command) {
-        let is_narrow = self.shown.room.is_narrow(ctx);
-        match command {
+    fn apply_shown(&mut self, ctx: &Context, command: &Command) {
+        let is_narrow = is_narrow(ctx.content_rect().size());
+        match *command {
             Command::Present => self.shown.presenting ^= true,
             Command::Cancel => self.cancel(),
             Command::Course if is_narrow => self.shown.room = self.shown.room.toggled(Room::Course),
@@ -170,12 +174,12 @@ impl App {
             Command::Save => {
                 self.shown.dialog = Some(Dialog::Save {
                     path: name(self, "toml"),
-                })
+                });
             }
             Command::Export => {
                 self.shown.dialog = Some(Dialog::Export {
                     path: name(self, "png"),
-                })
+                });
             }
             Command::Show(dialog) => self.shown.dialog = dialog,
             Command::Confirm => {

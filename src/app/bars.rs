@@ -94,7 +94,7 @@ fn menus(model: &Model<'_>, ui: &mut Ui, batch: &mut Batch, commands: &mut Vec<C
         commands.extend(language_menu(ui, model.settings.lang).map(Command::Language));
     });
     ui.menu_button(look.say("panel-scene"), |ui| {
-        scene(model, ui, batch, commands)
+        scene(model, ui, batch, commands);
     });
     if !(model.settings.course && model.settings.inspector) {
         sides(model, ui, Room::Stage, commands);
@@ -107,7 +107,7 @@ fn icon_menu(model: &Model<'_>, ui: &mut Ui, batch: &mut Batch, commands: &mut V
     let button = icon_button(ui, look, Icon::More, &look.say("menu-more"), true);
     egui::Popup::menu(&button).show(|ui| {
         ui.menu_button(look.say("panel-scene"), |ui| {
-            scene(model, ui, batch, commands)
+            scene(model, ui, batch, commands);
         });
         ui.menu_button(look.say("settings-theme"), |ui| {
             commands.extend(theme_menu(ui, look).map(Command::Theme));
@@ -156,12 +156,18 @@ fn scene(model: &Model<'_>, ui: &mut Ui, batch: &mut Batch, commands: &mut Vec<C
             commands.push(command);
         }
     };
-    action(ui, "action-undo", "Ctrl+Z", model.can_undo, Command::Undo);
+    action(
+        ui,
+        "action-undo",
+        "Ctrl+Z",
+        model.can_travel[0],
+        Command::Undo,
+    );
     action(
         ui,
         "action-redo",
         "Ctrl+Shift+Z",
-        model.can_redo,
+        model.can_travel[1],
         Command::Redo,
     );
     action(ui, "action-reset", "R", true, Command::Reset);
@@ -187,6 +193,7 @@ pub fn transport(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
                 commands.extend(chosen.map(Command::Speed));
                 ui.add_space(8.0);
                 ui.add(egui::Label::new(step_text(model)).extend());
+                ui.add_space(8.0);
             }
             timeline(model, ui, commands);
         });

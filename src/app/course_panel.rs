@@ -8,7 +8,6 @@ use egui::{
 use crate::{
     lesson::Lesson,
     paint::theme,
-    text::Message,
     widgets::{Look, lesson_text, rule},
 };
 
@@ -26,12 +25,11 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
             .frame(Frame::NONE)
             .show_separator_line(false)
             .show(ui, |ui| {
-                ui.add_space(4.0);
-                padded(ui, |ui| {
-                    ui.label(RichText::new(&lesson.source).small().color(look.theme.soft))
-                });
+                ui.add_space(8.0);
+                padded(ui, |ui| source(ui, look, &lesson.source));
             });
     }
+    ui.spacing_mut().item_spacing.y = 0.0;
     let most = if model.is_narrow { 0.4 } else { 0.5 } * ui.available_height();
     ScrollArea::vertical()
         .id_salt("lessons")
@@ -70,6 +68,12 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
         });
 }
 
+/// One line; all of it while the pointer is on it.
+fn source(ui: &mut Ui, look: Look<'_>, source: &str) {
+    let text = RichText::new(source).small().color(look.theme.soft);
+    ui.add(egui::Label::new(text).truncate());
+}
+
 fn padded<R>(ui: &mut Ui, content: impl FnOnce(&mut Ui) -> R) -> R {
     Frame::new()
         .inner_margin(egui::Margin::symmetric(8, 0))
@@ -91,7 +95,7 @@ fn lessons(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
 /// A lesson's number and title; was it clicked?
 fn row(ui: &mut Ui, look: Look<'_>, number: usize, title: &str, is_open: bool) -> bool {
     let theme = look.theme;
-    let height = (30.0 * theme.text_scale.sqrt()).round();
+    let height = (28.0 * theme.text_scale.sqrt()).round();
     let (rect, response) =
         ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::click());
     response.widget_info(|| WidgetInfo::selected(Role::Tab, true, is_open, title));
@@ -153,7 +157,7 @@ fn steps(model: &Model<'_>, ui: &mut Ui, lesson: &Lesson, commands: &mut Vec<Com
             }
         }
     });
-    ui.add_space(8.0);
+    ui.add_space(12.0);
 }
 
 fn disc(ui: &mut Ui, look: Look<'_>, number: usize, title: &str, is_open: bool) -> bool {
@@ -208,5 +212,4 @@ fn changed(ui: &mut Ui, look: Look<'_>, commands: &mut Vec<Command>) {
             commands.push(Command::Reset);
         }
     });
-    let _ = Message::new("lesson-changed");
 }

@@ -33,8 +33,8 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
             .inner
         {
             // The line of this step is about what happens at this step.
-            let signal = frame.marks.iter().filter(|mark| mark.role == Role::Signal);
-            pointed = signal.filter_map(|mark| mark.link).next();
+            let mut signal = frame.marks.iter().filter(|mark| mark.role == Role::Signal);
+            pointed = signal.find_map(|mark| mark.link);
         }
         rule(ui, look);
         section(ui, look, &look.say("panel-watch"));

@@ -81,6 +81,21 @@ pub fn commands(ctx: &Context, focus: Focus) -> Vec<Command> {
     commands
 }
 
+/// Where nothing has the focus yet, Tab goes to the stage first.
+pub fn tab_to(ctx: &Context, first: Option<Id>) {
+    let Some(first) = first else {
+        return;
+    };
+    let tab = |input: &mut egui::InputState| input.consume_key(Modifiers::NONE, Key::Tab);
+    let is_plain = ctx.input(|input| !input.modifiers.any());
+    if is_plain && ctx.input_mut(tab) {
+        ctx.memory_mut(|memory| {
+            memory.move_focus(FocusDirection::None);
+            memory.request_focus(first);
+        });
+    }
+}
+
 fn binding(key: Key, modifiers: Modifiers) -> Option<&'static Binding> {
     let matches = |(wanted, k): &(Modifiers, Key)| {
         // These two are written with Shift on some keyboards and without on others.

@@ -1,6 +1,6 @@
 //! Where everything stands: five places in a wide window, one at a time in a narrow one.
 
-use egui::{CentralPanel, Context, Frame, Margin, Panel, Ui, Vec2};
+use egui::{CentralPanel, Frame, Margin, Panel, Ui, Vec2};
 
 use crate::widgets::{Icon, transport_width};
 
@@ -28,12 +28,6 @@ impl Room {
     #[must_use]
     pub fn toggled(self, to: Self) -> Self {
         if self == to { Self::Stage } else { to }
-    }
-
-    /// Is there room for one place only?
-    #[must_use]
-    pub fn is_narrow(self, ctx: &Context) -> bool {
-        is_narrow(ctx.content_rect().size())
     }
 }
 
@@ -76,7 +70,7 @@ pub fn show(app: &mut App, ui: &mut Ui, commands: &mut Vec<Command>) {
             }
             Room::Inspector => {
                 CentralPanel::no_frame().frame(panel).show(ui, |ui| {
-                    inspector::show(&model, ui, &mut stage_state, commands)
+                    inspector::show(&model, ui, &mut stage_state, commands);
                 });
             }
         }

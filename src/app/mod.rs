@@ -183,7 +183,6 @@ impl App {
     /// One frame: takes input, lets time pass, draws everything, and does what was asked for.
     pub fn ui(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
-        self.install_theme(&ctx);
         let now = ctx.input(|input| input.time);
         for command in self.pressed(&ctx) {
             self.apply(&ctx, command);
@@ -194,6 +193,7 @@ impl App {
         self.pass_time(&ctx, now);
         self.playback.prepare();
 
+        self.install_theme(ui);
         let mut commands = Vec::new();
         let lit = self.stage.lit;
         layout::show(self, ui, &mut commands);
@@ -208,6 +208,9 @@ impl App {
     fn pressed(&self, ctx: &egui::Context) -> Vec<Command> {
         let focus = Focus::now(ctx, &self.stage.canvas_ids, &self.stage.handle_ids);
         let mut commands = keys::commands(ctx, focus);
+        if focus == Focus::Free && self.shown.dialog.is_none() {
+            keys::tab_to(ctx, self.stage.handle_ids.first().copied());
+        }
         if self.stage.handle_focused || egui::Popup::is_any_open(ctx) {
             // Escape gives the handle's focus back, or closes the menu: nothing more.
             commands.retain(|command| *command != Command::Cancel);
@@ -234,17 +237,19 @@ impl App {
     }
 
     /// Gives the context the theme, unless it has it: a headless table brings its own.
-    fn install_theme(&mut self, ctx: &egui::Context) {
+    fn install_theme(&mut self, ui: &mut Ui) {
         let kind = self.settings.theme;
         if self.shown.theme == Some(kind) {
             return;
         }
         let wanted = crate::paint::Theme::of(kind).style();
-        let has = ctx.global_style();
+        let has = ui.ctx().global_style();
         if has.text_styles != wanted.text_styles
             || has.visuals.panel_fill != wanted.visuals.panel_fill
         {
-            crate::paint::theme::install(ctx, kind);
+            crate::paint::theme::install(ui.ctx(), kind);
+            // This frame has begun with the old one.
+            ui.reset_style();
         }
         self.shown.theme = Some(kind);
     }

@@ -23,10 +23,8 @@ pub struct Model<'a> {
     pub code: CodeView,
     /// Is it still the lesson's own scene?
     pub is_untouched: bool,
-    /// What can be undone and redone.
-    pub can_undo: bool,
-    /// What can be redone.
-    pub can_redo: bool,
+    /// Is there something to undo, and to redo?
+    pub can_travel: [bool; 2],
     /// A narrow window, where only one place is shown.
     pub is_narrow: bool,
     /// Not high enough for comfort.
@@ -53,8 +51,7 @@ impl App {
             playback: &self.playback,
             code: self.shown.code,
             is_untouched: self.is_untouched(),
-            can_undo: self.document.can_undo(),
-            can_redo: self.document.can_redo(),
+            can_travel: [self.document.can_undo(), self.document.can_redo()],
             is_narrow: super::layout::is_narrow(size),
             is_low: size.y < 420.0,
         }

@@ -25,7 +25,7 @@ pub fn show(app: &mut App, ui: &mut Ui, commands: &mut Vec<Command>) {
     }
     match app.shown.dialog.clone() {
         Some(Dialog::Help) => help(&ctx, look, commands),
-        Some(dialog) => path_dialog(&ctx, look, dialog, commands),
+        Some(dialog) => path_dialog(&ctx, look, &dialog, commands),
         None => {}
     }
 }
@@ -102,7 +102,8 @@ fn help(ctx: &Context, look: Look<'_>, commands: &mut Vec<Command>) {
             .show(ui, |ui| {
                 Grid::new("keys")
                     .num_columns(2)
-                    .spacing(vec2(24.0, 8.0))
+                    .spacing(vec2(24.0, 2.0))
+                    .min_row_height(0.0)
                     .show(ui, |ui| {
                         for (keys, help) in lines(ctx) {
                             ui.label(RichText::new(keys).monospace().color(look.theme.ink));
@@ -131,7 +132,7 @@ fn help(ctx: &Context, look: Look<'_>, commands: &mut Vec<Command>) {
 fn heading(ui: &mut Ui, look: Look<'_>, key: &str, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         ui.label(RichText::new(look.say(key)).heading());
-        ui.add_space(24.0);
+        ui.add_space(48.0);
         if icon_button(ui, look, Icon::Close, &look.say("action-close"), true).clicked() {
             commands.push(Command::Show(None));
         }
@@ -168,8 +169,8 @@ fn written(ctx: &Context, modifiers: Modifiers, key: Key) -> String {
     format!("{}{sign}", whole.trim_end_matches('A'))
 }
 
-fn path_dialog(ctx: &Context, look: Look<'_>, dialog: Dialog, commands: &mut Vec<Command>) {
-    let (key, action, mut path) = match &dialog {
+fn path_dialog(ctx: &Context, look: Look<'_>, dialog: &Dialog, commands: &mut Vec<Command>) {
+    let (key, action, mut path) = match dialog {
         Dialog::Save { path } => ("save-title", "action-save", path.clone()),
         Dialog::Export { path } => ("export-title", "action-export", path.clone()),
         Dialog::Help => return,

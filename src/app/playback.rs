@@ -73,9 +73,8 @@ impl Playback {
         let mut step = self.transport.position();
         loop {
             match step.checked_add_signed(direction) {
-                None => return 0,
+                None | Some(0) => return 0,
                 Some(next) if next > n_steps => return n_steps,
-                Some(0) => return 0,
                 Some(next) => step = next,
             }
             if self.main.tick(step) == Tick::Phase {

@@ -1,7 +1,7 @@
 //! The stage: the figure, a second view below it where the method has one, and the caption. Two of each
 //! where two methods stand side by side.
 
-use egui::{Context, Id, Rect, RichText, Stroke, Ui, UiBuilder, pos2, vec2};
+use egui::{Context, Id, Rect, Stroke, Ui, UiBuilder, pos2, vec2};
 
 use crate::{
     figure::{Frame, Link, Mark},
@@ -82,6 +82,12 @@ impl StageState {
             }
             _ => {}
         }
+    }
+
+    /// The part of the world that was shown last.
+    #[cfg(test)]
+    pub const fn seen(&self) -> Option<Viewport> {
+        self.seen
     }
 
     fn viewport(&self, rect: Rect) -> Viewport {
@@ -187,8 +193,13 @@ impl Column {
     ) -> CanvasShown {
         let look = model.look;
         let n_rows = self.caption_rows(model);
+        let whole = if self.is_one_of_two {
+            self.title(model, ui)
+        } else {
+            self.rect
+        };
         let (stage, rest) = split(
-            self.rect,
+            whole,
             caption_height(look.theme, n_rows).min(0.4 * self.rect.height()),
         );
         let second = number_line_height(look.theme);
@@ -215,6 +226,22 @@ impl Column {
         ui.painter().hline(rest.x_range(), rest.top() + 0.5, line);
         caption(ui, look, rest, n_rows, &frame.caption);
         shown
+    }
+
+    /// The method's name above its stage; the room below.
+    fn title(&self, model: &Model<'_>, ui: &mut Ui) -> Rect {
+        let look = model.look;
+        let height = (36.0 * look.theme.text_scale).round();
+        let strip = self.rect.with_max_y(self.rect.top() + height);
+        ui.painter().rect_filled(strip, 0.0, look.theme.background);
+        ui.painter().text(
+            strip.left_center() + vec2(24.0, 0.0),
+            egui::Align2::LEFT_CENTER,
+            look.say(self.method.info().name_key),
+            theme::strong().resolve(ui.style()),
+            look.theme.ink,
+        );
+        self.rect.with_min_y(strip.bottom())
     }
 
     /// A caption that has little width gets another line.
@@ -256,13 +283,6 @@ impl Column {
             look,
         }
         .show(ui);
-        if self.is_one_of_two {
-            let name =
-                RichText::new(look.say(self.method.info().name_key)).text_style(theme::strong());
-            let place =
-                Rect::from_min_size(rect.min + vec2(16.0, 8.0), vec2(rect.width() - 32.0, 24.0));
-            ui.scope_builder(UiBuilder::new().max_rect(place), |ui| ui.label(name));
-        }
         state.canvas_ids.push(id);
         state
             .handle_ids

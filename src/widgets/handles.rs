@@ -190,7 +190,10 @@ impl Handles<'_> {
         let is_near = canvas.hovered() || focused.is_some_and(|id| self.owns(id));
         for (i, spot) in self.spots.iter().enumerate() {
             let centre = self.viewport.to_screen(spot.at);
-            if !spot.locked && !spot.marked && is_near {
+            // A figure as a whole shows its handle only when it is touched: labels stand in its middle.
+            let is_shown =
+                spot.snap == Snap::Place || touched == Some(i) || focused == Some(self.id_of(i));
+            if !spot.locked && !spot.marked && is_near && is_shown {
                 let square = Rect::from_center_size(centre, Vec2::splat(7.0));
                 painter.rect_filled(square, 1.0, theme.background);
                 let colour = if touched == Some(i) {

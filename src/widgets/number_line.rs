@@ -11,7 +11,7 @@ use egui::{
     Vec2, Vec2b, WidgetInfo, pos2, vec2,
 };
 use egui_plot::{
-    Line, LineStyle, MarkerShape, Plot, PlotBounds, PlotPoints, PlotTransform, Points,
+    Line, LineStyle, MarkerShape, Plot, PlotBounds, PlotPoints, PlotTransform, PlotUi, Points,
 };
 
 use crate::{
@@ -113,48 +113,40 @@ fn plot(
         .show_y(false)
         .cursor_color(Color32::TRANSPARENT)
         .show(ui, |plot| {
-            // The line lies low: labels stand above it.
-            plot.set_plot_bounds(PlotBounds::from_min_max([low, -0.55], [high, 1.0]));
-            let quiet = Stroke::new(1.5, theme.faint);
-            plot.line(
-                Line::new("axis", PlotPoints::new(vec![[low, 0.0], [high, 0.0]]))
-                    .stroke(quiet)
-                    .allow_hover(false),
-            );
-            let [from, to] = line.interval;
-            if !line.empty {
-                let left = Stroke::new(5.0 * theme.stroke_scale, theme.accent);
-                plot.line(
-                    Line::new("interval", PlotPoints::new(vec![[from, 0.0], [to, 0.0]]))
-                        .stroke(left)
-                        .allow_hover(false),
-                );
-            } else {
-                let nothing = Stroke::new(2.0 * theme.stroke_scale, theme.discarded);
-                plot.line(
-                    Line::new("interval", PlotPoints::new(vec![[to, 0.0], [from, 0.0]]))
-                        .stroke(nothing)
-                        .style(LineStyle::dashed_dense())
-                        .allow_hover(false),
-                );
-            }
-            for tick in &line.ticks {
-                let u = tick.u.clamp(low + 0.5 * BEYOND, high - 0.5 * BEYOND);
-                let shape = match tick.side {
-                    Side::Entering => MarkerShape::Right,
-                    Side::Leaving => MarkerShape::Left,
-                };
-                plot.points(
-                    Points::new("crossing", vec![[u, 0.0]])
-                        .shape(shape)
-                        .radius(6.5 * theme.stroke_scale.sqrt())
-                        .filled(true)
-                        .color(colour(theme, tick))
-                        .allow_hover(false),
-                );
-            }
+            items(plot, theme, [low, high], line);
         });
     (shown.response, shown.transform)
+}
+
+/// The axis, what is left of it, and the crossings.
+fn items(plot: &mut PlotUi<'_>, theme: &Theme, [low, high]: [f64; 2], line: &NumberLine) {
+    // The line lies low: labels stand above it.
+    plot.set_plot_bounds(PlotBounds::from_min_max([low, -0.55], [high, 1.0]));
+    let mut stretch = |from: f64, to: f64, stroke: Stroke, style: LineStyle| {
+        let points = PlotPoints::new(vec![[from, 0.0], [to, 0.0]]);
+        let item = Line::new("", points).stroke(stroke).style(style);
+        plot.line(item.allow_hover(false));
+    };
+    stretch(low, high, Stroke::new(1.5, theme.faint), LineStyle::Solid);
+    let [from, to] = line.interval;
+    if line.empty {
+        let nothing = theme.stroke(2.0, theme.discarded);
+        stretch(to, from, nothing, LineStyle::dashed_dense());
+    } else {
+        stretch(from, to, theme.stroke(5.0, theme.accent), LineStyle::Solid);
+    }
+    for tick in &line.ticks {
+        let u = tick.u.clamp(low + 0.5 * BEYOND, high - 0.5 * BEYOND);
+        let shape = match tick.side {
+            Side::Entering => MarkerShape::Right,
+            Side::Leaving => MarkerShape::Left,
+        };
+        let marker = Points::new("", vec![[u, 0.0]])
+            .shape(shape)
+            .radius(6.5 * theme.stroke_scale.sqrt())
+            .color(colour(theme, tick));
+        plot.points(marker.filled(true).allow_hover(false));
+    }
 }
 
 /// This step's crossing is signal; one that holds a bound is accent; one that no longer matters is grey.

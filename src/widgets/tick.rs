@@ -36,13 +36,19 @@ pub fn draw(
     let r = 4.5 * size;
     match tick {
         Tick::Test => {
-            painter.circle(at, r, fill, stroke);
+            // One shape each: a stroke over a fill of its own colour shows as a rim.
+            if is_hollow {
+                painter.circle(at, r, fill, stroke);
+            } else {
+                painter.circle_filled(at, r + 0.75, fill);
+            }
         }
         Tick::Cut => {
-            let r = r * 1.4;
+            let r = r * if is_hollow { 1.4 } else { 1.6 };
             let points = [vec2(0.0, -r), vec2(r, 0.0), vec2(0.0, r), vec2(-r, 0.0)];
             let points = points.map(|v| at + v).to_vec();
-            painter.add(Shape::convex_polygon(points, fill, stroke));
+            let rim = if is_hollow { stroke } else { Stroke::NONE };
+            painter.add(Shape::convex_polygon(points, fill, rim));
         }
         Tick::Accept => accept(painter, at, r * 1.15, when, stroke, theme, surface),
         Tick::Reject => {
@@ -55,7 +61,8 @@ pub fn draw(
         }
         Tick::Phase => {
             let bar = Rect::from_center_size(at, vec2(4.0 * size, 13.0 * size));
-            painter.rect(bar, 1.0, fill, stroke, StrokeKind::Middle);
+            let rim = if is_hollow { stroke } else { Stroke::NONE };
+            painter.rect(bar, 1.0, fill, rim, StrokeKind::Middle);
         }
     }
     if when == When::Now {

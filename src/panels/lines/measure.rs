@@ -5,7 +5,7 @@ use std::hint::black_box;
 
 use crate::{
     geom::Segment,
-    labs::lines::{Method, Scene},
+    labs::lines::{Method, Pass, Scene},
     lesson::random_segments,
     panels::Stopwatch,
     trace::Counts,
@@ -41,7 +41,7 @@ pub struct Measure {
 /// The method that is being measured.
 struct Current {
     method: Method,
-    pass: Box<dyn FnMut() -> usize>,
+    pass: Pass,
     best_secs: f64,
     n_done: usize,
     counted: Counts,

@@ -109,8 +109,25 @@ fn chart(
             (row(i) + 0.02, format!("{name}  {value}"))
         })
         .collect();
+    still(key).height(height).show(ui, |plot| {
+        let bounds =
+            egui_plot::PlotBounds::from_min_max([0.0, 0.4], [most * 1.02, n_rows as f64 + 0.6]);
+        plot.set_plot_bounds(bounds);
+        plot.bar_chart(chart);
+        for (y, name) in names {
+            let text = RichText::new(name).small().color(look.theme.ink);
+            plot.text(
+                Text::new("name", PlotPoint::new(0.0, y), text)
+                    .anchor(Align2::LEFT_BOTTOM)
+                    .allow_hover(false),
+            );
+        }
+    });
+}
+
+/// A plot that only shows: it has no axes and cannot be moved.
+fn still(key: &str) -> Plot<'static> {
     Plot::new(key)
-        .height(height)
         .show_axes(false)
         .show_grid(false)
         .show_background(false)
@@ -123,18 +140,4 @@ fn chart(
         .show_y(false)
         .cursor_color(egui::Color32::TRANSPARENT)
         .auto_bounds(Vec2b::FALSE)
-        .show(ui, |plot| {
-            let bounds =
-                egui_plot::PlotBounds::from_min_max([0.0, 0.4], [most * 1.02, n_rows as f64 + 0.6]);
-            plot.set_plot_bounds(bounds);
-            plot.bar_chart(chart);
-            for (y, name) in names {
-                let text = RichText::new(name).small().color(look.theme.ink);
-                plot.text(
-                    Text::new("name", PlotPoint::new(0.0, y), text)
-                        .anchor(Align2::LEFT_BOTTOM)
-                        .allow_hover(false),
-                );
-            }
-        });
 }

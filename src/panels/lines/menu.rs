@@ -1,6 +1,6 @@
 //! The lab's controls: which methods, and what is in the scene.
 
-use egui::{ComboBox, Ui};
+use egui::{ComboBox, Rect, Shape, Stroke, Ui, style::WidgetVisuals, vec2};
 
 use crate::{
     algo::line::BitOrder,
@@ -15,6 +15,7 @@ pub fn method_picker(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<Lines
     let mut asked = None;
     let name = |method: Method| look.say(method.info().name_key);
     let combo = ComboBox::from_id_salt("method")
+        .icon(chevron)
         .selected_text(name(scene.method))
         .show_ui(ui, |ui| {
             for method in Method::all() {
@@ -36,6 +37,7 @@ pub fn compare_picker(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<Line
     let name = |method: Method| look.say(method.info().name_key);
     let shown = scene.compare.map_or_else(|| look.say("cost-compare"), name);
     let combo = ComboBox::from_id_salt("compare")
+        .icon(chevron)
         .selected_text(shown)
         .show_ui(ui, |ui| {
             let none = look.say("cost-compare-none");
@@ -87,4 +89,13 @@ pub fn scene_menu(
         }
     });
     asked
+}
+
+/// A small angle that points down: quieter than egui's triangle.
+fn chevron(ui: &Ui, rect: Rect, _visuals: &WidgetVisuals, _is_open: bool) {
+    let centre = rect.center().round();
+    let line = [vec2(-3.5, -1.75), vec2(0.0, 1.75), vec2(3.5, -1.75)];
+    let points = line.map(|offset| centre + offset).to_vec();
+    let stroke = Stroke::new(1.5, ui.visuals().weak_text_color());
+    ui.painter().add(Shape::line(points, stroke));
 }
