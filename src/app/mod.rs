@@ -153,6 +153,11 @@ impl App {
         self
     }
 
+    /// Goes to a step of the run.
+    pub fn seek(&mut self, position: usize) {
+        self.playback.transport_mut().seek(position);
+    }
+
     /// What is remembered until the next time.
     #[must_use]
     pub fn settings(&self) -> Settings {

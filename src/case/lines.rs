@@ -15,7 +15,7 @@ use super::{Code, Field, Fields, Given, Node, Path, Problem, Refusal, Solver, fi
 
 /// A clip polygon with more vertices than this is refused: a step's table of values has a row an edge, and
 /// a report a step an edge, so that its length grows with the square.
-const MAX_VERTICES: usize = 4096;
+const MAX_VERTICES: usize = 1024;
 
 /// The lab's methods.
 pub(super) fn solvers() -> impl Iterator<Item = &'static dyn Solver> {

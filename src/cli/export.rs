@@ -1,17 +1,28 @@
 //! `clipscope export`: figures to files.
 
-use std::{path::PathBuf, process::ExitCode, str::FromStr};
+use std::{path::PathBuf, str::FromStr};
 
-use clap::ValueEnum;
+use clap::{
+    ValueEnum,
+    builder::{PossibleValuesParser, TypedValueParser},
+};
 
-use crate::text::Lang;
+use egui::vec2;
 
-use super::{Outcome, lang_parser, say::say_text};
+use crate::{
+    app::{App, Settings},
+    export::{self, Failure, Job, Options, jobs, run},
+    lesson::Course,
+    paint::{Headless, ThemeKind},
+    text::{Lang, Message},
+};
+
+use super::{Outcome, Progress, lang_parser, lessons::choose, say};
 
 const EXAMPLES: &str = "\
 Examples:
   clipscope export --out figures
-  clipscope export 02-cohen-sutherland --out slides --theme projector --scale 2
+  clipscope export 03-outcodes --out slides --theme projector --scale 2
   clipscope export --out figuras --lang pt-BR --steps all
 
 The same input gives the same bytes on every machine. A file is written whole or not at all.";
@@ -29,15 +40,15 @@ pub(super) struct Args {
     /// File formats
     #[arg(long, value_enum, value_delimiter = ',', default_value = "png")]
     pub format: Vec<Format>,
-    /// Width and height in points
+    /// Width and height; text keeps its proportion to the picture
     #[arg(long, value_name = "WxH", default_value = "1920x1080")]
     pub size: Size,
-    /// Pixels a point
+    /// Multiplies both sides, for screens and printers of high density
     #[arg(long, value_name = "N", default_value_t = 1.0, value_parser = scale)]
     pub scale: f32,
     /// Colours
-    #[arg(long, value_enum, default_value_t = Theme::Light)]
-    pub theme: Theme,
+    #[arg(long, value_name = "THEME", default_value_t = ThemeKind::Light, value_parser = theme_parser())]
+    pub theme: ThemeKind,
     /// Language of labels and captions
     #[arg(long, value_name = "LANG", default_value_t = Lang::En, value_parser = lang_parser())]
     pub lang: Lang,
@@ -56,17 +67,6 @@ pub(super) enum Format {
     Png,
 }
 
-/// A theme by name.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-pub(super) enum Theme {
-    /// Ink on paper
-    Light,
-    /// For a dark room
-    Dark,
-    /// Large and high in contrast
-    Projector,
-}
-
 /// Which steps become files.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
 pub(super) enum Steps {
@@ -76,12 +76,27 @@ pub(super) enum Steps {
     All,
 }
 
-/// Width and height in points.
+impl From<Steps> for export::Steps {
+    fn from(steps: Steps) -> Self {
+        match steps {
+            Steps::Figures => Self::Figures,
+            Steps::All => Self::All,
+        }
+    }
+}
+
+/// Reads a theme's id.
+fn theme_parser() -> impl TypedValueParser<Value = ThemeKind> {
+    PossibleValuesParser::new(ThemeKind::ALL.map(ThemeKind::id))
+        .try_map(|id| id.parse::<ThemeKind>())
+}
+
+/// Width and height in pixels at scale 1.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) struct Size {
-    /// Points across.
+    /// Across.
     pub width: u32,
-    /// Points down.
+    /// Down.
     pub height: u32,
 }
 
@@ -114,8 +129,66 @@ fn scale(text: &str) -> Result<f32, String> {
     }
 }
 
-/// Draws the figures.
-pub(super) fn export(_args: &Args) -> ExitCode {
-    say_text("not built yet");
-    Outcome::Unusable.into()
+/// Draws the figures; names on standard error whatever could not be read or written.
+pub(super) fn export(args: &Args) -> Outcome {
+    let chosen = choose(&args.lessons);
+    let read = chosen.report_errors(args.lang);
+    if chosen.lessons.is_empty() {
+        return read;
+    }
+    let options = Options {
+        size_px: [args.size.width, args.size.height].map(|side| (side as f32 * args.scale) as u32),
+        theme: args.theme,
+        lang: args.lang,
+        steps: args.steps.into(),
+    };
+    let jobs = jobs(&chosen.lessons, options.steps);
+    let course = Course {
+        lessons: chosen.lessons.clone(),
+    };
+    let mut progress = Progress::new(jobs.len() as u64);
+    let failures = run(
+        &jobs,
+        options.theme,
+        &args.out,
+        |job, table| {
+            if args.window {
+                window_png(job, &course, table, args)
+            } else {
+                job.png(table, &options)
+            }
+        },
+        || progress.advance(1),
+    );
+    drop(progress);
+    for Failure { path, error } in &failures {
+        let message =
+            Message::new("status-export-failed").with("reason", format!("{path}: {error}"));
+        say(args.lang, &message);
+    }
+    let n_drawn = jobs.len() - failures.len();
+    let sum = Message::new("cli-exported")
+        .with("count", n_drawn)
+        .with("path", args.out.display().to_string());
+    say(args.lang, &sum);
+    match (failures.is_empty(), n_drawn) {
+        (true, _) => read,
+        (false, 0) => Outcome::Unusable,
+        (false, _) => Outcome::Refused,
+    }
+}
+
+/// The whole window, standing at the picture's step.
+fn window_png(job: &Job<'_>, course: &Course, table: &mut Headless, args: &Args) -> Vec<u8> {
+    let settings = Settings {
+        lang: args.lang,
+        theme: args.theme,
+        last: Some((job.lesson.id.clone(), job.step.id.clone())),
+        ..Settings::default()
+    };
+    let size = vec2(args.size.width as f32, args.size.height as f32);
+    let mut app = App::new(course.clone(), settings);
+    app.seek(job.position);
+    let image = table.draw(size, args.scale, |ui| app.ui(ui));
+    image.to_png()
 }

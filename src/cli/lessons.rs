@@ -49,19 +49,19 @@ pub(super) fn choose(names: &[PathBuf]) -> Chosen {
 impl Chosen {
     /// Names on standard error whatever is wrong.
     pub fn report(&self, lang: Lang) -> Outcome {
-        let warnings = self.problems.iter().filter(|problem| !is_error(problem));
-        for problem in warnings {
-            say_text(&problem.render(Catalog::of(lang)));
-        }
-        self.report_errors(lang)
+        self.name(lang, |_| true)
     }
 
     /// Names on standard error which lessons are left out.
     pub fn report_errors(&self, lang: Lang) -> Outcome {
-        let errors: Vec<&Problem> = self.problems.iter().filter(|p| is_error(p)).collect();
-        for problem in &errors {
+        self.name(lang, is_error)
+    }
+
+    fn name(&self, lang: Lang, is_told: fn(&Problem) -> bool) -> Outcome {
+        for problem in self.problems.iter().filter(|problem| is_told(problem)) {
             say_text(&problem.render(Catalog::of(lang)));
         }
+        let errors: Vec<&Problem> = self.problems.iter().filter(|p| is_error(p)).collect();
         for name in &self.missing {
             say(
                 lang,

@@ -83,7 +83,7 @@ pub fn run() -> ExitCode {
     match cli.command {
         None => open::open_app(None),
         Some(Command::Open { path }) => open::open_app(Some(path)),
-        Some(Command::Export(args)) => export::export(&args),
+        Some(Command::Export(args)) => export::export(&args).into(),
         Some(Command::Trace(args)) => trace::trace(&args).into(),
         Some(Command::Check(args)) => check::check(&args).into(),
         Some(Command::List(args)) => list::list(&args).into(),

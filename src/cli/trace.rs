@@ -19,12 +19,13 @@ use super::{
 };
 
 const EXAMPLES: &str = r#"Examples:
-  echo '{"algorithm": "liang-barsky", "window": [-1,-1,1,1], "segment": [-2,-1,2,1.5]}' | clipscope trace
   clipscope trace cases.ndjson --events false > answers.ndjson
   clipscope trace cases.ndjson --format markdown --lang es > respuestas.md
+  echo '{"algorithm":"liang-barsky","window":[-1,-1,1,1],"segment":[-2,-1,2,1.5]}' |
+    clipscope trace
 
-One case a line in, one answer a line out, in order. A refused case is answered with an error, and the rest
-is carried on; exit status 1 tells that there was one."#;
+One case a line in, one answer a line out, in order. A refused case is answered with an
+error and the rest is carried on; exit status 1 tells that there was one."#;
 
 /// Refusals named on standard error; the answers name them all.
 const MAX_NAMED: usize = 10;

@@ -58,9 +58,10 @@ pub fn draw(table: &mut Headless, picture: &Picture<'_>) -> Image {
             catalog: Catalog::of(picture.lang),
         },
         is_comparison: columns.len() > 1,
-        line_height: match columns.iter().any(|c| c.frame.number_line.is_some()) {
-            true => number_line_height(Theme::of(picture.theme)),
-            false => 0.0,
+        line_height: if columns.iter().any(|c| c.frame.number_line.is_some()) {
+            number_line_height(Theme::of(picture.theme))
+        } else {
+            0.0
         },
     };
     table.draw(size / pixels_per_point, pixels_per_point, |ui| {

@@ -96,12 +96,12 @@ impl Job<'_> {
         draw(table, &picture).to_png()
     }
 
-    fn write(&self, table: &mut Headless, options: &Options, out: &Path) -> io::Result<()> {
+    fn write(&self, png: &[u8], out: &Path) -> io::Result<()> {
         let path = out.join(&self.path);
         if let Some(folder) = path.parent() {
             std::fs::create_dir_all(folder)?;
         }
-        write_whole(&path, &self.png(table, options))
+        write_whole(&path, png)
     }
 }
 
@@ -114,12 +114,13 @@ pub struct Failure {
     pub error: io::Error,
 }
 
-/// Draws and writes all pictures on all cores; `done` hears of each on the calling thread. The failures
-/// come in the order of the jobs.
+/// Draws with `png` and writes all pictures on all cores; `done` hears of each on the calling thread. The
+/// failures come in the order of the jobs.
 pub fn run(
     jobs: &[Job<'_>],
-    options: &Options,
+    theme: ThemeKind,
     out: &Path,
+    png: impl Fn(&Job<'_>, &mut Headless) -> Vec<u8> + Sync,
     mut done: impl FnMut(),
 ) -> Vec<Failure> {
     let next = AtomicUsize::new(0);
@@ -131,11 +132,11 @@ pub fn run(
         let (finished, each_finished) = mpsc::channel();
         for _ in 0..n_threads {
             let finished = finished.clone();
-            let (next, failures) = (&next, &failures);
+            let (next, failures, png) = (&next, &failures, &png);
             scope.spawn(move || {
-                let mut table = Headless::new(options.theme);
+                let mut table = Headless::new(theme);
                 while let Some((i, job)) = take(next, jobs) {
-                    if let Err(error) = job.write(&mut table, options, out) {
+                    if let Err(error) = job.write(&png(job, &mut table), out) {
                         let path = out.join(&job.path).display().to_string();
                         if let Ok(mut failures) = failures.lock() {
                             failures.push((i, Failure { path, error }));
@@ -148,7 +149,9 @@ pub fn run(
             });
         }
         drop(finished);
-        each_finished.iter().for_each(|()| done());
+        for () in each_finished {
+            done();
+        }
     });
     let mut failures = failures.into_inner().unwrap_or_default();
     failures.sort_by_key(|(i, _)| *i);

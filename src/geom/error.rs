@@ -43,7 +43,7 @@ pub enum GeomError {
     },
     /// Every turn goes the same way, but the outline runs around more than once.
     SelfIntersecting {
-        /// The first vertex of the second round.
+        /// A vertex of the second round.
         vertex_idx: usize,
     },
 }

@@ -12,5 +12,5 @@ mod window;
 pub use convex_polygon::ConvexPolygon;
 pub use error::{Axis, GeomError};
 pub use half_plane::HalfPlane;
-pub use point::{Point, Segment};
+pub use point::{Point, Segment, extent};
 pub use window::{Edge, Window};

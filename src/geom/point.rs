@@ -107,6 +107,20 @@ impl From<Segment> for [f64; 4] {
     }
 }
 
+/// The smallest rectangle around some points, as its lower left and upper right corner.
+#[must_use]
+pub fn extent(points: impl IntoIterator<Item = Point>) -> [[f64; 2]; 2] {
+    points.into_iter().fold(
+        [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]],
+        |[min, max], p| {
+            [
+                [min[0].min(p.x), min[1].min(p.y)],
+                [max[0].max(p.x), max[1].max(p.y)],
+            ]
+        },
+    )
+}
+
 /// Refuses the first number that is not finite.
 pub(super) fn finite(numbers: &[f64]) -> Result<(), GeomError> {
     match numbers.iter().position(|x| !x.is_finite()) {

@@ -1,5 +1,7 @@
 //! The clip window: a closed, ordered, axis-aligned rectangle.
 
+use std::hint::select_unpredictable;
+
 use serde::{Deserialize, Serialize};
 
 use super::{Axis, GeomError, HalfPlane, Point, point::finite};
@@ -86,14 +88,12 @@ impl Window {
     }
 
     /// The constant coordinate of a side.
+    #[inline]
     #[must_use]
-    pub const fn border(&self, edge: Edge) -> f64 {
-        match edge {
-            Edge::Left => self.min.x(),
-            Edge::Right => self.max.x(),
-            Edge::Bottom => self.min.y(),
-            Edge::Top => self.max.y(),
-        }
+    pub fn border(&self, edge: Edge) -> f64 {
+        // Of four sides none is likelier: a branch would be guessed wrong too often.
+        let corner = select_unpredictable(edge.is_max(), self.max, self.min);
+        select_unpredictable(edge.axis() == Axis::X, corner.x(), corner.y())
     }
 
     /// The side of the window on which its inside lies: `n·p + d ≥ 0`.
@@ -144,5 +144,57 @@ impl TryFrom<[f64; 4]> for Window {
 impl From<Window> for [f64; 4] {
     fn from(window: Window) -> Self {
         window.to_array()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn refused_unless_finite_and_ordered() {
+        use GeomError::{EmptyWindow, NotFinite};
+        let infinity = f64::INFINITY;
+        let empty = |axis, min, max| EmptyWindow { axis, min, max };
+        let cases = [
+            ([1.0, 0.0, -1.0, 1.0], empty(Axis::X, 1.0, -1.0)),
+            ([0.0, 2.0, 1.0, 2.0], empty(Axis::Y, 2.0, 2.0)),
+            ([0.0, -0.0, 0.0, 1.0], empty(Axis::X, 0.0, 0.0)),
+            (
+                [0.0, 0.0, infinity, 1.0],
+                NotFinite {
+                    index: 2,
+                    value: infinity,
+                },
+            ),
+        ];
+        for (numbers, expected) in cases {
+            assert_eq!(Window::try_from(numbers), Err(expected), "{numbers:?}");
+        }
+        let refused = Window::new(0.0, f64::NAN, 1.0, 1.0).unwrap_err();
+        assert!(matches!(refused, NotFinite { index: 1, .. }), "{refused}");
+    }
+
+    #[test]
+    fn its_border_is_inside() {
+        let window = Window::new(-1.0, -2.0, 3.0, 4.0).unwrap();
+        for corner in window.corners() {
+            assert!(window.contains(corner), "{corner:?}");
+        }
+        let beyond = Point::new(3.0_f64.next_up(), 0.0).unwrap();
+        assert!(!window.contains(beyond), "{beyond:?}");
+    }
+
+    #[test]
+    fn every_normal_points_inside() {
+        let window = Window::new(-1.0, -2.0, 3.0, 4.0).unwrap();
+        let middle = [1.0, 1.0];
+        for edge in Edge::ALL {
+            let plane = window.half_plane(edge);
+            let [nx, ny] = plane.normal();
+            let [ex, ey] = plane.origin().to_array();
+            let distance = nx * (middle[0] - ex) + ny * (middle[1] - ey);
+            assert!(distance > 0.0, "{} has {distance}", edge.id());
+        }
     }
 }

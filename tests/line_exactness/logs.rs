@@ -1,1 +1,111 @@
+//! Event logs of worked examples, one JSON object a line, as `clipscope trace` prints them. After a change
+//! that is meant, `UPDATE_SNAPSHOTS=1 cargo test --no-default-features --test line_exactness` writes them anew.
 
+use std::{fs, path::PathBuf};
+
+use clipscope::{
+    algo::line::{
+        BitOrder, BruteForce, CohenSutherland, CohenSutherlandInput, CyrusBeck, CyrusBeckInput,
+        LiangBarsky, NichollLeeNicholl, WindowInput,
+    },
+    geom::{ConvexPolygon, Segment, Window},
+    trace::{Algorithm, Trace},
+};
+use serde::Serialize;
+
+fn check<A: Algorithm<Event: Serialize>>(name: &str, input: A::Input) {
+    let trace = Trace::<A>::record(input);
+    let mut log = String::new();
+    for event in trace.events() {
+        log += &serde_json::to_string(event).expect("an event is JSON");
+        log += "\n";
+    }
+    let counts = trace.counts_at(trace.events().len());
+    log += &serde_json::to_string(&counts).expect("counts are JSON");
+    log += "\n";
+    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+        .join(format!("tests/snapshots/line/{name}.ndjson"));
+    if std::env::var_os("UPDATE_SNAPSHOTS").is_some() {
+        fs::create_dir_all(path.parent().expect("a folder")).expect("the folder is made");
+        fs::write(&path, &log).expect("the log is written");
+    }
+    let expected = fs::read_to_string(&path).unwrap_or_default();
+    assert_eq!(
+        log,
+        expected,
+        "the events of {name}, as in {}",
+        path.display()
+    );
+}
+
+/// The slides' practice example.
+fn practice() -> WindowInput {
+    WindowInput {
+        window: Window::new(-1.0, -1.0, 1.0, 1.0).expect("a window"),
+        segment: Segment::new(-2.0, -1.0, 2.0, 1.5).expect("finite"),
+    }
+}
+
+fn across(x1: f64, y1: f64, x2: f64, y2: f64) -> WindowInput {
+    let segment = Segment::new(x1, y1, x2, y2).expect("finite");
+    WindowInput {
+        segment,
+        ..practice()
+    }
+}
+
+fn coded(WindowInput { window, segment }: WindowInput) -> CohenSutherlandInput {
+    let bit_order = BitOrder::Tbrl;
+    CohenSutherlandInput {
+        window,
+        segment,
+        bit_order,
+    }
+}
+
+#[test]
+fn brute_force() {
+    check::<BruteForce>("brute-force-practice", practice());
+    check::<BruteForce>("brute-force-parallel", across(0.5, 2.0, 0.5, -3.0));
+}
+
+#[test]
+fn cohen_sutherland() {
+    check::<CohenSutherland>("cohen-sutherland-practice", coded(practice()));
+    check::<CohenSutherland>(
+        "cohen-sutherland-four-cuts",
+        coded(across(-1.5, -3.0, 1.5, 3.0)),
+    );
+    check::<CohenSutherland>(
+        "cohen-sutherland-reject",
+        coded(across(2.0, 2.0, -2.0, 3.0)),
+    );
+}
+
+#[test]
+fn liang_barsky() {
+    check::<LiangBarsky>("liang-barsky-practice", practice());
+    check::<LiangBarsky>("liang-barsky-touch", across(-2.0, 0.0, 0.0, 2.0));
+    check::<LiangBarsky>("liang-barsky-parallel-reject", across(0.5, 2.0, 0.5, 3.0));
+}
+
+#[test]
+fn cyrus_beck() {
+    let diamond = [[0.0, -2.0], [2.0, 0.0], [0.0, 2.0], [-2.0, 0.0]];
+    let segment = Segment::new(-3.0, 1.0, 1.0, 1.0).expect("finite");
+    let clip = ConvexPolygon::new(&diamond).expect("convex");
+    check::<CyrusBeck>("cyrus-beck-diamond", CyrusBeckInput { clip, segment });
+    let WindowInput { window, segment } = practice();
+    let clip = window.into();
+    check::<CyrusBeck>("cyrus-beck-practice", CyrusBeckInput { clip, segment });
+}
+
+#[test]
+fn nicholl_lee_nicholl() {
+    check::<NichollLeeNicholl>("nicholl-lee-nicholl-practice", practice());
+    check::<NichollLeeNicholl>(
+        "nicholl-lee-nicholl-three-corners",
+        across(-3.0, -2.0, 3.0, 2.5),
+    );
+    check::<NichollLeeNicholl>("nicholl-lee-nicholl-miss", across(-2.0, 0.0, 0.0, 3.0));
+}

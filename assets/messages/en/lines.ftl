@@ -66,9 +66,9 @@ lb-row = k = { $k }, { $edge }: u · p ≤ q, { $direction }.
 lb-parallel-inside = Parallel to the { $edge } and inside it: this side alone decides nothing.
 lb-parallel-outside = Parallel to the { $edge } and outside it: no u can help.
 lb-enter = The line enters across the { $edge }: u_min goes up.
-lb-enter-idle = The line enters across the { $edge }, but before u_min: no change.
+lb-enter-idle = The line enters across the { $edge }, but not after u_min: no change.
 lb-leave = The line leaves across the { $edge }: u_max comes down.
-lb-leave-idle = The line leaves across the { $edge }, but after u_max: no change.
+lb-leave-idle = The line leaves across the { $edge }, but not before u_max: no change.
 lb-put = { $end } moves to u = { $u } on { $border }.
 lb-put-end = { $end } = { $at } was inside and stays.
 lb-reject = Reject at the { $edge }: nothing of the segment is left.
@@ -95,13 +95,13 @@ cb-edge-parallel = { $edge }: n·D = 0, the line is parallel to it.
 cb-parallel-inside = Parallel to { $edge } and inside it: this edge alone decides nothing.
 cb-parallel-outside = Parallel to { $edge } and outside it: no t can help.
 cb-enter = The line enters across { $edge }: t_min goes up.
-cb-enter-idle = The line enters across { $edge }, but before t_min: no change.
+cb-enter-idle = The line enters across { $edge }, but not after t_min: no change.
 cb-leave = The line leaves across { $edge }: t_max comes down.
-cb-leave-idle = The line leaves across { $edge }, but after t_max: no change.
+cb-leave-idle = The line leaves across { $edge }, but not before t_max: no change.
 cb-put = { $end } moves to t = { $t } on { $edge }.
 cb-reject = Reject at { $edge }: nothing of the segment is left.
 code-cb-start = t_min ← 0; t_max ← 1; D ← P₂ − P₁
-code-cb-each = for each edge: n, w ← P₁ − E
+code-cb-each = for each edge: n; w ← P₁ − E
 code-cb-parallel = if n·D = 0 and n·w < 0: reject
 code-cb-enter = if n·D > 0: t_min ← max(t_min, −n·w / n·D)
 code-cb-leave = if n·D < 0: t_max ← min(t_max, −n·w / n·D)
@@ -139,9 +139,9 @@ watch-enters = in by
 watch-leaves = out by
 code-nln-regions = region of P₁, region of P₂
 code-nln-shared = if both are beyond one side: reject
-code-nln-enters = P₁ beyond two sides: its corner’s line → in by
-code-nln-meets = P₂ beyond a neighbour: if it misses the corner: reject
-code-nln-leaves = P₂ beyond two sides: its corner’s line → out by
+code-nln-enters = P₁ beyond two: its corner’s line → in by
+code-nln-meets = P₂ beyond the next side: if past C: reject
+code-nln-leaves = P₂ beyond two: its corner’s line → out by
 code-nln-cut = P₁, P₂ ← the one or two crossings found
 words-nln-regions = Find the region of each end.
 words-nln-shared = If both lie beyond the same side, nothing is visible.

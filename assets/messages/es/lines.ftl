@@ -66,9 +66,9 @@ lb-row = k = { $k }, { $edge }: u · p ≤ q, { $direction }.
 lb-parallel-inside = Paralelo al { $edge } y por dentro: este borde, por sí solo, no decide nada.
 lb-parallel-outside = Paralelo al { $edge } y por fuera: ningún valor de u sirve.
 lb-enter = La recta entra por el { $edge }: u_min sube.
-lb-enter-idle = La recta entra por el { $edge }, pero antes de u_min: nada cambia.
+lb-enter-idle = La recta entra por el { $edge }, pero no después de u_min: nada cambia.
 lb-leave = La recta sale por el { $edge }: u_max baja.
-lb-leave-idle = La recta sale por el { $edge }, pero después de u_max: nada cambia.
+lb-leave-idle = La recta sale por el { $edge }, pero no antes de u_max: nada cambia.
 lb-put = { $end } pasa a u = { $u }, en { $border }.
 lb-put-end = { $end } = { $at } ya estaba dentro y se queda.
 lb-reject = Se rechaza en el { $edge }: del segmento no queda nada.
@@ -95,9 +95,9 @@ cb-edge-parallel = { $edge }: n·D = 0, la recta es paralela a la arista.
 cb-parallel-inside = Paralelo a { $edge } y por dentro: esta arista, por sí sola, no decide nada.
 cb-parallel-outside = Paralelo a { $edge } y por fuera: ningún valor de t sirve.
 cb-enter = La recta entra por { $edge }: t_min sube.
-cb-enter-idle = La recta entra por { $edge }, pero antes de t_min: nada cambia.
+cb-enter-idle = La recta entra por { $edge }, pero no después de t_min: nada cambia.
 cb-leave = La recta sale por { $edge }: t_max baja.
-cb-leave-idle = La recta sale por { $edge }, pero después de t_max: nada cambia.
+cb-leave-idle = La recta sale por { $edge }, pero no antes de t_max: nada cambia.
 cb-put = { $end } pasa a t = { $t }, en { $edge }.
 cb-reject = Se rechaza en { $edge }: del segmento no queda nada.
 code-cb-start = t_min ← 0; t_max ← 1; D ← P₂ − P₁

@@ -101,7 +101,7 @@ cb-leave-idle = A reta sai por { $edge }, mas não antes de t_max: nada muda.
 cb-put = { $end } vai para t = { $t }, em { $edge }.
 cb-reject = Rejeitado em { $edge }: não sobra nada do segmento.
 code-cb-start = t_min ← 0; t_max ← 1; D ← P₂ − P₁
-code-cb-each = para cada aresta: n, w ← P₁ − E
+code-cb-each = para cada aresta: n; w ← P₁ − E
 code-cb-parallel = se n·D = 0 e n·w < 0: rejeite
 code-cb-enter = se n·D > 0: t_min ← max(t_min; −n·w / n·D)
 code-cb-leave = se n·D < 0: t_max ← min(t_max; −n·w / n·D)

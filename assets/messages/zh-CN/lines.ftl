@@ -66,9 +66,9 @@ lb-row = k = { $k }，{ $edge }：u · p ≤ q，{ $direction }。
 lb-parallel-inside = 与{ $edge }平行且在其内侧：单凭这条边界还不能判定。
 lb-parallel-outside = 与{ $edge }平行且在其外侧：任何 u 都不满足。
 lb-enter = 直线由{ $edge }进入：u_min 增大。
-lb-enter-idle = 直线由{ $edge }进入，但早于 u_min：不变。
+lb-enter-idle = 直线由{ $edge }进入，但不晚于 u_min：不变。
 lb-leave = 直线由{ $edge }离开：u_max 减小。
-lb-leave-idle = 直线由{ $edge }离开，但晚于 u_max：不变。
+lb-leave-idle = 直线由{ $edge }离开，但不早于 u_max：不变。
 lb-put = { $end } 移到 u = { $u } 处，落在 { $border } 上。
 lb-put-end = { $end } = { $at } 本来就在窗口内，保持不动。
 lb-reject = 处理到{ $edge }时舍弃：线段一点不剩。
@@ -95,9 +95,9 @@ cb-edge-parallel = { $edge }：n·D = 0，直线与该边平行。
 cb-parallel-inside = 与 { $edge } 平行且在其内侧：单凭这条边还不能判定。
 cb-parallel-outside = 与 { $edge } 平行且在其外侧：任何 t 都不满足。
 cb-enter = 直线由 { $edge } 进入：t_min 增大。
-cb-enter-idle = 直线由 { $edge } 进入，但早于 t_min：不变。
+cb-enter-idle = 直线由 { $edge } 进入，但不晚于 t_min：不变。
 cb-leave = 直线由 { $edge } 离开：t_max 减小。
-cb-leave-idle = 直线由 { $edge } 离开，但晚于 t_max：不变。
+cb-leave-idle = 直线由 { $edge } 离开，但不早于 t_max：不变。
 cb-put = { $end } 移到 t = { $t } 处，落在 { $edge } 上。
 cb-reject = 处理到 { $edge } 时舍弃：线段一点不剩。
 code-cb-start = t_min ← 0; t_max ← 1; D ← P₂ − P₁

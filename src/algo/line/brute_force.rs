@@ -14,7 +14,7 @@
 //!    was computed in vain.
 //!
 //! *Conventions*: closed window, y up. *Degenerate*: a segment parallel to a side has no crossing; a touch
-//! is accepted. *Bound*: four sides. *Cost*: 16 +, 8 ×, 4 ÷ and 16 to 40 comparisons.
+//! is accepted. *Bound*: four sides. *Cost*: at most 16 +, 8 ×, 4 ÷ and 24 comparisons.
 //!
 //! *Source*: the method that every textbook starts from; D. F. Rogers, *Procedural Elements for Computer
 //! Graphics*, 2nd ed. 1998, §3-1.

@@ -18,8 +18,8 @@
 //! no rounding piles up, and kept within the part that is left, so that a bit once cleared stays clear.
 //!
 //! *Conventions*: closed window, y up. *Degenerate*: a point is accepted or rejected by its codes; a touch
-//! is accepted. *Bound*: each cut clears a bit of the OR for good, so there are at most 4. *Cost*: 4 to 8
-//! comparisons for the codes; 4 +, 2 ×, 1 ÷ and up to 8 comparisons a cut.
+//! is accepted. *Bound*: each cut clears a bit of the OR for good, so there are at most 4. *Cost*: 8
+//! comparisons for the codes; 4 +, 2 ×, 1 ÷ and 7 comparisons a cut.
 //!
 //! *Source*: Danny Cohen and Ivan Sutherland, 1967; first printed in W. M. Newman and R. F. Sproull,
 //! *Principles of Interactive Computer Graphics*, 1973, pp. 123–124.
@@ -42,7 +42,7 @@ use crate::{
 
 use super::{
     BitOrder, End, Outcode, Ratio, Visible,
-    crossing::{clamp_between, crossing, join, split},
+    crossing::{clamp_between, crossing_at, join, split},
     segment_between,
 };
 
@@ -168,11 +168,12 @@ impl Algorithm for CohenSutherland {
                 End::P2
             };
             emit(Event::Choose { end, edge });
-            let cut = crossing::<R>(&segment, &window, edge);
+            let border = window.border(edge);
+            let cut = crossing_at::<R>(&segment, edge.axis(), border);
             let [[_, free1], [_, free2]] = ends.map(|p| split::<R>(p, edge.axis()));
             let free = clamp_between(cut.free, free1, free2);
             let from = ends[end.idx()];
-            let to = join(edge.axis(), R::new(window.border(edge)), free);
+            let to = join(edge.axis(), R::new(border), free);
             let [num, den] = cut.ratio.map(R::get);
             let u = Ratio { num, den };
             ends[end.idx()] = to;

@@ -13,6 +13,8 @@
 //! products and sum are exact, the one rounding left is the division's. `o1 + u·(o2 − o1)` has neither
 //! property.
 
+use std::hint::select_unpredictable;
+
 use serde::Serialize;
 
 use crate::{
@@ -44,19 +46,26 @@ pub struct Crossing<R> {
 }
 
 /// Splits a point into the coordinate along `axis` and the other one.
+#[inline]
 pub fn split<R: Real>(point: Point, axis: Axis) -> [R; 2] {
-    match axis {
-        Axis::X => [R::new(point.x()), R::new(point.y())],
-        Axis::Y => [R::new(point.y()), R::new(point.x())],
-    }
+    in_order(axis, point.to_array()).map(R::new)
 }
 
 /// The point with coordinate `c` along `axis` and `free` on the other.
+#[inline]
 pub fn join<R: Real>(axis: Axis, c: R, free: R) -> Point {
-    match axis {
-        Axis::X => Point::from_finite(c.get(), free.get()),
-        Axis::Y => Point::from_finite(free.get(), c.get()),
-    }
+    let [x, y] = in_order(axis, [c.get(), free.get()]);
+    Point::from_finite(x, y)
+}
+
+/// Swaps the two for the y axis, without a branch: neither axis is likelier.
+#[inline]
+fn in_order(axis: Axis, [a, b]: [f64; 2]) -> [f64; 2] {
+    let is_x = axis == Axis::X;
+    [
+        select_unpredictable(is_x, a, b),
+        select_unpredictable(is_x, b, a),
+    ]
 }
 
 /// Meets the line through `segment` with the line of `edge`. Must not be parallel to it.
@@ -99,11 +108,10 @@ pub fn weighted_mean<R: Real>([o1, o2]: [R; 2], [w1, w2]: [R; 2], whole: R, raw:
     if w2.get() == 0.0 {
         return o2;
     }
-    let [w1, w2, whole] = if whole.get() < 0.0 {
-        [-w1, -w2, -whole]
-    } else {
-        [w1, w2, whole]
-    };
+    // By its bit: to guess whether a segment goes up or down costs more than a multiplication.
+    let sign = whole.get().to_bits() & (1 << 63);
+    let along = |w: R| R::new(f64::from_bits(w.get().to_bits() ^ sign));
+    let [w1, w2, whole] = [w1, w2, whole].map(along);
     let sum = o1 * w2 + o2 * w1;
     if PLAIN.contains(&whole.get()) && sum.get().is_finite() {
         sum / whole
@@ -133,21 +141,14 @@ fn scaled_mean(o1: f64, o2: f64, [a1, a2, c]: [f64; 3]) -> f64 {
     }
 }
 
-/// Keeps `x` between two bounds in either order.
+/// Keeps `x` between two bounds in either order. Selections, not branches: neither outcome is likelier.
 #[inline]
 pub fn clamp_between<R: Real>(x: R, bound: R, other: R) -> R {
-    let (low, high) = if bound < other {
-        (bound, other)
-    } else {
-        (other, bound)
-    };
-    if x < low {
-        low
-    } else if x > high {
-        high
-    } else {
-        x
-    }
+    let ordered = bound < other;
+    let low = if ordered { bound } else { other };
+    let high = if ordered { other } else { bound };
+    let x = if x < low { low } else { x };
+    if x > high { high } else { x }
 }
 
 /// The crossing with a side, which is known to lie on the window's border: a computed coordinate that

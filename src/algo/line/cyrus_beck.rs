@@ -23,7 +23,7 @@
 //! *Conventions*: closed polygon, counter-clockwise, normals pointing inside; of edges crossed at the same
 //! t a vertical one sets the interval, else the first. *Degenerate*: a point has all n·D = 0 and is accepted
 //! if all n·w ≥ 0; a touched vertex is both ends. *Bound*: one row an edge. *Cost*: for n edges at most
-//! 8n +, 4n × and n ÷; for each end that is cut 4 +, 4 × and 2 ÷ more.
+//! 7n +, 4n × and n ÷; for each end that is cut at most 4 +, 4 × and 2 ÷ more.
 //!
 //! *Source*: M. Cyrus and J. Beck, "Generalized Two- and Three-Dimensional Clipping", Computers & Graphics
 //! 3(1), 1978, pp. 23–28, doi:10.1016/0097-8493(78)90021-3.
@@ -215,7 +215,9 @@ impl Algorithm for CyrusBeck {
                     plane,
                     distances: [d1.get(), d2.get()],
                 };
-                shrink(&mut interval, -d1 / slope, border, &mut emit)
+                // A zero has no sign.
+                let t = R::new((-d1 / slope).get() + 0.0);
+                shrink(&mut interval, t, border, &mut emit)
             };
             if !visible {
                 emit(Event::Reject { edge_idx });

@@ -20,7 +20,7 @@
 //! both ends are that corner.
 //!
 //! *Conventions*: closed window, y up. *Degenerate*: a point has all p = 0 and is accepted if all q ≥ 0.
-//! *Bound*: four rows. *Cost*: at most 14 +, 4 ×, 6 ÷.
+//! *Bound*: four rows. *Cost*: at most 14 +, 4 ×, 6 ÷ and 29 comparisons.
 //!
 //! *Source*: You-Dong Liang and Brian A. Barsky, "A New Concept and Method for Line Clipping", ACM
 //! Transactions on Graphics 3(1), 1984, pp. 1–22, doi:10.1145/357332.357333.
@@ -196,7 +196,8 @@ impl Algorithm for LiangBarsky {
             };
             let row = Event::Row {
                 edge,
-                p: p.get(),
+                // −Δ of a Δ of zero is shown without a sign.
+                p: p.get() + 0.0,
                 q: q.get(),
             };
             emit(row);
@@ -341,10 +342,11 @@ fn shrink<R: Real>(
     !empty
 }
 
-/// `q / p`, also where a difference of huge coordinates has overflowed: halves give the same quotient.
+/// `q / p`, also where a difference of huge coordinates has overflowed: halves give the same quotient. A zero
+/// has no sign.
 fn quotient<R: Real>(q: R, p: R, segment: &Segment, window: &Window, edge: Edge) -> R {
     if q.get().is_finite() && p.get().is_finite() {
-        return q / p;
+        return R::new((q / p).get() + 0.0);
     }
     let [a1, _] = split::<f64>(segment.p1, edge.axis());
     let [a2, _] = split::<f64>(segment.p2, edge.axis());

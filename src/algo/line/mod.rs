@@ -3,9 +3,18 @@
 //! What all five promise, whatever finite numbers they are given:
 //! a border coordinate is assigned, never computed, and the other one is clamped into the window; an end
 //! that was inside comes back bit for bit; clipping the reversed segment gives the mirror image, bit for
-//! bit; no accepted end lies outside the window; touching in one point is visible, with both ends that
-//! point. Where the arithmetic is exact (dyadic coordinates of moderate size) all five give the correctly
-//! rounded true answer. `tests/line_exactness.rs` holds them to it.
+//! bit; clipping the answer again changes nothing; no accepted end lies outside the window; touching in
+//! one point is visible, with both ends that point. Where the arithmetic is exact (dyadic coordinates of
+//! moderate size) all five give the correctly rounded true answer, corners included.
+//! `tests/line_exactness` holds them to it.
+//!
+//! Beyond that, Liang–Barsky, Cyrus–Beck and Nicholl–Lee–Nicholl decide on the ends' distances from the
+//! borders, each rounded once, with comparisons that are exact: they agree in every bit for any numbers.
+//! Brute force and Cohen–Sutherland decide on the crossings that they have computed, and may see a corner an
+//! ulp away from where it is.
+//!
+//! What a program calls is [`kernel`], for one segment, and [`batch`], for many: Liang–Barsky rearranged for
+//! speed, with the same results bit for bit.
 
 pub mod batch;
 mod brute_force;

@@ -31,8 +31,8 @@
 //!
 //! *Conventions*: closed window, y up; a line through a corner belongs to the vertical side. *Degenerate*: a
 //! point is accepted or rejected by its region; a touched corner is both ends. *Bound*: at most three corners
-//! are looked at. *Cost*: up to 8 comparisons for the regions, 4 +, 2 ×, 1 comparison a corner; 4 +, 2 ×, 1 ÷
-//! and 4 to 8 comparisons a cut.
+//! are looked at. *Cost*: 4 to 8 comparisons for the regions; 4 +, 2 × and 1 comparison a corner; 4 +, 2 ×,
+//! 1 ÷ and 6 comparisons a cut.
 //!
 //! *Source*: Tina M. Nicholl, D. T. Lee and Robin A. Nicholl, "An Efficient New Algorithm for 2-D Line
 //! Clipping: Its Development and Analysis", SIGGRAPH '87, Computer Graphics 21(4), pp. 253–262,

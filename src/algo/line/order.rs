@@ -56,8 +56,9 @@ impl<R: Real, B: Copy> Param<R, B> {
         }
     }
 
-    /// Which of two parameters comes first? Exact: see the module's second rule. `distances` gives a
-    /// border's signed distances from both ends.
+    /// Which of two parameters comes first? Exact: see the module. `distances` gives a border's signed
+    /// distances from both ends.
+    #[inline]
     pub fn compare(&self, other: &Self, distances: impl Fn(B) -> [f64; 2]) -> Ordering {
         let quotients = self.u.partial_cmp(&other.u);
         let (u, v) = (self.u.get(), other.u.get());
@@ -67,8 +68,13 @@ impl<R: Real, B: Copy> Param<R, B> {
         let far_apart = (u - v).abs() > 4.0 * f64::EPSILON * largest;
         match quotients {
             Some(order) if far_apart && largest > 2f64.powi(-900) => order,
-            _ => compare_crossings(self.side(&distances), other.side(&distances)),
+            _ => self.compare_distances(other, distances),
         }
+    }
+
+    #[cold]
+    fn compare_distances(&self, other: &Self, distances: impl Fn(B) -> [f64; 2]) -> Ordering {
+        compare_crossings(self.side(&distances), other.side(&distances))
     }
 
     /// Is this parameter strictly less than `other`?

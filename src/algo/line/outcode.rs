@@ -49,21 +49,21 @@ impl BitOrder {
 pub struct Outcode(u8);
 
 impl Outcode {
-    /// The code of a point. A point on a border is inside it.
+    /// The code of a point. A point on a border is inside it. Four comparisons and no branch.
     #[inline]
     pub fn of<R: Real>([x, y]: [R; 2], window: &Window, order: BitOrder) -> Self {
-        let mut code = 0;
-        if x < R::new(window.border(Edge::Left)) {
-            code |= order.bit(Edge::Left);
-        } else if x > R::new(window.border(Edge::Right)) {
-            code |= order.bit(Edge::Right);
-        }
-        if y < R::new(window.border(Edge::Bottom)) {
-            code |= order.bit(Edge::Bottom);
-        } else if y > R::new(window.border(Edge::Top)) {
-            code |= order.bit(Edge::Top);
-        }
-        Self(code)
+        let border = |edge: Edge| R::new(window.border(edge));
+        let [left, right, bottom, top] = [
+            x < border(Edge::Left),
+            x > border(Edge::Right),
+            y < border(Edge::Bottom),
+            y > border(Edge::Top),
+        ]
+        .map(u8::from);
+        Self(match order {
+            BitOrder::Tbrl => top << 3 | bottom << 2 | right << 1 | left,
+            BitOrder::Lrbt => left << 3 | right << 2 | bottom << 1 | top,
+        })
     }
 
     /// The code of a point, uncounted: for labels of regions and for tests.
@@ -110,10 +110,20 @@ impl Outcode {
     #[inline]
     #[must_use]
     pub const fn lowest(self, order: BitOrder) -> Option<Edge> {
-        match self.0 {
-            0 => None,
-            bits => Some(order.written()[3 - bits.trailing_zeros() as usize]),
+        if self.is_inside() {
+            return None;
         }
+        let k = self.0.trailing_zeros();
+        let k = match order {
+            BitOrder::Tbrl => k,
+            BitOrder::Lrbt => 3 - k,
+        };
+        Some(match k {
+            0 => Edge::Left,
+            1 => Edge::Right,
+            2 => Edge::Bottom,
+            _ => Edge::Top,
+        })
     }
 
     /// The sides that are set, in written order.

@@ -149,9 +149,10 @@ mod tests {
     #[test]
     fn nothing_given_is_taken_for_markup() {
         assert_eq!(
-            escaped("a|b *c* <d> & `e`"),
-            r"a\|b \*c\* &lt;d> &amp; \`e\`"
+            escaped("a|b *c* <d> &lt; `e`"),
+            r"a\|b \*c\* \<d> \&lt; \`e\`"
         );
+        assert_eq!(escaped("u_min < u_max & _x_"), r"u_min < u_max & \_x\_");
         assert_eq!(capitalised("étape"), "Étape");
     }
 }

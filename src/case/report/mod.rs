@@ -66,10 +66,10 @@ fn changed_row(section: &WatchSection, row: &WatchRow, catalog: &Catalog) -> Str
     };
     if let Some(note) = &row.note {
         let note = catalog.value(note);
-        // "≠ 0" goes on with the equation; a word on the value stands aside.
-        if note.starts_with(['=', '≠', '<', '>', '≤', '≥']) {
+        // "≠ 0" goes on with the equation, "= 0" would say it twice, and a word on the value stands aside.
+        if note.starts_with('≠') {
             text = format!("{text} {note}");
-        } else {
+        } else if !note.starts_with('=') {
             let noted = Message::new("report-noted").with("value", text);
             text = catalog.message(&noted.with("note", note));
         }

@@ -2,7 +2,7 @@
 
 use crate::{
     figure::{Mark, Role, Shape},
-    geom::Point,
+    geom::extent,
 };
 
 use super::{Method, Scene, crowd::crowd};
@@ -30,19 +30,6 @@ pub fn bounds(scene: &Scene) -> [[f64; 2]; 2] {
         _ => &focused,
     };
     let region = scene.region(scene.method);
-    let points = region
-        .vertices()
-        .iter()
-        .copied()
-        .chain(segments.iter().flat_map(|s| [s.p1, s.p2]))
-        .map(Point::to_array);
-    points.fold(
-        [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]],
-        |[min, max], p| {
-            [
-                [min[0].min(p[0]), min[1].min(p[1])],
-                [max[0].max(p[0]), max[1].max(p[1])],
-            ]
-        },
-    )
+    let ends = segments.iter().flat_map(|s| [s.p1, s.p2]);
+    extent(region.vertices().iter().copied().chain(ends))
 }

@@ -37,7 +37,7 @@ pub struct MethodInfo {
     pass: fn(&Scene, &[Segment]) -> Pass,
 }
 
-/// Clips a batch each time it is called; the number of segments that are visible.
+/// Clips a batch, the same one each time it is called; the number of segments that are visible.
 pub type Pass = Box<dyn FnMut() -> usize>;
 
 /// One line of pseudocode.

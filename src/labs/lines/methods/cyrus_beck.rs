@@ -9,7 +9,7 @@ use crate::{
         Caption, LineTick, Link, Mark, NumberLine, Role, Shape, Side, Tick, Watch, WatchRow,
         WatchSection,
     },
-    geom::{Point, Segment},
+    geom::{Point, Segment, extent},
     labs::lines::{
         Scene,
         demo::{Demo, Step},
@@ -360,7 +360,7 @@ fn put_caption(
 /// Every edge's normal, drawn from its middle; the current edge and its normal stand out.
 fn normals(step: &Step<'_, CyrusBeck>, current: Option<usize>) -> Vec<Mark> {
     let vertices = step.input.clip.vertices();
-    let [min, max] = extent(vertices);
+    let [min, max] = extent(vertices.iter().copied());
     // Long enough to be seen, whatever the size of the polygon.
     let length = 0.14 * (max[0] - min[0]).max(max[1] - min[1]);
     let mut marks = Vec::new();
@@ -386,16 +386,4 @@ fn normals(step: &Step<'_, CyrusBeck>, current: Option<usize>) -> Vec<Mark> {
         );
     }
     marks
-}
-
-fn extent(vertices: &[Point]) -> [[f64; 2]; 2] {
-    vertices.iter().fold(
-        [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]],
-        |[min, max], p| {
-            [
-                [min[0].min(p.x()), min[1].min(p.y())],
-                [max[0].max(p.x()), max[1].max(p.y())],
-            ]
-        },
-    )
 }
