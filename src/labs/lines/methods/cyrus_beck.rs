@@ -6,8 +6,7 @@ use crate::{
         CyrusBeckState as State, End,
     },
     figure::{
-        Caption, LineTick, Link, Mark, NumberLine, Role, Shape, Side, Tick, Watch, WatchRow,
-        WatchSection,
+        Caption, Link, Mark, NumberLine, Role, Shape, Side, Tick, Watch, WatchRow, WatchSection,
     },
     geom::{Point, Segment, extent},
     labs::lines::{
@@ -18,9 +17,9 @@ use crate::{
     text::{Formula, Message, Value},
 };
 
-use super::shared::{
-    accepted, bound_formula, end_name, interval_caption, moved_ends_rows, name, on_line, opening,
-    parametric_marks, subscript,
+use super::{
+    parametric::{Crossing, Interval, bound_formula, interval_caption, moved_ends_rows},
+    shared::{accepted, end_name, name, opening, subscript},
 };
 
 const EACH: usize = 1;
@@ -161,27 +160,10 @@ impl Demo for CyrusBeck {
     }
 
     fn marks(step: &Step<'_, Self>) -> Vec<Mark> {
-        let (state, segment) = (step.state, &step.input.segment);
+        let segment = &step.input.segment;
         let current = current_edge(step.event);
         let mut marks = normals(step, current);
-        marks.extend(parametric_marks(segment, state.interval, state.verdict));
-        if state.verdict.is_none() {
-            for (i, row) in state.rows.iter().enumerate() {
-                let Some(t) = row.t else { continue };
-                let dot = Shape::Dot(on_line(segment, t));
-                marks.push(if current == Some(i) {
-                    Mark::new(Role::Signal, dot)
-                        .labelled(Formula::default().sym("t = ").num(t))
-                        .strong()
-                        .linked(edge_link(i))
-                } else if state.set_by.contains(&Some(i)) {
-                    Mark::new(Role::Accent, dot).linked(edge_link(i))
-                } else {
-                    let cross = Shape::Cross(on_line(segment, t));
-                    Mark::new(Role::Discarded, cross).linked(edge_link(i))
-                });
-            }
-        }
+        marks.extend(interval(step).marks(segment));
         marks
     }
 
@@ -199,17 +181,7 @@ impl Demo for CyrusBeck {
                 WatchRow::table(edge_name(i), cells).linked(edge_link(i))
             })
             .collect();
-        let mut rows: Vec<WatchRow> = ["t_min", "t_max"]
-            .into_iter()
-            .enumerate()
-            .map(|(i, symbol)| {
-                let row = WatchRow::new(name(symbol), Some(Value::Number(state.interval[i])));
-                match state.set_by[i] {
-                    Some(edge_idx) => row.noted(edge_name(edge_idx)).linked(edge_link(edge_idx)),
-                    None => row,
-                }
-            })
-            .collect();
+        let mut rows: Vec<WatchRow> = interval(step).bound_rows().collect();
         rows.extend(moved_ends_rows(state.ends));
         vec![
             WatchSection::table(vec!["d₁", "n·D", "t"], table),
@@ -218,32 +190,33 @@ impl Demo for CyrusBeck {
     }
 
     fn number_line(step: &Step<'_, Self>) -> Option<NumberLine> {
-        let state = step.state;
-        let ticks = state
-            .rows
-            .iter()
-            .enumerate()
-            .filter_map(|(i, row)| {
-                Some(LineTick {
-                    u: row.t?,
-                    side: if row.slope > 0.0 {
-                        Side::Entering
-                    } else {
-                        Side::Leaving
-                    },
-                    holds: state.set_by.contains(&Some(i)),
-                    current: current_edge(step.event) == Some(i),
-                    name: edge_name(i),
-                    link: Some(edge_link(i)),
-                })
-            })
-            .collect();
-        Some(NumberLine {
-            symbol: "t",
-            interval: state.interval,
-            empty: state.verdict == Some(None),
-            ticks,
+        Some(interval(step).number_line())
+    }
+}
+
+fn interval(step: &Step<'_, CyrusBeck>) -> Interval {
+    let state = step.state;
+    let current = current_edge(step.event);
+    let crossings = state.rows.iter().enumerate().filter_map(|(i, row)| {
+        Some(Crossing {
+            at: row.t?,
+            side: if row.slope > 0.0 {
+                Side::Entering
+            } else {
+                Side::Leaving
+            },
+            holds: state.set_by.contains(&Some(i)),
+            current: current == Some(i),
+            name: edge_name(i),
+            link: edge_link(i),
         })
+    });
+    Interval {
+        symbol: "t",
+        crossing_symbol: "t",
+        bounds: state.interval,
+        crossings: crossings.collect(),
+        verdict: state.verdict,
     }
 }
 

@@ -4,9 +4,7 @@ use crate::{
     algo::line::{
         End, LiangBarsky, LiangBarskyEvent as Event, LiangBarskyState as State, Row, WindowInput,
     },
-    figure::{
-        Caption, LineTick, Mark, NumberLine, Role, Shape, Side, Tick, Watch, WatchRow, WatchSection,
-    },
+    figure::{Caption, Mark, NumberLine, Role, Shape, Side, Tick, Watch, WatchRow, WatchSection},
     geom::{Axis, Edge, Point, Segment, Window},
     labs::lines::{
         Scene,
@@ -16,9 +14,12 @@ use crate::{
     text::{Formula, Message, Value},
 };
 
-use super::shared::{
-    accepted, along, border_equation, border_mark, bound_formula, edge_link, edge_name, end_name,
-    free_formula, interval_caption, moved_ends_rows, name, on_line, opening, parametric_marks,
+use super::{
+    parametric::{Crossing, Interval, bound_formula, interval_caption, moved_ends_rows},
+    shared::{
+        accepted, along, border_equation, border_mark, edge_link, edge_name, end_name,
+        free_formula, name, opening,
+    },
 };
 
 const START: usize = 0;
@@ -133,32 +134,12 @@ impl Demo for LiangBarsky {
 
     fn marks(step: &Step<'_, Self>) -> Vec<Mark> {
         let WindowInput { window, segment } = step.input;
-        let state = step.state;
         let mut marks = vec![Mark::new(
             Role::Faint,
             Shape::Line([segment.p1.to_array(), segment.p2.to_array()]),
         )];
         marks.extend(current_edge(step.event).map(|edge| border_mark(window, edge)));
-        marks.extend(parametric_marks(segment, state.interval, state.verdict));
-        marks.extend(state.rows.iter().flatten().filter_map(|row| {
-            let at = on_line(segment, row.r?);
-            let label = Formula::default().sym("r = ").num(row.r?);
-            // On an end the point itself is enough, and after the verdict the ends are.
-            let on_end = End::BOTH.iter().any(|end| end.of(segment).to_array() == at);
-            if state.verdict.is_some() || on_end && current_edge(step.event) != Some(row.edge) {
-                return None;
-            }
-            Some(if current_edge(step.event) == Some(row.edge) {
-                Mark::new(Role::Signal, Shape::Dot(at))
-                    .labelled(label)
-                    .strong()
-                    .linked(edge_link(row.edge))
-            } else if state.set_by.contains(&Some(row.edge)) {
-                Mark::new(Role::Accent, Shape::Dot(at)).linked(edge_link(row.edge))
-            } else {
-                Mark::new(Role::Discarded, Shape::Cross(at)).linked(edge_link(row.edge))
-            })
-        }));
+        marks.extend(interval(step).marks(segment));
         marks
     }
 
@@ -180,19 +161,11 @@ impl Demo for LiangBarsky {
                 }
             })
             .collect();
-        let bound = |symbol, value, set_by: Option<Edge>| {
-            let row = WatchRow::new(name(symbol), Some(Value::Number(value)));
-            match set_by {
-                Some(edge) => row.noted(edge_name(edge)).linked(edge_link(edge)),
-                None => row,
-            }
-        };
         let mut rows = vec![
             WatchRow::new(name("Δx"), state.delta.map(|d| Value::Number(d[0]))),
             WatchRow::new(name("Δy"), state.delta.map(|d| Value::Number(d[1]))),
         ];
-        rows.push(bound("u_min", state.interval[0], state.set_by[0]));
-        rows.push(bound("u_max", state.interval[1], state.set_by[1]));
+        rows.extend(interval(step).bound_rows());
         rows.extend(moved_ends_rows(state.ends));
         vec![
             WatchSection::table(vec!["p", "q", "r"], table),
@@ -201,32 +174,39 @@ impl Demo for LiangBarsky {
     }
 
     fn number_line(step: &Step<'_, Self>) -> Option<NumberLine> {
-        let state = step.state;
-        let ticks = state
-            .rows
-            .iter()
-            .flatten()
-            .filter_map(|&Row { edge, p, r, .. }| {
-                Some(LineTick {
-                    u: r?,
-                    side: if p < 0.0 {
-                        Side::Entering
-                    } else {
-                        Side::Leaving
-                    },
-                    holds: state.set_by.contains(&Some(edge)),
-                    current: current_edge(step.event) == Some(edge),
-                    name: edge_name(edge),
-                    link: Some(edge_link(edge)),
-                })
-            })
-            .collect();
-        Some(NumberLine {
-            symbol: "u",
-            interval: state.interval,
-            empty: state.verdict == Some(None),
-            ticks,
+        Some(interval(step).number_line())
+    }
+}
+
+fn interval(step: &Step<'_, LiangBarsky>) -> Interval {
+    let State {
+        rows,
+        interval: bounds,
+        set_by,
+        verdict,
+        ..
+    } = *step.state;
+    let current = current_edge(step.event);
+    let crossings = rows.into_iter().flatten().filter_map(|row| {
+        Some(Crossing {
+            at: row.r?,
+            side: if row.p < 0.0 {
+                Side::Entering
+            } else {
+                Side::Leaving
+            },
+            holds: set_by.contains(&Some(row.edge)),
+            current: current == Some(row.edge),
+            name: edge_name(row.edge),
+            link: edge_link(row.edge),
         })
+    });
+    Interval {
+        symbol: "u",
+        crossing_symbol: "r",
+        bounds,
+        crossings: crossings.collect(),
+        verdict,
     }
 }
 

@@ -5,4 +5,5 @@ mod cohen_sutherland;
 mod cyrus_beck;
 mod liang_barsky;
 mod nicholl_lee_nicholl;
+mod parametric;
 mod shared;

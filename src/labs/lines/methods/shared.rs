@@ -207,28 +207,6 @@ pub fn segment_marks(original: &Segment, ends: [Point; 2], verdict: Option<Visib
     marks
 }
 
-/// The segment with the part for parameters in `interval` standing out: all of it is still there, only the
-/// bounds move.
-pub fn whole_segment_marks(segment: &Segment, [from, to]: [f64; 2]) -> Vec<Mark> {
-    let ends = [segment.p1, segment.p2];
-    let mut marks: Vec<Mark> = segment_marks(segment, ends, None);
-    if (from, to) != (0.0, 1.0) {
-        let whole = Shape::Segment(ends.map(Point::to_array));
-        marks[0] = Mark::new(Role::Discarded, whole);
-        if from <= to {
-            let left = Shape::Segment([on_line(segment, from), on_line(segment, to)]);
-            marks.insert(1, Mark::new(Role::Accent, left).linked("segment"));
-        }
-    }
-    marks
-}
-
-/// P(u), to place a mark: the algorithm itself never computes points that it does not put out.
-pub fn on_line(segment: &Segment, u: f64) -> [f64; 2] {
-    let ([x1, y1], [x2, y2]) = (segment.p1.to_array(), segment.p2.to_array());
-    [x1 * (1.0 - u) + x2 * u, y1 * (1.0 - u) + y2 * u]
-}
-
 /// Rows for both ends of what is left.
 pub fn ends_rows(ends: [Point; 2]) -> Vec<WatchRow> {
     End::BOTH
@@ -249,26 +227,6 @@ pub fn parallel_formula(segment: &Segment, edge: Edge) -> Formula {
     Formula::default()
         .sym(symbol)
         .num(along(segment.p1, axis)[0])
-}
-
-/// Is anything left of the interval?
-pub fn interval_caption(symbols: [&'static str; 2], [min, max]: [f64; 2], empty: bool) -> Caption {
-    let (key, relation) = match (empty, min == max) {
-        (true, _) => ("param-empty", " > "),
-        (false, true) => ("param-touch", " = "),
-        (false, false) => ("param-left", " < "),
-    };
-    let message = Message::new(key)
-        .with("min", name(symbols[0]))
-        .with("max", name(symbols[1]));
-    Caption::new(message).so(Formula::default()
-        .sym(symbols[0])
-        .sym(" = ")
-        .num(min)
-        .sym(relation)
-        .sym(symbols[1])
-        .sym(" = ")
-        .num(max))
 }
 
 /// The line of a side, as this step's subject.
@@ -301,38 +259,6 @@ pub fn region_key(beyond: impl Fn(Edge) -> bool) -> &'static str {
         ["region-left", "region-inside", "region-right"],
         ["region-above-left", "region-above", "region-above-right"],
     ][row][column]
-}
-
-/// What parametric clippers show of the segment: bounds that move, then the ends put in place.
-pub fn parametric_marks(
-    segment: &Segment,
-    interval: [f64; 2],
-    verdict: Option<Visible>,
-) -> Vec<Mark> {
-    match verdict {
-        None => whole_segment_marks(segment, interval),
-        Some(visible) => {
-            let ends = visible.unwrap_or(*segment);
-            segment_marks(segment, [ends.p1, ends.p2], verdict)
-        }
-    }
-}
-
-/// `u_min = max(0, 1/4) = 1/4`.
-pub fn bound_formula(call: &'static str, [old, r]: [f64; 2], new: f64) -> Formula {
-    Formula::default()
-        .sym(call)
-        .list(&[old, r])
-        .sym(")")
-        .equals(new)
-}
-
-/// Rows for the ends that have been put in place.
-pub fn moved_ends_rows(ends: [Option<Point>; 2]) -> impl Iterator<Item = WatchRow> {
-    End::BOTH.into_iter().filter_map(move |end| {
-        let at = ends[end.idx()]?.to_array();
-        Some(WatchRow::new(end_name_now(end, true), Some(Value::Point(at))).linked(end_link(end)))
-    })
 }
 
 /// `12` as `₁₂`.
