@@ -40,7 +40,7 @@ fn modal(id: &str, look: Look<'_>) -> Modal {
 }
 
 fn notices(ctx: &Context, look: Look<'_>, notices: &[Notice], commands: &mut Vec<Command>) {
-    let width = (ctx.content_rect().width() - 32.0).clamp(64.0, 640.0);
+    let width = (ctx.content_rect().width() - 32.0).clamp(64.0, 880.0);
     let height = 0.6 * ctx.content_rect().height();
     let area = Area::new(Id::unique("notices"))
         .order(Order::Foreground)
