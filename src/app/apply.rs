@@ -112,6 +112,7 @@ impl App {
 
     /// The scene, the moment and the view as the lesson has them; undo brings back what was there.
     fn reset(&mut self, now: f64) {
+        self.stage.is_foreign = false;
         let wanted = self
             .place
             .step()

@@ -37,6 +37,7 @@ impl App {
                 let replace = LinesEdit::Replace(Box::new(scene));
                 self.apply(ctx, super::Command::Edit(replace, None));
                 self.apply(ctx, super::Command::First);
+                self.stage.is_foreign = true;
             }
             Err(problems) => {
                 let mut text = self.listing(&problems);

@@ -152,9 +152,11 @@ fn sides(
     state: &mut stage::StageState,
     commands: &mut Vec<Command>,
 ) {
-    // Larger text needs wider panels; the stage gives way a little.
+    let width = ui.ctx().content_rect().width();
+    let widest = 0.28 * width;
+    // Larger text wants wider panels, as far as three fifths are left to the stage.
     let scale = model.look.theme.text_scale.sqrt();
-    let widest = 0.28 * ui.ctx().content_rect().width();
+    let scale = scale.min(0.4 * width / (COURSE + INSPECTOR)).max(1.0);
     let frame = Frame::new().fill(model.look.theme.panel);
     if model.settings.course {
         Panel::left("course")

@@ -52,6 +52,7 @@ use egui::Ui;
 
 use crate::{
     algo::line::BitOrder,
+    figure::Moment,
     geom::{Segment, Window},
     labs::lines::{Method, Scene},
     lesson::{CodeView, Course, Step},
@@ -148,6 +149,7 @@ impl App {
     #[must_use]
     pub fn with_scene(mut self, scene: Scene) -> Self {
         self.stage = StageState::new(&scene);
+        self.stage.is_foreign = true;
         self.playback = Playback::record(&scene, 0);
         self.document = Document::new(scene);
         self
@@ -259,12 +261,16 @@ impl App {
         let speed = self.settings.speed;
         if let Some(Step {
             scene,
+            moment,
             position,
             code,
             ..
         }) = self.place.step()
         {
-            self.playback = Playback::record(scene, *position);
+            // The end of two runs side by side is that of the longer one.
+            let at_end = *moment == Moment::End;
+            let position = if at_end { usize::MAX } else { *position };
+            self.playback = Playback::record(scene, position);
             self.stage = StageState::new(scene);
             self.shown.code = *code;
             self.document = Document::new((**scene).clone());

@@ -40,6 +40,8 @@ pub struct StageState {
     pub handle_ids: Vec<Id>,
     /// Did a handle have the focus in the last frame?
     pub handle_focused: bool,
+    /// Does the scene come from elsewhere than the lesson's step?
+    pub is_foreign: bool,
     seen: Option<Viewport>,
     layers: Vec<Layers>,
 }
@@ -136,11 +138,9 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
     let frames = model.playback.frames();
     let methods = [Some(model.scene.method), model.scene.compare];
     let handles = Handle::all(model.scene);
-    let locks = model
-        .place
-        .step()
-        .filter(|_| model.is_untouched || model.place.step().is_some());
-    let locks = locks.map_or(&[][..], |step| &step.locks);
+    // A scene from elsewhere is the reader's own: nothing of it is locked.
+    let step = model.place.step().filter(|_| !state.is_foreign);
+    let locks = step.map_or(&[][..], |step| &step.locks);
     let spots = spots(model.look, model.scene, &handles, locks);
     state.canvas_ids.clear();
     state.handle_ids.clear();

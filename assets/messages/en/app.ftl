@@ -3,18 +3,11 @@
 ## The program
 
 app-title = Clipscope
-app-about = See, step by step, how graphics programs decide what is visible.
 
 ## Labs: the tabs of the window
 
 lab-lines = Lines
-lab-polygons = Polygons
-lab-frustum = Frustum
-lab-surfaces = Surfaces
 lab-lines-about = Clip a segment against a window.
-lab-polygons-about = Clip a polygon against a window or another polygon.
-lab-frustum-about = Cull and clip objects and triangles in three dimensions.
-lab-surfaces-about = Find the nearest surface at every pixel.
 
 ## Panels
 
@@ -25,19 +18,8 @@ panel-algorithm = Algorithm
 panel-pseudocode = Pseudocode
 panel-watch = Watch
 panel-cost = Cost
-panel-verdict = Verdict
 panel-timeline = Timeline
 panel-scene = Scene
-panel-settings = Settings
-panel-show = Show panel
-panel-hide = Hide panel
-
-## Second views beside the stage
-
-view-u-axis = u-axis
-view-observer = Observer’s view
-view-camera = Camera’s view
-view-depth-buffer = Depth buffer
 
 ## Transport: moving through the steps of a run
 
@@ -47,10 +29,6 @@ transport-play = Play
 transport-pause = Pause
 transport-forward = One step forward
 transport-last = Last step
-transport-previous-phase = Previous phase
-transport-next-phase = Next phase
-transport-reset = Back to the start
-transport-speed = Speed
 transport-speed-value = { $speed } steps per second
 transport-step = step { $step } of { $total }
 transport-steps =
@@ -59,34 +37,20 @@ transport-steps =
        *[other] { $count } steps
     }
 
-## What a tick on the timeline stands for
-
-tick-phase = phase
-tick-test = test
-tick-cut = cut
-tick-accept = accept
-tick-reject = reject
-
 ## Pseudocode, watch table, cost and verdict
 
 pseudocode-full = Code
 pseudocode-words = Words
 pseudocode-hidden = Hidden
 pseudocode-hidden-note = Hidden: what comes next?
-watch-name = Name
-watch-value = Value
-watch-new = new
 watch-empty = Nothing has been computed yet.
 cost-additions = additions and subtractions
 cost-multiplications = multiplications
 cost-divisions = divisions
 cost-comparisons = comparisons
 cost-total = in total
-cost-so-far = so far
 cost-compare = Compare with…
 cost-compare-none = No comparison
-verdict-hint = Click an object to see which test decided its fate.
-verdict-undecided = Not decided yet at this step.
 
 ## Settings
 
@@ -94,7 +58,6 @@ settings-theme = Theme
 theme-light = Light
 theme-dark = Dark
 theme-projector = Projector
-settings-language = Language
 settings-snap = Snap to grid
 
 ## Actions
@@ -104,19 +67,12 @@ action-present-leave = Leave presentation
 action-help = Help
 action-undo = Undo
 action-redo = Redo
-action-open = Open…
 action-save = Save
-action-save-as = Save as…
 action-export = Export this figure
 action-reset = Reset
 action-reset-view = Fit the view
-action-copy = Copy
 action-close = Close
 action-cancel = Cancel
-action-add-vertex = Add a vertex
-action-remove-vertex = Remove the vertex
-search-hint = Search lessons and commands
-search-none = Nothing found for “{ $query }”.
 
 ## Help: the keys
 
@@ -139,9 +95,6 @@ status-save-failed = The scene could not be saved: { $reason }
 status-open-failed = { $path } could not be opened: { $reason }
 status-kept = The scene is as it was.
 status-reloaded = { $path } changed and was read again.
-status-drop = Drop a lesson, a scene or a mesh here.
-status-empty = There is nothing to clip yet.
-status-recording = Recording the run…
 
 ## For screen readers
 

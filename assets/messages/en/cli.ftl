@@ -17,7 +17,6 @@ cli-refused =
         [one] { $count } input was refused
        *[other] { $count } inputs were refused
     }
-cli-case-refused = case { $case }: { $problem }
 cli-unreadable = { $path } could not be read: { $reason }
 cli-nothing = There is nothing to do.
 

@@ -150,7 +150,6 @@ words-nln-meets = If P₂ lies beyond a neighbouring side, the line through thei
 words-nln-leaves = If P₂ lies in a corner region, the line through that corner tells by which side it goes out.
 words-nln-cut = Compute only those crossings.
 
-
 ## Handles, by name
 
 handle-end = { $end }

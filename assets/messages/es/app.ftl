@@ -3,18 +3,11 @@
 ## The program
 
 app-title = Clipscope
-app-about = Observa, paso a paso, cómo decide un programa gráfico qué es visible.
 
 ## Labs: the tabs of the window
 
 lab-lines = Segmentos
-lab-polygons = Polígonos
-lab-frustum = Frustum
-lab-surfaces = Superficies
 lab-lines-about = Recorta un segmento con una ventana.
-lab-polygons-about = Recorta un polígono con una ventana o con otro polígono.
-lab-frustum-about = Descarta y recorta objetos y triángulos en tres dimensiones.
-lab-surfaces-about = Encuentra la superficie más cercana en cada píxel.
 
 ## Panels
 
@@ -25,19 +18,8 @@ panel-algorithm = Algoritmo
 panel-pseudocode = Pseudocódigo
 panel-watch = Variables
 panel-cost = Coste
-panel-verdict = Veredicto
 panel-timeline = Línea de tiempo
 panel-scene = Datos de la escena
-panel-settings = Ajustes
-panel-show = Mostrar el panel
-panel-hide = Ocultar el panel
-
-## Second views beside the stage
-
-view-u-axis = Eje u
-view-observer = Vista del observador
-view-camera = Vista de la cámara
-view-depth-buffer = Búfer de profundidad
 
 ## Transport: moving through the steps of a run
 
@@ -47,10 +29,6 @@ transport-play = Reproducir
 transport-pause = Pausar
 transport-forward = Un paso adelante
 transport-last = Último paso
-transport-previous-phase = Fase anterior
-transport-next-phase = Fase siguiente
-transport-reset = Volver al principio
-transport-speed = Velocidad
 transport-speed-value = { $speed } pasos por segundo
 transport-step = paso { $step } de { $total }
 transport-steps =
@@ -59,34 +37,20 @@ transport-steps =
        *[other] { $count } pasos
     }
 
-## What a tick on the timeline stands for
-
-tick-phase = fase
-tick-test = prueba
-tick-cut = corte
-tick-accept = aceptación
-tick-reject = rechazo
-
 ## Pseudocode, watch table, cost and verdict
 
 pseudocode-full = Código
 pseudocode-words = En palabras
 pseudocode-hidden = Oculto
 pseudocode-hidden-note = Oculto: ¿qué sigue ahora?
-watch-name = Nombre
-watch-value = Valor
-watch-new = nuevo
 watch-empty = Todavía no se ha calculado nada.
 cost-additions = sumas y restas
 cost-multiplications = multiplicaciones
 cost-divisions = divisiones
 cost-comparisons = comparaciones
 cost-total = en total
-cost-so-far = hasta aquí
 cost-compare = Comparar con…
 cost-compare-none = Sin comparación
-verdict-hint = Haz clic en un objeto para ver qué prueba decidió su suerte.
-verdict-undecided = En este paso aún no está decidido.
 
 ## Settings
 
@@ -94,7 +58,6 @@ settings-theme = Tema
 theme-light = Claro
 theme-dark = Oscuro
 theme-projector = Proyector
-settings-language = Idioma
 settings-snap = Ajustar a la cuadrícula
 
 ## Actions
@@ -104,19 +67,12 @@ action-present-leave = Salir de la presentación
 action-help = Ayuda
 action-undo = Deshacer
 action-redo = Rehacer
-action-open = Abrir…
 action-save = Guardar
-action-save-as = Guardar como…
 action-export = Exportar esta figura
 action-reset = Restablecer
 action-reset-view = Encuadrar todo
-action-copy = Copiar
 action-close = Cerrar
 action-cancel = Cancelar
-action-add-vertex = Añadir un vértice
-action-remove-vertex = Quitar el vértice
-search-hint = Buscar lecciones y comandos
-search-none = No se encontró nada para «{ $query }».
 
 ## Help: the keys
 
@@ -139,9 +95,6 @@ status-save-failed = No se pudo guardar la escena: { $reason }
 status-open-failed = No se pudo abrir { $path }: { $reason }
 status-kept = La escena queda como estaba.
 status-reloaded = { $path } cambió y se volvió a leer.
-status-drop = Suelta aquí una lección, una escena o una malla.
-status-empty = Todavía no hay nada que recortar.
-status-recording = Grabando la ejecución…
 
 ## For screen readers
 

@@ -17,7 +17,6 @@ cli-refused =
         [one] Se rechazó { $count } entrada
        *[other] Se rechazaron { $count } entradas
     }
-cli-case-refused = caso { $case }: { $problem }
 cli-unreadable = No se pudo leer { $path }: { $reason }
 cli-nothing = No hay nada que hacer.
 

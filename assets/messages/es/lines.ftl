@@ -150,7 +150,6 @@ words-nln-meets = Si P₂ está más allá de un borde contiguo, la recta que pa
 words-nln-leaves = Si P₂ está en una región de esquina, la recta que pasa por esa esquina dice por qué borde sale.
 words-nln-cut = Calcula solo esas intersecciones.
 
-
 ## Handles, by name
 
 handle-end = { $end }

@@ -17,7 +17,6 @@ cli-refused =
         [one] { $count } entrada foi recusada
        *[other] { $count } entradas foram recusadas
     }
-cli-case-refused = caso { $case }: { $problem }
 cli-unreadable = Não foi possível ler { $path }: { $reason }
 cli-nothing = Não há nada a fazer.
 

@@ -150,7 +150,6 @@ words-nln-meets = Se P₂ está além de um lado vizinho, a reta de P₁ ao cant
 words-nln-leaves = Se P₂ está em uma região de canto, a reta de P₁ a esse canto diz por qual lado ele sai.
 words-nln-cut = Calcule só essas interseções.
 
-
 ## Handles, by name
 
 handle-end = { $end }

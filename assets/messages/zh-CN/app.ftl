@@ -3,18 +3,11 @@
 ## The program
 
 app-title = Clipscope
-app-about = 逐步观察图形程序如何判定哪些部分可见。
 
 ## Labs: the tabs of the window
 
 lab-lines = 线段
-lab-polygons = 多边形
-lab-frustum = 视锥体
-lab-surfaces = 可见面
 lab-lines-about = 用裁剪窗口裁剪一条线段。
-lab-polygons-about = 用裁剪窗口或另一个多边形裁剪多边形。
-lab-frustum-about = 在三维空间中剔除并裁剪物体和三角形。
-lab-surfaces-about = 找出每个像素上离观察者最近的面。
 
 ## Panels
 
@@ -25,19 +18,8 @@ panel-algorithm = 算法
 panel-pseudocode = 伪代码
 panel-watch = 变量
 panel-cost = 运算量
-panel-verdict = 判定
 panel-timeline = 时间轴
 panel-scene = 场景
-panel-settings = 设置
-panel-show = 显示面板
-panel-hide = 隐藏面板
-
-## Second views beside the stage
-
-view-u-axis = u 轴
-view-observer = 旁观视角
-view-camera = 相机视角
-view-depth-buffer = 深度缓冲区
 
 ## Transport: moving through the steps of a run
 
@@ -47,21 +29,9 @@ transport-play = 播放
 transport-pause = 暂停
 transport-forward = 前进一步
 transport-last = 最后一步
-transport-previous-phase = 上一阶段
-transport-next-phase = 下一阶段
-transport-reset = 回到起点
-transport-speed = 速度
 transport-speed-value = 每秒 { $speed } 步
 transport-step = 第 { $step } 步，共 { $total } 步
 transport-steps = 共 { $count } 步
-
-## What a tick on the timeline stands for
-
-tick-phase = 阶段
-tick-test = 测试
-tick-cut = 截断
-tick-accept = 接受
-tick-reject = 舍弃
 
 ## Pseudocode, watch table, cost and verdict
 
@@ -69,20 +39,14 @@ pseudocode-full = 代码
 pseudocode-words = 文字
 pseudocode-hidden = 隐藏
 pseudocode-hidden-note = 已隐藏：下一步会是什么？
-watch-name = 名称
-watch-value = 值
-watch-new = 新
 watch-empty = 尚未进行任何计算。
 cost-additions = 加减法
 cost-multiplications = 乘法
 cost-divisions = 除法
 cost-comparisons = 比较
 cost-total = 合计
-cost-so-far = 至此
 cost-compare = 与……比较
 cost-compare-none = 不比较
-verdict-hint = 点击任一对象，查看是哪一步测试决定了它的去留。
-verdict-undecided = 到这一步尚未判定。
 
 ## Settings
 
@@ -90,7 +54,6 @@ settings-theme = 主题
 theme-light = 浅色
 theme-dark = 深色
 theme-projector = 投影仪
-settings-language = 语言
 settings-snap = 吸附到网格
 
 ## Actions
@@ -100,19 +63,12 @@ action-present-leave = 退出演示
 action-help = 帮助
 action-undo = 撤销
 action-redo = 重做
-action-open = 打开…
 action-save = 保存
-action-save-as = 另存为…
 action-export = 导出此图
 action-reset = 重置
 action-reset-view = 适应视图
-action-copy = 复制
 action-close = 关闭
 action-cancel = 取消
-action-add-vertex = 添加顶点
-action-remove-vertex = 删除顶点
-search-hint = 搜索课文和命令
-search-none = 未找到“{ $query }”。
 
 ## Help: the keys
 
@@ -135,9 +91,6 @@ status-save-failed = 无法保存场景：{ $reason }
 status-open-failed = 无法打开 { $path }：{ $reason }
 status-kept = 场景保持不变。
 status-reloaded = { $path } 已更改并重新读取。
-status-drop = 将课程、场景或网格模型拖放到此处。
-status-empty = 还没有可裁剪的内容。
-status-recording = 正在记录运行过程…
 
 ## For screen readers
 

@@ -150,7 +150,6 @@ words-nln-meets = 若 P₂ 在相邻边界的外侧，则由 P₁ 与公共角�
 words-nln-leaves = 若 P₂ 在角区域，则由 P₁ 与该角点的连线判断线段从哪条边界离开。
 words-nln-cut = 只计算这些交点。
 
-
 ## Handles, by name
 
 handle-end = { $end }

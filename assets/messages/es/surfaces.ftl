@@ -1,1 +1,0 @@
-### The surfaces lab: captions, watch table and controls.

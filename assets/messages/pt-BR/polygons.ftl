@@ -1,1 +1,0 @@
-### The polygons lab: captions, watch table and controls.

@@ -1,1 +1,0 @@
-### The frustum lab: captions, watch table and controls.
