@@ -1,4 +1,8 @@
 //! Holds the house to its plan: who may know whom, and how long a file may grow.
+#![allow(
+    clippy::unwrap_used,
+    reason = "a test that cannot be set up should stop where it stands"
+)]
 
 use std::{
     fs,

@@ -3,6 +3,10 @@
 //! When a picture is meant to change, look at both (`target/figures/` holds the new one), then run
 //! `CLIPSCOPE_BLESS=1 cargo test --test figures` to accept.
 #![cfg(feature = "gui")]
+#![allow(
+    clippy::unwrap_used,
+    reason = "a test that cannot be set up should stop where it stands"
+)]
 
 use std::{
     collections::BTreeSet,
