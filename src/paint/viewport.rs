@@ -1,6 +1,7 @@
 //! From world coordinates to points on the screen and back.
 
-use egui::{Pos2, Rect, pos2};
+use egui::{Pos2, Rect, vec2};
+use glam::DVec2;
 
 /// What part of the world a stage shows: y is up in the world and down on the screen.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -37,31 +38,24 @@ impl Viewport {
     /// Where a world point is drawn. Far outside it is moved to a distance that f32 can hold, in its own
     /// direction from the centre, so that lines keep their slope.
     #[must_use]
-    pub fn to_screen(&self, [x, y]: [f64; 2]) -> Pos2 {
+    pub fn to_screen(&self, at: [f64; 2]) -> Pos2 {
         const FAR: f64 = 1e6;
-        let [mut dx, mut dy] = [
-            (x - self.centre[0]) * self.scale,
-            (self.centre[1] - y) * self.scale,
-        ];
-        let largest = dx.abs().max(dy.abs());
+        let from_centre = DVec2::from(at) - DVec2::from(self.centre);
+        let mut offset = from_centre * DVec2::new(self.scale, -self.scale);
+        let largest = offset.abs().max_element();
         if largest > FAR && largest.is_finite() {
-            [dx, dy] = [dx / largest * FAR, dy / largest * FAR];
+            offset *= FAR / largest;
         }
-        let centre = self.rect.center();
-        pos2(
-            centre.x + dx.clamp(-FAR, FAR) as f32,
-            centre.y + dy.clamp(-FAR, FAR) as f32,
-        )
+        let offset = offset.clamp(DVec2::splat(-FAR), DVec2::splat(FAR));
+        self.rect.center() + vec2(offset.x as f32, offset.y as f32)
     }
 
     /// The world point under a place on the screen.
     #[must_use]
     pub fn to_world(&self, at: Pos2) -> [f64; 2] {
         let offset = at - self.rect.center();
-        [
-            self.centre[0] + f64::from(offset.x) / self.scale,
-            self.centre[1] - f64::from(offset.y) / self.scale,
-        ]
+        let offset = DVec2::new(f64::from(offset.x), -f64::from(offset.y));
+        (DVec2::from(self.centre) + offset / self.scale).to_array()
     }
 
     /// Distance of grid lines in world units: 1, 2 or 5 times a power of ten, at least `min_pts` apart.

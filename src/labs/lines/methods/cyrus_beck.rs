@@ -1,5 +1,7 @@
 //! Cyrus–Beck, shown.
 
+use glam::DVec2;
+
 use crate::{
     algo::line::{
         CyrusBeck, CyrusBeckEvent as Event, CyrusBeckInput as Input, CyrusBeckRow as Row,
@@ -338,14 +340,9 @@ fn normals(step: &Step<'_, CyrusBeck>, current: Option<usize>) -> Vec<Mark> {
     let length = 0.14 * (max[0] - min[0]).max(max[1] - min[1]);
     let mut marks = Vec::new();
     for (i, plane) in step.input.clip.half_planes().enumerate() {
-        let (a, b) = (
-            vertices[i].to_array(),
-            vertices[(i + 1) % vertices.len()].to_array(),
-        );
-        let [nx, ny] = plane.normal();
-        let scale = length / nx.hypot(ny);
-        let middle = [a[0].midpoint(b[0]), a[1].midpoint(b[1])];
-        let tip = [middle[0] + nx * scale, middle[1] + ny * scale];
+        let [a, b] = [i, (i + 1) % vertices.len()].map(|i| vertices[i].to_array());
+        let middle = DVec2::from(a).midpoint(DVec2::from(b));
+        let tip = middle + DVec2::from(plane.normal()).normalize_or_zero() * length;
         let role = if current == Some(i) {
             marks.push(Mark::new(Role::Signal, Shape::Line([a, b])).linked(edge_link(i)));
             Role::Signal
@@ -353,7 +350,7 @@ fn normals(step: &Step<'_, CyrusBeck>, current: Option<usize>) -> Vec<Mark> {
             Role::Soft
         };
         marks.push(
-            Mark::new(role, Shape::Arrow([middle, tip]))
+            Mark::new(role, Shape::Arrow([middle.to_array(), tip.to_array()]))
                 .labelled(edge_name(i))
                 .linked(edge_link(i)),
         );

@@ -1,5 +1,7 @@
 //! What the clippers of a parameter interval, Liang–Barsky and Cyrus–Beck, have in common on screen.
 
+use glam::DVec2;
+
 use crate::{
     algo::line::{End, Visible},
     figure::{Caption, LineTick, Link, Mark, NumberLine, Role, Shape, Side, WatchRow},
@@ -125,8 +127,8 @@ fn whole_segment_marks(segment: &Segment, [from, to]: [f64; 2]) -> Vec<Mark> {
 
 /// P(u), to place a mark: the algorithm itself never computes points that it does not put out.
 fn on_line(segment: &Segment, u: f64) -> [f64; 2] {
-    let ([x1, y1], [x2, y2]) = (segment.p1.to_array(), segment.p2.to_array());
-    [x1 * (1.0 - u) + x2 * u, y1 * (1.0 - u) + y2 * u]
+    let [p1, p2] = [segment.p1, segment.p2].map(|p| DVec2::from(p.to_array()));
+    p1.lerp(p2, u).to_array()
 }
 
 /// Is anything left of the interval?
