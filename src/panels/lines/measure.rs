@@ -107,7 +107,7 @@ impl Measure {
         }
     }
 
-    /// What has been measured so far, in the order of [`Subject::all`].
+    /// What has been measured so far, in the order of `Subject::all`.
     #[must_use]
     pub fn costs(&self) -> &[MeasuredCost] {
         &self.done
