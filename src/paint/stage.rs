@@ -18,6 +18,8 @@ use super::{
 const DASH: [f32; 2] = [6.0, 4.0];
 const DOT_RADIUS: f32 = 5.5;
 const RING_RADIUS: f32 = 6.5;
+/// Up to this number, segments out of focus can be told apart.
+const FEW_ENOUGH: usize = 2_000;
 
 /// Draws the marks in order, then their labels where they cover nothing. What is about `lit` stands out.
 pub fn stage(
@@ -191,7 +193,12 @@ impl<'a> Stage<'a> {
 
     fn crowd(&self, segments: &[[[f64; 2]; 2]], role: Role) {
         // The more there are, the quieter each is: the focused segment stays in front.
-        let strength = if segments.len() > 50 { 0.35 } else { 0.55 };
+        let strength = match segments.len() {
+            ..=50 => 0.55,
+            51..=FEW_ENOUGH => 0.35,
+            // So many cover every point several times over: what lies beneath still shows.
+            n => 0.35 * (FEW_ENOUGH as f32 / n as f32).powf(0.75),
+        };
         let width = if role == Role::Accent { 2.0 } else { 1.0 };
         let colour = self.colour(role).gamma_multiply(strength);
         let stroke = self.theme.stroke(width, colour);

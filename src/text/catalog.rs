@@ -185,6 +185,15 @@ impl Catalog {
             Token::Sym(symbol) => return Cow::Borrowed(symbol),
             Token::Operand(x) if *x < 0.0 => format!("({})", self.number(*x)),
             Token::Number(x) | Token::Operand(x) => self.number(*x),
+            Token::Dividend(x) | Token::Divisor(x) => {
+                let shown = self.number(*x);
+                let is_negative = matches!(token, Token::Divisor(_)) && *x < 0.0;
+                if is_negative || shown.contains('/') {
+                    format!("({shown})")
+                } else {
+                    shown
+                }
+            }
             Token::Ratio { num, den } => self.ratio(*num, *den),
             Token::Point(p) => self.point(*p),
             Token::List(numbers) => {
@@ -281,6 +290,14 @@ mod tests {
             .equals(0.25);
         let catalog = Catalog::of(Lang::En);
         assert_eq!(catalog.formula(&t), "t = q/p = (−1 − (−2)) / 4 = 1/4");
+        for (num, den, expected) in [
+            (0.75, 1.5, "(3/4) / 1.5"),
+            (-0.5, 0.25, "(−1/2) / (1/4)"),
+            (-1.0, -4.0, "−1 / (−4)"),
+        ] {
+            let formula = Formula::default().dividend(num).sym(" / ").divisor(den);
+            assert_eq!(catalog.formula(&formula), expected);
+        }
         let rounded = Formula::default().sym("sin 22,5° ").equals(0.382_683_432);
         assert_eq!(
             Catalog::of(Lang::Es).formula(&rounded),

@@ -101,6 +101,10 @@ pub enum Token {
     Number(f64),
     /// A number, in parentheses when it is negative: the right-hand side of an operator.
     Operand(f64),
+    /// A number that is divided: in parentheses when it is shown as a fraction, as `3/4 / 2` is no way to write.
+    Dividend(f64),
+    /// A number that divides: in parentheses when it is negative or shown as a fraction.
+    Divisor(f64),
     /// The quotient `num/den`, shown as a reduced fraction where that is exact and short.
     Ratio {
         /// Numerator.
@@ -136,6 +140,18 @@ impl Formula {
     #[must_use]
     pub fn operand(self, x: f64) -> Self {
         self.push(Token::Operand(x))
+    }
+
+    /// Appends a number that is divided by what follows.
+    #[must_use]
+    pub fn dividend(self, x: f64) -> Self {
+        self.push(Token::Dividend(x))
+    }
+
+    /// Appends a number that what stands before is divided by.
+    #[must_use]
+    pub fn divisor(self, x: f64) -> Self {
+        self.push(Token::Divisor(x))
     }
 
     /// Appends the quotient `num/den`.

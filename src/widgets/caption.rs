@@ -77,6 +77,12 @@ pub fn caption_job(
     let last = caption.arithmetic.len().saturating_sub(1);
     for (i, formula) in caption.arithmetic.iter().enumerate() {
         let mut text = unbroken(&look.catalog.formula(formula));
+        if width_of(ui, &text, &soft) > width {
+            // Too long for any line: it goes on before a relation, not within a number.
+            for relation in ['=', '≈'] {
+                text = text.replace(&format!("\u{a0}{relation}"), &format!(" {relation}"));
+            }
+        }
         if i < last {
             text.push(',');
         }
@@ -89,4 +95,10 @@ pub fn caption_job(
 /// A formula that does not break across lines as long as it fits on one.
 fn unbroken(formula: &str) -> String {
     formula.replace(' ', "\u{a0}")
+}
+
+fn width_of(ui: &Ui, text: &str, format: &TextFormat) -> f32 {
+    let font = format.font_id.clone();
+    let galley = ui.fonts_mut(|fonts| fonts.layout_no_wrap(text.to_owned(), font, format.color));
+    galley.size().x
 }

@@ -13,16 +13,24 @@ use super::Look;
 const DOT_ROOM: f32 = 8.0;
 /// The narrowest first column.
 const NAME_WIDTH: f32 = 60.0;
+/// Between columns, at least.
+const GAP: f32 = 12.0;
+/// How far a table that is too wide is drawn smaller.
+const SMALLEST: f32 = 0.7;
 
 /// Draws the table; the link of the row under the pointer.
 pub fn watch(ui: &mut Ui, look: Look<'_>, watch: &Watch, lit: Option<Link>) -> Option<Link> {
-    let table = Table::new(ui, look, lit);
+    let mut table = Table::new(ui, look, lit);
+    let mono = table.mono.clone();
     let mut pointed = None;
     ui.spacing_mut().item_spacing.y = 0.0;
     for (i, section) in watch.iter().enumerate() {
         if i > 0 {
             ui.add_space(8.0);
         }
+        table.mono.size = mono.size;
+        // Where the columns do not fit, smaller digits are better than digits in each other's place.
+        table.mono.size *= table.fit(ui, section);
         let columns = table.columns(ui, section);
         if !section.header.is_empty() {
             table.header(ui, section, &columns);
@@ -70,21 +78,47 @@ impl<'a> Table<'a> {
         })
     }
 
-    /// Offsets of the value columns from the left of the row.
+    /// The width of the names, and of each column of values.
+    fn widths(&self, ui: &Ui, section: &WatchSection) -> (f32, Vec<f32>) {
+        let names = section.rows.iter();
+        let names = names.map(|row| self.width(ui, &self.words(&row.name)));
+        let n_columns = section.rows.iter().map(|row| row.cells.len()).max();
+        let mut columns = vec![0.0_f32; n_columns.unwrap_or(1)];
+        for row in &section.rows {
+            for (width, cell) in columns.iter_mut().zip(&row.cells) {
+                let cell = cell
+                    .as_ref()
+                    .map(|value| self.width(ui, &self.words(value)));
+                *width = width.max(cell.unwrap_or_default());
+            }
+        }
+        (names.fold(NAME_WIDTH - GAP, f32::max), columns)
+    }
+
+    /// The scale of the text at which no column touches the next.
+    fn fit(&self, ui: &Ui, section: &WatchSection) -> f32 {
+        let (names, columns) = self.widths(ui, section);
+        let room = ui.available_width() - DOT_ROOM - GAP * columns.len() as f32;
+        let text = names + columns.iter().sum::<f32>();
+        (room / text).clamp(SMALLEST, 1.0)
+    }
+
+    /// Offsets of the value columns from the left of the row: evenly apart, or where that would put a
+    /// value onto the next, each as far along as the values before it need.
     fn columns(&self, ui: &Ui, section: &WatchSection) -> Vec<f32> {
-        let names = section
-            .rows
-            .iter()
-            .map(|row| self.width(ui, &self.words(&row.name)));
-        let first = DOT_ROOM + 12.0 + names.fold(NAME_WIDTH - 12.0, f32::max);
-        let n_columns = section
-            .rows
-            .iter()
-            .map(|row| row.cells.len())
-            .max()
-            .unwrap_or(1);
-        let step = ((ui.available_width() - first) / n_columns.max(1) as f32).max(24.0);
-        (0..n_columns).map(|i| first + i as f32 * step).collect()
+        let (names, widths) = self.widths(ui, section);
+        let first = DOT_ROOM + GAP + names;
+        let step = ((ui.available_width() - first) / widths.len().max(1) as f32).max(24.0);
+        if widths.iter().all(|width| width + 0.5 * GAP <= step) {
+            return (0..widths.len()).map(|i| first + i as f32 * step).collect();
+        }
+        let mut next = first;
+        let mut place = |width: &f32| {
+            let x = next;
+            next += width + GAP;
+            x
+        };
+        widths.iter().map(&mut place).collect()
     }
 
     fn header(&self, ui: &mut Ui, section: &WatchSection, columns: &[f32]) {

@@ -77,14 +77,14 @@ action-cancel = Cancel
 ## Help: the keys
 
 help-title = Keys
-help-step = one step back or forward
-help-step-ten = ten steps
-help-phase = previous or next phase
-help-ends = first or last step
-help-play = play or pause
-help-reset = reset the scene
-help-lesson-step = previous or next lesson step
-help-drag = drag any handle, at any step: the run is recorded again
+help-step = One step back or forward
+help-step-ten = Ten steps
+help-phase = Previous or next phase
+help-ends = First or last step
+help-play = Play or pause
+help-reset = Reset the scene
+help-lesson-step = Previous or next lesson step
+help-drag = Drag any handle, at any step: the run is recorded again
 
 ## What the program reports
 
@@ -108,13 +108,13 @@ cost-compared-with = compared with { $method }
 save-title = Save the scene
 export-title = Export this figure
 save-path = File
-help-zoom = zoom in or out; also Ctrl and wheel
-help-course = show or hide the course
-help-inspector = show or hide the inspector
-help-leave = close, or leave the presentation
-help-tab = to the next handle or button
-help-nudge = move the handle that has the focus; Shift: ten times as far
-help-alt = while dragging: off the grid
+help-zoom = Zoom in or out; also Ctrl and wheel
+help-course = Show or hide the course
+help-inspector = Show or hide the inspector
+help-leave = Close, or leave the presentation
+help-tab = To the next handle or button
+help-nudge = Move the handle that has the focus; Shift: ten times as far
+help-alt = While dragging: off the grid
 status-last-good = The last version that worked is shown.
 status-more-problems =
     { $count ->

@@ -17,6 +17,7 @@ watch-crossings-used = of use
 
 bf-intersect = Meet the line of the { $edge }.
 bf-keep = Nothing lies beyond the { $edge }: this crossing was not needed.
+bf-keep-parallel = Nothing lies beyond the { $edge }: this side changes nothing.
 bf-cut = { $end } lies beyond { $border }: it moves to { $to }.
 code-bf-each = for each side, not parallel to P₁P₂
 code-bf-intersect = X ← line P₁P₂ ∩ line of side

@@ -77,14 +77,14 @@ action-cancel = Cancelar
 ## Help: the keys
 
 help-title = Teclas
-help-step = un paso atrás o adelante
-help-step-ten = diez pasos
-help-phase = fase anterior o siguiente
-help-ends = primer o último paso
-help-play = reproducir o pausar
-help-reset = restablecer la escena
-help-lesson-step = paso anterior o siguiente de la lección
-help-drag = arrastra cualquier tirador, en cualquier paso: la ejecución se vuelve a grabar
+help-step = Un paso atrás o adelante
+help-step-ten = Diez pasos
+help-phase = Fase anterior o siguiente
+help-ends = Primer o último paso
+help-play = Reproducir o pausar
+help-reset = Restablecer la escena
+help-lesson-step = Paso anterior o siguiente de la lección
+help-drag = Arrastra cualquier tirador, en cualquier paso: la ejecución se vuelve a grabar
 
 ## What the program reports
 
@@ -108,13 +108,13 @@ cost-compared-with = en comparación con { $method }
 save-title = Guardar la escena
 export-title = Exportar esta figura
 save-path = Archivo
-help-zoom = acercar o alejar; también Ctrl y la rueda
-help-course = mostrar u ocultar el curso
-help-inspector = mostrar u ocultar el inspector
-help-leave = cerrar, o salir de la presentación
-help-tab = al siguiente tirador o botón
-help-nudge = mover el tirador que tiene el foco; con Mayús, diez veces más lejos
-help-alt = al arrastrar: sin ajustar a la cuadrícula
+help-zoom = Acercar o alejar; también Ctrl y la rueda
+help-course = Mostrar u ocultar el curso
+help-inspector = Mostrar u ocultar el inspector
+help-leave = Cerrar, o salir de la presentación
+help-tab = Al siguiente tirador o botón
+help-nudge = Mover el tirador que tiene el foco; con Mayús, diez veces más lejos
+help-alt = Al arrastrar: sin ajustar a la cuadrícula
 status-last-good = Se muestra la última versión que funcionaba.
 status-more-problems =
     { $count ->

@@ -17,6 +17,7 @@ watch-crossings-used = útiles
 
 bf-intersect = Intersección con la recta del { $edge }.
 bf-keep = Nada queda más allá del { $edge }: esta intersección no hacía falta.
+bf-keep-parallel = Nada queda más allá del { $edge }: este lado no cambia nada.
 bf-cut = { $end } está más allá de { $border }: pasa a { $to }.
 code-bf-each = para cada borde no paralelo a P₁P₂
 code-bf-intersect = X ← recta P₁P₂ ∩ recta del borde

@@ -77,14 +77,14 @@ action-cancel = Cancelar
 ## Help: the keys
 
 help-title = Teclas
-help-step = um passo atrás ou adiante
-help-step-ten = dez passos
-help-phase = fase anterior ou próxima
-help-ends = primeiro ou último passo
-help-play = reproduzir ou pausar
-help-reset = redefinir a cena
-help-lesson-step = passo anterior ou próximo da lição
-help-drag = arraste qualquer ponto de controle, em qualquer passo: a execução é gravada de novo
+help-step = Um passo atrás ou adiante
+help-step-ten = Dez passos
+help-phase = Fase anterior ou próxima
+help-ends = Primeiro ou último passo
+help-play = Reproduzir ou pausar
+help-reset = Redefinir a cena
+help-lesson-step = Passo anterior ou próximo da lição
+help-drag = Arraste qualquer ponto de controle, em qualquer passo: a execução é gravada de novo
 
 ## What the program reports
 
@@ -108,13 +108,13 @@ cost-compared-with = em comparação com { $method }
 save-title = Salvar a cena
 export-title = Exportar esta figura
 save-path = Arquivo
-help-zoom = aproximar ou afastar; também Ctrl e a roda do mouse
-help-course = mostrar ou ocultar o curso
-help-inspector = mostrar ou ocultar o inspetor
-help-leave = fechar, ou sair da apresentação
-help-tab = ir para o próximo ponto de controle ou botão
-help-nudge = mover o ponto de controle que tem o foco; com Shift, dez vezes mais longe
-help-alt = ao arrastar: sem ajustar à grade
+help-zoom = Aproximar ou afastar; também Ctrl e a roda do mouse
+help-course = Mostrar ou ocultar o curso
+help-inspector = Mostrar ou ocultar o inspetor
+help-leave = Fechar, ou sair da apresentação
+help-tab = Ir para o próximo ponto de controle ou botão
+help-nudge = Mover o ponto de controle que tem o foco; com Shift, dez vezes mais longe
+help-alt = Ao arrastar: sem ajustar à grade
 status-last-good = É exibida a última versão que funcionava.
 status-more-problems =
     { $count ->

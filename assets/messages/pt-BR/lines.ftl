@@ -17,6 +17,7 @@ watch-crossings-used = úteis
 
 bf-intersect = Interseção com a reta da { $edge }.
 bf-keep = Nada está além da { $edge }: esta interseção não era necessária.
+bf-keep-parallel = Nada está além da { $edge }: este lado não muda nada.
 bf-cut = { $end } está além de { $border }: passa para { $to }.
 code-bf-each = para cada lado não paralelo a P₁P₂
 code-bf-intersect = X ← reta P₁P₂ ∩ reta do lado

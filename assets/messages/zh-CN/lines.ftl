@@ -17,6 +17,7 @@ watch-crossings-used = 有用的
 
 bf-intersect = 求与{ $edge }所在直线的交点。
 bf-keep = { $edge }外侧没有线段的任何部分：这个交点没有用上。
+bf-keep-parallel = { $edge }外侧没有线段的任何部分：不变。
 bf-cut = { $end } 在 { $border } 外侧：移到 { $to }。
 code-bf-each = 对每条不与 P₁P₂ 平行的边界：
 code-bf-intersect = X ← 直线 P₁P₂ ∩ 边界所在直线

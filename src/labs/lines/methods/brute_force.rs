@@ -84,7 +84,13 @@ impl Demo for BruteForce {
                     .so(parallel_formula(segment, edge))
             }
             Event::Keep { edge } => {
-                Caption::new(Message::new("bf-keep").with("edge", edge_name(edge)))
+                let is_parallel = before.crossings[edge as usize].is_none();
+                let key = if is_parallel {
+                    "bf-keep-parallel"
+                } else {
+                    "bf-keep"
+                };
+                Caption::new(Message::new(key).with("edge", edge_name(edge)))
                     .so(both_sides(before, window, edge))
             }
             Event::Cut { end, edge, to, .. } => Caption::new(

@@ -285,9 +285,9 @@ fn bound_caption(key: &'static str, edge_idx: usize, before: &State, t: f64) -> 
     match before.rows.get(edge_idx) {
         Some(row) => caption.so(Formula::default()
             .sym("t = −d₁ / n·D = ")
-            .num(-row.d1)
+            .dividend(-row.d1)
             .sym(" / ")
-            .operand(row.slope)
+            .divisor(row.slope)
             .equals(t)),
         None => caption,
     }
@@ -325,7 +325,7 @@ fn put_caption(
             .sym(" · ")
             .operand(d1)
             .sym(") / ")
-            .operand(slope)
+            .divisor(slope)
             .sym(" = ")
             .point(at.to_array())),
         None => caption,

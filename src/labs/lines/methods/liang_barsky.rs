@@ -302,9 +302,9 @@ fn bound_caption(key: &'static str, edge: Edge, before: &State, r: f64) -> Capti
     match before.rows[edge as usize] {
         Some(Row { p, q, .. }) => caption.so(Formula::default()
             .sym("r = q / p = ")
-            .num(q)
+            .dividend(q)
             .sym(" / ")
-            .operand(p)
+            .divisor(p)
             .equals(r)),
         None => caption,
     }

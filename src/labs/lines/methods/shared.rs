@@ -130,7 +130,7 @@ pub fn free_formula(segment: &Segment, window: &Window, edge: Edge, free: f64) -
         .sym(" · ")
         .operand(c - a1)
         .sym(") / ")
-        .operand(a2 - a1)
+        .divisor(a2 - a1)
         .equals(free)
 }
 
