@@ -184,11 +184,17 @@ impl App {
             }
             Command::Show(dialog) => self.shown.dialog = dialog,
             Command::Confirm => {
-                let notice = match self.shown.dialog.take() {
-                    Some(Dialog::Save { path }) => self.save(&path, now),
-                    Some(Dialog::Export { path }) => self.export(&path, now),
+                let asked = self.shown.dialog.take();
+                let notice = match &asked {
+                    Some(Dialog::Save { path }) => self.save(path, now),
+                    Some(Dialog::Export { path }) => self.export(path, now),
                     _ => return,
                 };
+                if notice.is_problem {
+                    // The path is still there to be mended.
+                    self.shown.dialog = asked;
+                }
+                self.notices.clear();
                 self.notices.push(notice);
                 ctx.request_repaint();
             }
@@ -199,7 +205,7 @@ impl App {
     fn save(&mut self, path: &str, now: f64) -> Notice {
         let text = scene_to_toml(self.document.now());
         let written = self.platform.write(path, text.as_bytes());
-        self.reported(written, ["status-saved", "status-save-failed"], now)
+        self.reported(path, written, ["status-saved", "status-save-failed"], now)
     }
 
     fn export(&mut self, path: &str, now: f64) -> Notice {
@@ -211,11 +217,17 @@ impl App {
         };
         let drawn = self.platform.draw(picture);
         let written = drawn.and_then(|bytes| self.platform.write(path, &bytes));
-        self.reported(written, ["status-exported", "status-export-failed"], now)
+        self.reported(
+            path,
+            written,
+            ["status-exported", "status-export-failed"],
+            now,
+        )
     }
 
     fn reported(
         &self,
+        asked: &str,
         written: Result<String, String>,
         [done, failed]: [&'static str; 2],
         now: f64,
@@ -226,6 +238,7 @@ impl App {
                 Notice::passing(catalog.message(&Message::new(done).with("path", path)), now)
             }
             Err(reason) => {
+                let reason = format!("{asked}: {reason}");
                 Notice::problem(catalog.message(&Message::new(failed).with("reason", reason)))
             }
         }

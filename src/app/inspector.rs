@@ -21,12 +21,21 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
     let lit = state.lit;
     let mut pointed = None;
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-        ui.horizontal(|ui| {
+        // Beside the heading where there is room for both, below it in large type.
+        let switch = |ui: &mut Ui, commands: &mut Vec<Command>| {
+            commands.extend(code_view_switch(ui, look, model.code).map(Command::Code));
+        };
+        if look.theme.text_scale > 1.0 {
             section(ui, look, &look.say("panel-pseudocode"));
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                commands.extend(code_view_switch(ui, look, model.code).map(Command::Code));
+            ui.horizontal(|ui| switch(ui, commands));
+        } else {
+            ui.horizontal(|ui| {
+                section(ui, look, &look.say("panel-pseudocode"));
+                ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                    switch(ui, commands);
+                });
             });
-        });
+        }
         let lines = lines(model);
         if ui
             .scope(|ui| pseudocode(ui, look, &lines, model.code, frame.code_line))

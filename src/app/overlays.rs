@@ -1,8 +1,8 @@
 //! What lies over the window: messages, the list of keys, where to save, measured costs.
 
 use egui::{
-    Align2, Area, Context, Frame, Grid, Id, Key, KeyboardShortcut, Margin, Modal, Modifiers, Order,
-    RichText, ScrollArea, TextEdit, Ui, vec2,
+    Align, Align2, Area, Context, Frame, Grid, Id, Key, KeyboardShortcut, Layout, Margin, Modal,
+    Modifiers, Order, RichText, ScrollArea, TextEdit, Ui, vec2,
 };
 
 use crate::{
@@ -131,12 +131,16 @@ fn help(ctx: &Context, look: Look<'_>, commands: &mut Vec<Command>) {
 }
 
 fn heading(ui: &mut Ui, look: Look<'_>, key: &str, commands: &mut Vec<Command>) {
-    ui.horizontal(|ui| {
-        ui.label(RichText::new(look.say(key)).heading());
-        ui.add_space(48.0);
+    /// As wide as the list of keys, where there is room.
+    const WIDTH: f32 = 528.0;
+    let size = vec2(ui.available_width().min(WIDTH), 32.0);
+    ui.allocate_ui_with_layout(size, Layout::right_to_left(Align::Center), |ui| {
         if icon_button(ui, look, Icon::Close, &look.say("action-close"), true).clicked() {
             commands.push(Command::Show(None));
         }
+        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+            ui.label(RichText::new(look.say(key)).heading());
+        });
     });
 }
 

@@ -1,6 +1,7 @@
 //! A lesson folder that is read again whenever it changes.
 
 use std::{
+    path::Path,
     sync::mpsc::{Receiver, channel},
     time::Duration,
 };
@@ -23,7 +24,7 @@ pub struct Reload {
     folder: Folder,
     changed: Receiver<()>,
     /// Stops watching when it is dropped. `None` where the system offers no watching.
-    _watcher: Option<RecommendedWatcher>,
+    watcher: Option<RecommendedWatcher>,
 }
 
 impl Reload {
@@ -39,9 +40,12 @@ impl Reload {
             }
         });
         let watcher = watcher.ok().and_then(|mut watcher| {
-            watcher
-                .watch(folder.root(), RecursiveMode::Recursive)
-                .ok()?;
+            let root = folder.root();
+            watcher.watch(root, RecursiveMode::Recursive).ok()?;
+            // The folder itself may go and come back, as under `git checkout`: its parent sees that.
+            if let Some(parent) = root.canonicalize().ok().as_deref().and_then(Path::parent) {
+                watcher.watch(parent, RecursiveMode::NonRecursive).ok()?;
+            }
             Some(watcher)
         });
         std::thread::spawn(move || {
@@ -56,7 +60,15 @@ impl Reload {
         Self {
             folder,
             changed: receiver,
-            _watcher: watcher,
+            watcher: watcher,
+        }
+    }
+
+    /// Watches the folder anew: a watch ends with the folder that it was set on.
+    fn rearm(&mut self) {
+        if let Some(watcher) = &mut self.watcher {
+            // Where it is gone, the parent's watch tells when it is back.
+            let _ = watcher.watch(self.folder.root(), RecursiveMode::Recursive);
         }
     }
 
@@ -74,6 +86,9 @@ impl App {
     pub(super) fn take_changed_course(&mut self, now: f64) {
         let changed = self.reload.as_ref().filter(|reload| reload.has_changed());
         if let Some(folder) = changed.map(|reload| reload.folder.clone()) {
+            if let Some(reload) = &mut self.reload {
+                reload.rearm();
+            }
             let path = folder.root().display().to_string();
             self.take_course(&path, Course::load(&folder), now);
         }
@@ -93,9 +108,12 @@ impl App {
         self.notices.clear();
         if !is_gone {
             let merged = merged(self.place.lessons(), loaded.course.lessons, |lesson| {
-                errors
-                    .iter()
-                    .any(|problem| problem.file.contains(&lesson.id))
+                let of_lesson = |file: &str| {
+                    Path::new(file)
+                        .iter()
+                        .any(|part| part == lesson.id.as_str())
+                };
+                errors.iter().any(|problem| of_lesson(&problem.file))
             });
             self.place.replace(Course { lessons: merged });
             if self.place.step() != before.as_ref() {

@@ -1,6 +1,6 @@
 //! `clipscope export`: figures to files.
 
-use std::{path::PathBuf, str::FromStr};
+use std::{fs, path::PathBuf, str::FromStr};
 
 use clap::{
     ValueEnum,
@@ -142,6 +142,14 @@ pub(super) fn export(args: &Args) -> Outcome {
         lang: args.lang,
         steps: args.steps.into(),
     };
+    if let Err(error) = fs::create_dir_all(&args.out) {
+        let reason = format!("{}: {error}", args.out.display());
+        say(
+            args.lang,
+            &Message::new("status-export-failed").with("reason", reason),
+        );
+        return Outcome::Unusable;
+    }
     let jobs = jobs(&chosen.lessons, options.steps);
     let course = Course {
         lessons: chosen.lessons.clone(),

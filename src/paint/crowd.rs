@@ -5,12 +5,17 @@ use egui::{Color32, Mesh, Painter, Pos2, Shape, Stroke, Vec2};
 use super::{Viewport, stage::cut_to};
 
 /// Beyond this number lines are drawn as bare quadrilaterals, without the soft edges that take most of the
-/// time: 100,000 of them then fit into a frame.
+/// time.
 const MAX_SMOOTH: usize = 2_000;
+
+/// Of more than this, every second, third, … is drawn: on any screen they cover the same pixels, and a
+/// frame stays short where there is no GPU.
+const MAX_DRAWN: usize = 20_000;
 
 /// Draws the segments with one stroke.
 pub fn crowd(painter: &Painter, viewport: &Viewport, segments: &[[[f64; 2]; 2]], stroke: Stroke) {
-    let lines = segments.iter().filter_map(|ends| {
+    let each = segments.len().div_ceil(MAX_DRAWN).max(1);
+    let lines = segments.iter().step_by(each).filter_map(|ends| {
         let ends = ends.map(|p| viewport.to_screen(p));
         cut_to(ends, viewport.rect.expand(4.0))
     });

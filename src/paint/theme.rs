@@ -212,6 +212,8 @@ impl Theme {
         spacing.window_margin = Margin::same(16);
         spacing.menu_margin = Margin::same(8);
         spacing.indent = 16.0;
+        // The bar stands beside what it scrolls, not over its last column.
+        spacing.scroll.floating_allocated_width = 10.0;
         spacing.interact_size = vec2(32.0, 24.0 * self.text_scale);
         spacing.slider_width = 128.0;
         spacing.slider_rail_height = 4.0;

@@ -95,7 +95,8 @@ impl Catalog {
     pub fn formula(&self, formula: &Formula) -> String {
         let mut text = String::new();
         for token in &formula.0 {
-            if matches!(token, Token::Equals(_)) && !text.is_empty() && !text.ends_with(' ') {
+            let equation = matches!(token, Token::Equals(_) | Token::EqualsRatio { .. });
+            if equation && !text.is_empty() && !text.ends_with(' ') {
                 text.push(' ');
             }
             text.push_str(&self.token(token));
@@ -201,6 +202,14 @@ impl Catalog {
                 shown.join(self.lang.list_separator())
             }
             Token::Term(key) => self.term(key),
+            Token::EqualsRatio { num, den } => {
+                let sign = if number::is_exact_ratio(*num, *den) {
+                    '='
+                } else {
+                    '≈'
+                };
+                format!("{sign} {}", self.ratio(*num, *den))
+            }
             Token::Equals(x) if Self::is_exact(*x) => format!("= {}", self.number(*x)),
             Token::Equals(x) => format!("≈ {}", self.number(*x)),
         })

@@ -118,6 +118,13 @@ pub enum Token {
     List(Vec<f64>),
     /// A key into the catalogue: a word, translated.
     Term(&'static str),
+    /// [`Token::Equals`] for a quotient: `= 1/4`, or `≈ 0.4115` where it has no short fraction.
+    EqualsRatio {
+        /// Numerator.
+        num: f64,
+        /// Denominator.
+        den: f64,
+    },
     /// What the arithmetic comes to: `= 3/8`, or `≈ 0.3827` where the shown number is rounded.
     /// Sets itself apart with a space if what stands before it does not end in one.
     Equals(f64),
@@ -164,6 +171,12 @@ impl Formula {
     #[must_use]
     pub fn point(self, p: [f64; 2]) -> Self {
         self.push(Token::Point(p))
+    }
+
+    /// Appends `=` or `≈` and the quotient `num/den`.
+    #[must_use]
+    pub fn equals_ratio(self, num: f64, den: f64) -> Self {
+        self.push(Token::EqualsRatio { num, den })
     }
 
     /// Appends several numbers: the arguments of `max`.

@@ -57,6 +57,11 @@ pub(super) fn ratio(lang: Lang, num: f64, den: f64) -> String {
     }
 }
 
+/// Whether [`ratio`] shows this very quotient.
+pub(super) fn is_exact_ratio(num: f64, den: f64) -> bool {
+    den == 0.0 || reduced(num.abs(), den.abs()).is_some() || is_exact(num / den)
+}
+
 /// The ways in which a magnitude can be written.
 enum Form {
     NotANumber,

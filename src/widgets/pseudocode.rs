@@ -82,7 +82,7 @@ fn row(ui: &mut Ui, look: Look<'_>, line: &CodeLine, font: &FontId, is_current: 
     let colour = if is_current { theme.ink } else { theme.soft };
     let indent = 4.0 + 14.0 * line.depth as f32;
     let width = ui.available_width();
-    // A line that is too long goes on under its own start, a little further in.
+    // A line that is too long goes on under its own start.
     let mut job =
         LayoutJob::single_section(line.text.clone(), TextFormat::simple(font.clone(), colour));
     job.wrap.max_width = (width - indent - 4.0).max(48.0);

@@ -5,7 +5,7 @@ use crate::{
         BruteForce, BruteForceEvent as Event, BruteForceState as State, End, Ratio, WindowInput,
     },
     figure::{Caption, Mark, Role, Shape, Tick, Watch, WatchRow, WatchSection},
-    geom::{Edge, Segment, Window},
+    geom::{Edge, Segment},
     labs::lines::{
         Scene,
         demo::{Demo, Step},
@@ -91,7 +91,7 @@ impl Demo for BruteForce {
                     "bf-keep"
                 };
                 Caption::new(Message::new(key).with("edge", edge_name(edge)))
-                    .so(both_sides(before, window, edge))
+                    .so(both_sides(before, input, edge))
             }
             Event::Cut { end, edge, to, .. } => Caption::new(
                 Message::new("bf-cut")
@@ -99,11 +99,11 @@ impl Demo for BruteForce {
                     .with("border", border_equation(window, edge))
                     .with("to", to.to_array()),
             )
-            .so(both_sides(before, window, edge)),
+            .so(both_sides(before, input, edge)),
             Event::Accept { segment } => accepted(&segment),
             Event::Reject { edge } => {
                 Caption::new(Message::new("line-reject-edge").with("edge", edge_name(edge)))
-                    .so(both_sides(before, window, edge))
+                    .so(both_sides(before, input, edge))
             }
         }
     }
@@ -185,28 +185,31 @@ impl Demo for BruteForce {
     }
 }
 
-/// `x₁ = −2, x₂ = 2; −1`: both ends' coordinates beside the border that they are compared with.
-fn both_sides(before: &State, window: &Window, edge: Edge) -> Formula {
-    let (axis, c) = (edge.axis(), window.border(edge));
+/// `x₁′ = −1 < 1,  x₂ = 2 > 1`: both ends of what is left beside the border that they are compared with.
+fn both_sides(before: &State, input: &WindowInput, edge: Edge) -> Formula {
+    let (axis, c) = (edge.axis(), input.window.border(edge));
     End::BOTH
         .into_iter()
         .fold(Formula::default(), |formula, end| {
-            let [a, _] = along(before.ends[end.idx()], axis);
-            let beyond = if edge.is_max() { a > c } else { a < c };
-            let relation = match (beyond, edge.is_max()) {
-                (true, false) | (false, true) if a != c => " < ",
-                (true, true) | (false, false) if a != c => " > ",
-                _ => " = ",
-            };
-            let subscript = ["₁ = ", "₂ = "][end.idx()];
-            let formula = if end == End::P2 {
-                formula.sym(",  ")
+            let at = before.ends[end.idx()];
+            let [a, _] = along(at, axis);
+            let relation = if a < c {
+                " < "
+            } else if a > c {
+                " > "
             } else {
-                formula
+                " = "
             };
+            let symbol = axis_symbol(axis);
+            let subscript = ["₁", "₂"][end.idx()];
+            let prime = if at == end.of(&input.segment) {
+                ""
+            } else {
+                "′"
+            };
+            let gap = if end == End::P2 { ",  " } else { "" };
             formula
-                .sym(axis_symbol(axis))
-                .sym(subscript)
+                .sym(format!("{gap}{symbol}{subscript}{prime} = "))
                 .num(a)
                 .sym(relation)
                 .num(c)

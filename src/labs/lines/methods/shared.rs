@@ -106,8 +106,8 @@ pub fn parameter_formula(
         .num(a2)
         .sym(" − ")
         .operand(a1)
-        .sym(") = ")
-        .ratio(u.num, u.den)
+        .sym(")")
+        .equals_ratio(u.num, u.den)
 }
 
 /// `y = (−1 · 3 + 1.5 · 1) / 4 = −3/8`: the free coordinate of a crossing, as it is computed.
