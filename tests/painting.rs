@@ -1,9 +1,7 @@
-//! Pictures are the same bytes, whatever was drawn before, and quick to make.
+//! Pictures are the same bytes, whatever was drawn before.
 //!
 //! `CLIPSCOPE_SAMPLES=/tmp cargo test --test painting` also leaves the sample pictures there.
 #![cfg(feature = "gui")]
-
-use std::time::Instant;
 
 use clipscope::paint::theme::{caption, caption_strong, strong};
 use clipscope::paint::{CpuPainter, Headless, Image, Theme, ThemeKind};
@@ -227,28 +225,6 @@ fn a_png_holds_the_pixels() {
             .map(|p| [p[0], p[1], p[2]])
             .eq(rgb.as_chunks::<3>().0.iter().copied())
     );
-}
-
-/// `cargo test --release --test painting -- --ignored --nocapture`
-#[test]
-#[ignore = "measures"]
-fn full_hd_in_a_blink() {
-    let mut headless = Headless::new(ThemeKind::Light);
-    let theme = headless.theme();
-    for round in 0..4 {
-        let start = Instant::now();
-        let image = headless.draw(vec2(1920.0, 1080.0), 1.0, |ui| sample(ui, theme));
-        let drawn = start.elapsed();
-        let start = Instant::now();
-        let bytes = image.to_png().len();
-        println!(
-            "{round}: drawn {drawn:?}, PNG {:?}, {bytes} bytes",
-            start.elapsed()
-        );
-    }
-    let start = Instant::now();
-    let _another = Headless::new(ThemeKind::Light);
-    println!("a new table: {:?}", start.elapsed());
 }
 
 fn leave_sample(name: &str, image: &Image) {

@@ -12,7 +12,7 @@ use clipscope::{
 type Point = [f64; 2];
 
 fn ends(segment: &Segment) -> [Point; 2] {
-    [segment.p1, segment.p2].map(|p| p.to_array())
+    [segment.p1, segment.p2].map(clipscope::geom::Point::to_array)
 }
 
 /// Numbered as in `clipscope::geom::Edge::ALL`.

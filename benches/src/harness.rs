@@ -59,25 +59,35 @@ impl Results {
     }
 }
 
-fn median(values: impl Iterator<Item = f64>) -> f64 {
-    let mut values: Vec<f64> = values.collect();
-    values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
+/// The middle one.
+pub fn median(values: impl IntoIterator<Item = f64>) -> f64 {
+    quantile(values, 0.5)
 }
 
-/// A ratio's allowed range.
+/// The value below which a `part` of them lie.
+pub fn quantile(values: impl IntoIterator<Item = f64>, part: f64) -> f64 {
+    let mut values: Vec<f64> = values.into_iter().collect();
+    values.sort_by(f64::total_cmp);
+    values[(values.len() as f64 * part) as usize]
+}
+
+/// What a figure is to be.
 #[derive(Clone, Copy)]
 pub enum Target {
     None,
     AtMost(f64),
+    #[cfg(feature = "gui")]
+    AtLeast(f64),
 }
 
 impl Target {
     /// The two last cells of a row.
-    pub fn cells(self, ratio: f64) -> String {
+    pub fn cells(self, figure: f64) -> String {
         let (target, met) = match self {
             Self::None => return "|".to_owned(),
-            Self::AtMost(most) => (format!("≤ {most:.2}"), ratio <= most),
+            Self::AtMost(most) => (format!("≤ {most}"), figure <= most),
+            #[cfg(feature = "gui")]
+            Self::AtLeast(least) => (format!("≥ {least}"), figure >= least),
         };
         format!("{target} | {}", if met { "met" } else { "missed" })
     }

@@ -9,7 +9,7 @@ use clipscope::{
         batch::{Clipped, Segments, clip_all},
         kernel,
     },
-    geom::{Segment, Window},
+    geom::{Point, Segment, Window},
     trace::silent,
 };
 use line_clipping as peer;
@@ -134,7 +134,7 @@ fn check(window: Window, segments: &[Segment]) {
 }
 
 fn ends(segment: Segment) -> [[f64; 2]; 2] {
-    [segment.p1, segment.p2].map(|p| p.to_array())
+    [segment.p1, segment.p2].map(Point::to_array)
 }
 
 fn coded(WindowInput { window, segment }: WindowInput) -> CohenSutherlandInput {

@@ -1,29 +1,50 @@
-//! Clipscope's speed, measured against its peers and against code written by hand.
+//! Clipscope's speed, measured against its peers, against code written by hand, and against its targets.
 //!
 //! ```text
-//! cargo run --release --manifest-path benches/Cargo.toml [--] [NAME...]
+//! cargo build --release                       # what `export` runs
+//! cargo run --release --manifest-path benches/Cargo.toml [--features gui] [--] [NAME...]
 //! ```
 //!
-//! prints one Markdown section for each named benchmark, or for all of them. All figures come from one run
-//! with interleaved rounds, so that a busy machine slows every contender alike; the ratios are what counts.
+//! prints one Markdown section for each named benchmark, or for all of them. All figures of a table come from
+//! one run with interleaved rounds, so that a busy machine slows every contender alike; the ratios are what
+//! counts. What is drawn (feature `gui`) has no peer: there the medians are in milliseconds.
 
+#[cfg(feature = "gui")]
+mod desk;
+#[cfg(feature = "gui")]
+mod export;
+#[cfg(feature = "gui")]
+mod frame;
 mod hand_written;
 mod harness;
 mod line;
+#[cfg(feature = "gui")]
+mod paint;
 
 use std::process::ExitCode;
 
 /// A benchmark: its name on the command line, and what prints its section.
 type Benchmark = (&'static str, fn());
 
-const BENCHMARKS: [Benchmark; 1] = [("line", line::run)];
+const BENCHMARKS: &[Benchmark] = &[
+    ("line", line::run),
+    #[cfg(feature = "gui")]
+    ("frame", frame::run),
+    #[cfg(feature = "gui")]
+    ("paint", paint::run),
+    #[cfg(feature = "gui")]
+    ("export", export::run),
+];
 
 fn main() -> ExitCode {
     let names: Vec<String> = std::env::args().skip(1).collect();
     let is_known = |name: &&String| BENCHMARKS.iter().any(|(known, _)| known == name);
     if let Some(unknown) = names.iter().find(|name| !is_known(name)) {
-        let known = BENCHMARKS.map(|(name, _)| name).join(", ");
-        eprintln!("no benchmark is called {unknown}: there are {known}");
+        let known: Vec<&str> = BENCHMARKS.iter().map(|(name, _)| *name).collect();
+        eprintln!(
+            "no benchmark is called {unknown}: there are {} (frame, paint and export with `--features gui`)",
+            known.join(", ")
+        );
         return ExitCode::from(2);
     }
     println!("Machine: {}\n", harness::machine());

@@ -48,7 +48,7 @@ pub use settings::Settings;
 #[cfg(target_arch = "wasm32")]
 pub use web::start;
 
-use egui::Ui;
+use egui::{Pos2, Ui};
 
 use crate::{
     algo::line::BitOrder,
@@ -180,6 +180,13 @@ impl App {
     #[must_use]
     pub const fn position(&self) -> usize {
         self.playback.transport().position()
+    }
+
+    /// Where a point of the world lies on the (last) stage: for whoever drives the app from outside. `None`
+    /// before the first frame.
+    #[must_use]
+    pub fn on_screen(&self, world: [f64; 2]) -> Option<Pos2> {
+        self.stage.seen().map(|seen| seen.to_screen(world))
     }
 
     /// One frame: takes input, lets time pass, draws everything, and does what was asked for.

@@ -87,7 +87,6 @@ impl StageState {
     }
 
     /// The part of the world that was shown last.
-    #[cfg(test)]
     pub const fn seen(&self) -> Option<Viewport> {
         self.seen
     }

@@ -22,12 +22,16 @@ pub fn crowd(painter: &Painter, viewport: &Viewport, segments: &[[[f64; 2]; 2]],
     if segments.len() <= MAX_SMOOTH {
         painter.extend(lines.map(|ends| Shape::line_segment(ends, stroke)));
     } else {
-        painter.add(quads(lines, stroke));
+        painter.add(quads(lines, segments.len(), stroke));
     }
 }
 
-fn quads(lines: impl Iterator<Item = [Pos2; 2]>, stroke: Stroke) -> Mesh {
+/// At most `most` lines.
+fn quads(lines: impl Iterator<Item = [Pos2; 2]>, most: usize, stroke: Stroke) -> Mesh {
     let mut mesh = Mesh::default();
+    // Growing would copy megabytes, again and again.
+    mesh.reserve_vertices(4 * most);
+    mesh.reserve_triangles(2 * most);
     for [a, b] in lines {
         let along = (b - a).normalized();
         let along = if along == Vec2::ZERO { Vec2::X } else { along };

@@ -273,15 +273,14 @@ impl<'a> Stage<'a> {
 /// beyond it are not laid in vain. Runs on this crate's own clipper.
 pub(super) fn cut_to([a, b]: [Pos2; 2], rect: egui::Rect) -> Option<[Pos2; 2]> {
     use crate::{
-        algo::line::{LiangBarsky, WindowInput},
+        algo::line::kernel,
         geom::{Segment, Window},
-        trace::silent,
     };
     let [left, top, right, bottom] =
         [rect.left(), rect.top(), rect.right(), rect.bottom()].map(f64::from);
     let window = Window::new(left, top, right, bottom).ok()?;
     let [ax, ay, bx, by] = [a.x, a.y, b.x, b.y].map(f64::from);
     let segment = Segment::new(ax, ay, bx, by).ok()?;
-    let visible = silent::<LiangBarsky>(&WindowInput { window, segment })?;
+    let visible = kernel::clip(&window, &segment)?;
     Some([visible.p1, visible.p2].map(|p| pos2(p.x() as f32, p.y() as f32)))
 }

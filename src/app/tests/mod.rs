@@ -100,11 +100,7 @@ impl Bench {
 
     /// Where a world point lies on the (first) stage.
     fn on_screen(&self, world: [f64; 2]) -> Pos2 {
-        self.app
-            .stage
-            .seen()
-            .expect("a frame has been drawn")
-            .to_screen(world)
+        self.app.on_screen(world).expect("a frame has been drawn")
     }
 
     fn button(&mut self, at: Pos2, pressed: bool) {

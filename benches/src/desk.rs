@@ -1,0 +1,142 @@
+//! The app without a window: input goes in, triangles come out, and a clock stands beside.
+
+use std::{hint::black_box, time::Instant};
+
+use clipscope::{
+    app::{App, Command, Settings},
+    lesson::Course,
+    paint::fonts,
+};
+use egui::{
+    Context, Event, Key, Modifiers, PointerButton, Pos2, RawInput, Rect, Vec2, ViewportId, pos2,
+    vec2,
+};
+
+/// Points.
+const SIZE: Vec2 = vec2(1280.0, 720.0);
+/// What a screen gives a frame: the app's clock, not the one that measures.
+const FRAME_SECS: f64 = 1.0 / 60.0;
+
+/// An app that is drawn, as a window would, with its fonts and its theme.
+pub struct Desk {
+    ctx: Context,
+    pub app: App,
+    time: f64,
+}
+
+/// What one frame took, in seconds.
+#[derive(Clone, Copy)]
+pub struct Took {
+    pub layout: f64,
+    pub tessellation: f64,
+}
+
+impl Took {
+    pub fn both(self) -> f64 {
+        self.layout + self.tessellation
+    }
+}
+
+impl Desk {
+    /// The app on a step of the embedded course.
+    pub fn at(lesson: &str, step: &str) -> Self {
+        let course = Course::embedded();
+        let found = course
+            .lesson(lesson)
+            .is_some_and(|lesson| lesson.step_index(step).is_some());
+        assert!(found, "the course has no step {lesson} {step}");
+        let settings = Settings {
+            last: Some((lesson.to_owned(), step.to_owned())),
+            // So that a drag changes the scene in every frame.
+            snap: false,
+            ..Settings::default()
+        };
+        let ctx = Context::default();
+        ctx.set_fonts(fonts::definitions());
+        let mut desk = Self {
+            ctx,
+            app: App::new(course, settings),
+            time: 0.0,
+        };
+        desk.settle();
+        desk
+    }
+
+    /// Does one thing, and lets everything come to rest.
+    pub fn apply(&mut self, command: Command) {
+        self.app.apply(&self.ctx, command);
+        self.settle();
+    }
+
+    fn settle(&mut self) {
+        for _ in 0..30 {
+            self.frame(Vec::new());
+        }
+    }
+
+    /// One frame with these events.
+    pub fn frame(&mut self, events: Vec<Event>) -> Took {
+        self.time += FRAME_SECS;
+        let mut input = RawInput {
+            screen_rect: Some(Rect::from_min_size(Pos2::ZERO, SIZE)),
+            time: Some(self.time),
+            events,
+            ..RawInput::default()
+        };
+        let viewport = input.viewports.entry(ViewportId::ROOT).or_default();
+        viewport.native_pixels_per_point = Some(1.0);
+        let start = Instant::now();
+        let mut output = self.ctx.run_ui(input, |ui| self.app.ui(ui));
+        let layout = start.elapsed().as_secs_f64();
+        // A window's painter would have taken them.
+        drop(output.textures_delta.set.drain());
+        let start = Instant::now();
+        black_box(self.ctx.tessellate(output.shapes, output.pixels_per_point));
+        let tessellation = start.elapsed().as_secs_f64();
+        Took {
+            layout,
+            tessellation,
+        }
+    }
+
+    /// Where the first end of the segment in focus lies on the screen.
+    pub fn p1(&self) -> Pos2 {
+        let p1 = self.app.scene().focused().p1.to_array();
+        self.app.on_screen(p1).expect("a frame has been drawn")
+    }
+
+    /// Takes hold of what lies at `at`.
+    pub fn grip(&mut self, at: Pos2) {
+        self.frame(vec![Event::PointerMoved(at)]);
+        self.frame(vec![button(at, true)]);
+        self.frame(vec![Event::PointerMoved(at + vec2(8.0, 0.0))]);
+    }
+
+    /// Lets it go.
+    pub fn let_go(&mut self, at: Pos2) {
+        self.frame(vec![Event::PointerMoved(at), button(at, false)]);
+        self.frame(vec![Event::PointerMoved(pos2(5.0, 5.0))]);
+        self.settle();
+    }
+}
+
+fn button(pos: Pos2, pressed: bool) -> Event {
+    Event::PointerButton {
+        pos,
+        button: PointerButton::Primary,
+        pressed,
+        modifiers: Modifiers::NONE,
+    }
+}
+
+/// A key, struck.
+pub fn strike(key: Key) -> Vec<Event> {
+    let event = |pressed| Event::Key {
+        key,
+        physical_key: None,
+        pressed,
+        repeat: false,
+        modifiers: Modifiers::NONE,
+    };
+    vec![event(true), event(false)]
+}

@@ -1,0 +1,166 @@
+//! One frame of the interface: layout and tessellation, nothing painted.
+
+use std::f32::consts::TAU;
+
+use clipscope::{app::Command, labs::lines::Method, panels::lines::LinesEdit};
+use egui::{Event, Key, vec2};
+
+use crate::{
+    desk::{Desk, Took, strike},
+    harness::{Target, median, quantile},
+};
+
+const N_FRAMES: usize = 600;
+/// A scene of 100,000 segments takes longer.
+const N_CROWDED_FRAMES: usize = 60;
+const N_CROWD: usize = 100_000;
+/// Milliseconds, in a lesson.
+const TARGET: Target = Target::AtMost(2.0);
+/// A lesson and its step.
+const CUTTING: [&str; 2] = ["04-cutting-with-outcodes", "which-end-which-edge"];
+/// The pointer goes round in this many frames.
+const ROUND: usize = 97;
+
+/// What is done while the frames are measured.
+#[derive(Clone, Copy)]
+enum Doing {
+    /// Nothing changes: what a repaint costs that something outside asked for.
+    Nothing,
+    /// The next step of the run in every frame, from its end back to its start.
+    Stepping,
+    /// The pointer goes round over the stage, and things light up.
+    Hovering,
+    /// The first end of the segment follows the pointer, and all is clipped and recorded again.
+    Dragging,
+    /// The next step of the lesson, or the one before.
+    Turning,
+}
+
+impl Doing {
+    const ALL: [Self; 5] = [
+        Self::Nothing,
+        Self::Stepping,
+        Self::Hovering,
+        Self::Dragging,
+        Self::Turning,
+    ];
+
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Nothing => "nothing",
+            Self::Stepping => "a step a frame",
+            Self::Hovering => "hovering",
+            Self::Dragging => "dragging P₁",
+            Self::Turning => "a lesson step a frame",
+        }
+    }
+
+    /// Measures so many frames.
+    fn frames(self, desk: &mut Desk, n: usize) -> Vec<Took> {
+        let start = desk.p1();
+        if matches!(self, Self::Dragging) {
+            desk.grip(start);
+        }
+        let took = (0..n).map(|i| {
+            let round = i as f32 / ROUND as f32 * TAU;
+            let events = match self {
+                Self::Nothing => Vec::new(),
+                Self::Stepping => {
+                    let before = desk.app.position();
+                    let took = desk.frame(strike(Key::ArrowRight));
+                    if desk.app.position() == before {
+                        desk.frame(strike(Key::Home));
+                    }
+                    return took;
+                }
+                Self::Hovering => {
+                    let at = start + vec2(round.cos() - 1.0, round.sin()) * 120.0;
+                    vec![Event::PointerMoved(at)]
+                }
+                Self::Dragging => {
+                    let at = start + vec2(round.cos() - 1.0, round.sin()) * 40.0;
+                    vec![Event::PointerMoved(at)]
+                }
+                Self::Turning => {
+                    let key = [Key::PageDown, Key::PageUp][i % 2];
+                    // The frame that takes the key draws the old step.
+                    desk.frame(strike(key));
+                    Vec::new()
+                }
+            };
+            let before = desk.app.scene().focused().p1;
+            let took = desk.frame(events);
+            if matches!(self, Self::Dragging) && i % ROUND == ROUND / 2 {
+                assert_ne!(desk.app.scene().focused().p1, before, "P₁ follows");
+            }
+            took
+        });
+        let took = took.collect();
+        if matches!(self, Self::Dragging) {
+            let at = desk.p1();
+            desk.let_go(at);
+        }
+        took
+    }
+}
+
+/// Runs everything and prints the section.
+pub fn run() {
+    println!("## A frame of the interface\n");
+    println!(
+        "The lines lab at 1280 × 720, layout and tessellation, milliseconds; medians of {N_FRAMES} frames, of \
+         {N_CROWDED_FRAMES} with {N_CROWD} segments.\n"
+    );
+    println!("| scene | doing | layout | tessellation | both | 95 % under | target | |");
+    println!("|---|---|--:|--:|--:|--:|--:|---|");
+    for (name, lesson, step) in [
+        ("Cohen–Sutherland", CUTTING[0], CUTTING[1]),
+        ("Liang–Barsky", "05-intervals", "entering"),
+    ] {
+        for doing in Doing::ALL {
+            let mut desk = Desk::at(lesson, step);
+            row(name, doing, &doing.frames(&mut desk, N_FRAMES), TARGET);
+        }
+    }
+    for doing in [Doing::Stepping, Doing::Dragging] {
+        let other = Method::by_id("liang-barsky");
+        let mut desk = edited(LinesEdit::Compare(other));
+        let took = doing.frames(&mut desk, N_FRAMES);
+        row("both, side by side", doing, &took, TARGET);
+    }
+    for (name, position) in [
+        ("100,000 segments, not clipped yet", 0),
+        ("100,000 segments, clipped", usize::MAX),
+    ] {
+        for doing in [Doing::Nothing, Doing::Hovering, Doing::Dragging] {
+            let mut desk = edited(LinesEdit::Random {
+                count: N_CROWD,
+                seed: 1,
+            });
+            desk.apply(Command::Seek(position));
+            let took = doing.frames(&mut desk, N_CROWDED_FRAMES);
+            row(name, doing, &took, Target::None);
+        }
+    }
+    println!();
+}
+
+/// The app at a step of the course whose scene has been changed.
+fn edited(edit: LinesEdit) -> Desk {
+    let mut desk = Desk::at(CUTTING[0], CUTTING[1]);
+    desk.apply(Command::Edit(edit, None));
+    desk
+}
+
+fn row(scene: &str, doing: Doing, took: &[Took], target: Target) {
+    let ms = |part: fn(&Took) -> f64| 1e3 * median(took.iter().map(part));
+    let both = ms(|took| took.both());
+    println!(
+        "| {scene} | {} | {:.2} | {:.2} | {both:.2} | {:.2} | {} |",
+        doing.name(),
+        ms(|took| took.layout),
+        ms(|took| took.tessellation),
+        1e3 * quantile(took.iter().map(|took| took.both()), 0.95),
+        target.cells(both),
+    );
+}
