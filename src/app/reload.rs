@@ -60,7 +60,7 @@ impl Reload {
         Self {
             folder,
             changed: receiver,
-            watcher: watcher,
+            watcher,
         }
     }
 

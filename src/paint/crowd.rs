@@ -22,7 +22,7 @@ pub fn crowd(painter: &Painter, viewport: &Viewport, segments: &[[[f64; 2]; 2]],
     if segments.len() <= MAX_SMOOTH {
         painter.extend(lines.map(|ends| Shape::line_segment(ends, stroke)));
     } else {
-        painter.add(quads(lines, segments.len(), stroke));
+        painter.add(quads(lines, segments.len().div_ceil(each), stroke));
     }
 }
 

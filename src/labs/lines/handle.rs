@@ -71,7 +71,8 @@ impl Handle {
             ],
             Self::Side(edge @ (Edge::Left | Edge::Right)) => [scene.window.border(edge), centre[1]],
             Self::Side(edge) => [centre[0], scene.window.border(edge)],
-            Self::Window => centre,
+            // Not in the middle, where segments like to have theirs: below it and to the right.
+            Self::Window => [mean(centre[0], max.x()), mean(min.y(), centre[1])],
             Self::Vertex(i) => scene
                 .polygon_in_use()
                 .and_then(|clip| clip.vertices().get(i).copied())

@@ -88,37 +88,22 @@ impl Demo for CyrusBeck {
                 d2,
                 slope,
             } => {
-                let direction = if slope > 0.0 {
-                    "cb-edge-entering"
-                } else if slope < 0.0 {
-                    "cb-edge-leaving"
-                } else {
-                    "cb-edge-parallel"
+                let t = None;
+                let row = Row {
+                    normal,
+                    origin,
+                    d1,
+                    d2,
+                    slope,
+                    t,
                 };
-                edge_caption(direction, edge_idx)
-                    .so(distance_formula(normal, input.segment.p1, origin, d1))
-                    .so(Formula::default()
-                        .sym("n·D = d₂ − d₁ = ")
-                        .num(d2)
-                        .sym(" − ")
-                        .operand(d1)
-                        .equals(slope))
+                row_caption(edge_idx, &row, input)
             }
             Event::Parallel {
                 edge_idx,
                 d1,
                 inside,
-            } => {
-                let (key, relation) = if inside {
-                    ("cb-parallel-inside", " ≥ 0")
-                } else {
-                    ("cb-parallel-outside", " < 0")
-                };
-                edge_caption(key, edge_idx).so(Formula::default()
-                    .sym("n·D = 0,  d₁ = ")
-                    .num(d1)
-                    .sym(relation))
-            }
+            } => parallel_caption(edge_idx, d1, inside),
             Event::Enter {
                 edge_idx,
                 t,
@@ -252,6 +237,45 @@ fn edge_link(edge_idx: usize) -> Link {
 
 fn edge_caption(key: &'static str, edge_idx: usize) -> Caption {
     Caption::new(Message::new(key).with("edge", edge_name(edge_idx)))
+}
+
+/// Which way the line crosses an edge, and the dot products that say so.
+fn row_caption(edge_idx: usize, row: &Row, input: &Input) -> Caption {
+    let Row {
+        normal,
+        origin,
+        d1,
+        d2,
+        slope,
+        ..
+    } = *row;
+    let key = if slope > 0.0 {
+        "cb-edge-entering"
+    } else if slope < 0.0 {
+        "cb-edge-leaving"
+    } else {
+        "cb-edge-parallel"
+    };
+    edge_caption(key, edge_idx)
+        .so(distance_formula(normal, input.segment.p1, origin, d1))
+        .so(Formula::default()
+            .sym("n·D = d₂ − d₁ = ")
+            .num(d2)
+            .sym(" − ")
+            .operand(d1)
+            .equals(slope))
+}
+
+fn parallel_caption(edge_idx: usize, d1: f64, inside: bool) -> Caption {
+    let (key, relation) = if inside {
+        ("cb-parallel-inside", " ≥ 0")
+    } else {
+        ("cb-parallel-outside", " < 0")
+    };
+    edge_caption(key, edge_idx).so(Formula::default()
+        .sym("n·D = 0,  d₁ = ")
+        .num(d1)
+        .sym(relation))
 }
 
 /// `d₁ = n·(P₁ − E) = 2 · (−3 − 0) + (−1) · (1 − 2) = −5`.
