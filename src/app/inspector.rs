@@ -23,18 +23,18 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         // Beside the heading where there is room for both, below it in large type.
         let switch = |ui: &mut Ui, commands: &mut Vec<Command>| {
-            commands.extend(code_view_switch(ui, look, model.code).map(Command::Code));
-        };
-        if look.theme.text_scale > 1.0 {
-            section(ui, look, &look.say("panel-pseudocode"));
-            ui.horizontal(|ui| switch(ui, commands));
-        } else {
-            ui.horizontal(|ui| {
-                section(ui, look, &look.say("panel-pseudocode"));
-                ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                    switch(ui, commands);
-                });
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                commands.extend(code_view_switch(ui, look, model.code).map(Command::Code));
             });
+        };
+        ui.horizontal(|ui| {
+            section(ui, look, &look.say("panel-pseudocode"));
+            if look.theme.text_scale <= 1.0 {
+                switch(ui, commands);
+            }
+        });
+        if look.theme.text_scale > 1.0 {
+            ui.horizontal(|ui| switch(ui, commands));
         }
         let lines = lines(model);
         if ui
