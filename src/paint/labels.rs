@@ -173,10 +173,12 @@ fn candidates(anchor: Anchor, size: Vec2, stage: Rect) -> Vec<Pos2> {
                     inner.top() + y * inner.height(),
                 )
             };
+            // Where only a part of the label would be seen, it comes in far enough.
+            let seen = stage.shrink2((half + Vec2::splat(4.0)).min(stage.size() * 0.5));
             let steps = [0.5, 0.3, 0.7, 0.1, 0.9];
             steps
                 .into_iter()
-                .flat_map(|y| steps.map(|x| at(x, y)))
+                .flat_map(|y| steps.map(|x| seen.clamp(at(x, y))))
                 .collect()
         }
     }

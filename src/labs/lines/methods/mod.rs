@@ -6,4 +6,5 @@ mod cyrus_beck;
 mod liang_barsky;
 mod nicholl_lee_nicholl;
 mod parametric;
+mod sectors;
 mod shared;

@@ -15,6 +15,7 @@ use crate::{
     text::{Formula, Message, Value},
 };
 
+use super::sectors;
 use super::shared::{
     accepted, along, axis_symbol, border_equation, border_mark, crossing_mark, edge_name, end_link,
     end_name, ends_rows, free_formula, name, opening, parameter_formula, point_formula, region_key,
@@ -118,8 +119,7 @@ impl Demo for NichollLeeNicholl {
         let p1 = segment.p1;
         let mut marks: Vec<Mark> = Vec::new();
         if state.regions[0].is_some() {
-            let corners = window.corners().into_iter().filter(|&c| c != p1);
-            marks.extend(corners.map(|c| ray(Role::Faint, p1, c)));
+            marks.extend(sectors::marks(p1, window));
         }
         let asked = state.lines.iter().flatten();
         let current = match step.event {
