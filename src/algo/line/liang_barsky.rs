@@ -157,8 +157,6 @@ pub struct LiangBarskyState {
     pub delta: Option<[f64; 2]>,
     /// The table, by k − 1.
     pub rows: [Option<Row>; 4],
-    /// Rows filled so far.
-    pub n_rows: usize,
     /// The interval.
     pub interval: [f64; 2],
     /// The sides that set it.
@@ -225,7 +223,6 @@ impl Algorithm for LiangBarsky {
         LiangBarskyState {
             delta: None,
             rows: [None; 4],
-            n_rows: 0,
             interval: [0.0, 1.0],
             set_by: [None; 2],
             ends: [None; 2],
@@ -240,7 +237,6 @@ impl Algorithm for LiangBarsky {
             Event::Row { edge, p, q } => {
                 let r = None;
                 state.rows[edge as usize] = Some(Row { edge, p, q, r });
-                state.n_rows += 1;
             }
             Event::Enter {
                 edge,

@@ -16,8 +16,9 @@ use crate::{
 };
 
 use super::shared::{
-    accepted, along, axis_symbol, border_equation, border_mark, crossing_mark, edge_name, end_link,
-    end_name, ends_rows, free_formula, name, opening, parameter_formula, region_key, segment_marks,
+    accepted, along, border_equation, border_mark, crossing_mark, edge_name, end_link, end_name,
+    ends_rows, free_formula, name, opening, parameter_formula, position_formula, region_key,
+    segment_marks,
 };
 
 const CODES: usize = 0;
@@ -202,32 +203,10 @@ fn code_caption(end: End, at: Point, code: Outcode, input: &Input) -> Caption {
     [Axis::X, Axis::Y]
         .into_iter()
         .fold(Caption::new(message), |caption, axis| {
-            caption.so(comparison(axis, at, code, input))
+            caption.so(position_formula(axis, at, &input.window, |edge| {
+                code.has(edge, input.bit_order)
+            }))
         })
-}
-
-/// `x = −2 < −1`, or `−1 ≤ y = 0 ≤ 1`.
-fn comparison(axis: Axis, at: Point, code: Outcode, input: &Input) -> Formula {
-    let [low, high] = match axis {
-        Axis::X => [Edge::Left, Edge::Right],
-        Axis::Y => [Edge::Bottom, Edge::Top],
-    };
-    let (symbol, [value, _]) = (axis_symbol(axis), along(at, axis));
-    let coordinate = |f: Formula| f.sym(symbol).sym(" = ").num(value);
-    let (window, order) = (&input.window, input.bit_order);
-    if code.has(low, order) {
-        coordinate(Formula::default())
-            .sym(" < ")
-            .num(window.border(low))
-    } else if code.has(high, order) {
-        coordinate(Formula::default())
-            .sym(" > ")
-            .num(window.border(high))
-    } else {
-        coordinate(Formula::default().num(window.border(low)).sym(" ≤ "))
-            .sym(" ≤ ")
-            .num(window.border(high))
-    }
 }
 
 /// The decision on a combination of both codes, worked out: `0001 OR 1010 = 1011`.

@@ -87,18 +87,7 @@ impl Demo for CyrusBeck {
                 d1,
                 d2,
                 slope,
-            } => {
-                let t = None;
-                let row = Row {
-                    normal,
-                    origin,
-                    d1,
-                    d2,
-                    slope,
-                    t,
-                };
-                row_caption(edge_idx, &row, input)
-            }
+            } => row_caption(edge_idx, normal, origin, [d1, d2, slope], input),
             Event::Parallel {
                 edge_idx,
                 d1,
@@ -240,15 +229,13 @@ fn edge_caption(key: &'static str, edge_idx: usize) -> Caption {
 }
 
 /// Which way the line crosses an edge, and the dot products that say so.
-fn row_caption(edge_idx: usize, row: &Row, input: &Input) -> Caption {
-    let Row {
-        normal,
-        origin,
-        d1,
-        d2,
-        slope,
-        ..
-    } = *row;
+fn row_caption(
+    edge_idx: usize,
+    normal: [f64; 2],
+    origin: Point,
+    [d1, d2, slope]: [f64; 3],
+    input: &Input,
+) -> Caption {
     let key = if slope > 0.0 {
         "cb-edge-entering"
     } else if slope < 0.0 {

@@ -17,9 +17,9 @@ use crate::{
 
 use super::sectors;
 use super::shared::{
-    accepted, along, axis_symbol, border_equation, border_mark, crossing_mark, edge_name, end_link,
-    end_name, ends_rows, free_formula, name, opening, parameter_formula, point_formula, region_key,
-    segment_marks,
+    accepted, along, border_equation, border_mark, crossing_mark, edge_name, end_link, end_name,
+    ends_rows, free_formula, name, opening, parameter_formula, point_formula, position_formula,
+    region_key, segment_marks,
 };
 
 const REGIONS: usize = 0;
@@ -220,35 +220,11 @@ fn region_caption(end: End, region: Region, input: &WindowInput) -> Caption {
     let message = Message::new("nln-region")
         .with("end", end_name(end))
         .with("region", Value::Term(key_of(region)));
-    let both = [(Axis::X, region.x), (Axis::Y, region.y)];
-    both.into_iter()
-        .fold(Caption::new(message), |caption, (axis, edge)| {
-            let value = along(at, axis)[0];
-            let [low, high] = match axis {
-                Axis::X => [Edge::Left, Edge::Right],
-                Axis::Y => [Edge::Bottom, Edge::Top],
-            };
-            let symbol = axis_symbol(axis);
-            let formula = match edge {
-                Some(edge) => {
-                    let relation = if edge.is_max() { " > " } else { " < " };
-                    Formula::default()
-                        .sym(symbol)
-                        .sym(" = ")
-                        .num(value)
-                        .sym(relation)
-                        .num(input.window.border(edge))
-                }
-                None => Formula::default()
-                    .num(input.window.border(low))
-                    .sym(" ≤ ")
-                    .sym(symbol)
-                    .sym(" = ")
-                    .num(value)
-                    .sym(" ≤ ")
-                    .num(input.window.border(high)),
-            };
-            caption.so(formula)
+    let beyond = |edge| region.edges().any(|e| e == edge);
+    [Axis::X, Axis::Y]
+        .into_iter()
+        .fold(Caption::new(message), |caption, axis| {
+            caption.so(position_formula(axis, at, &input.window, beyond))
         })
 }
 

@@ -142,6 +142,34 @@ pub fn point_formula(symbol: &'static str, point: Point) -> Formula {
         .point(point.to_array())
 }
 
+/// What says where a point lies along one axis: `x = −2 < −1` beyond a side, `−1 ≤ y = 0 ≤ 1` between both.
+pub fn position_formula(
+    axis: Axis,
+    at: Point,
+    window: &Window,
+    beyond: impl Fn(Edge) -> bool,
+) -> Formula {
+    let [low, high] = match axis {
+        Axis::X => [Edge::Left, Edge::Right],
+        Axis::Y => [Edge::Bottom, Edge::Top],
+    };
+    let (symbol, [value, _]) = (axis_symbol(axis), along(at, axis));
+    let coordinate = |f: Formula| f.sym(symbol).sym(" = ").num(value);
+    if beyond(low) {
+        coordinate(Formula::default())
+            .sym(" < ")
+            .num(window.border(low))
+    } else if beyond(high) {
+        coordinate(Formula::default())
+            .sym(" > ")
+            .num(window.border(high))
+    } else {
+        coordinate(Formula::default().num(window.border(low)).sym(" ≤ "))
+            .sym(" ≤ ")
+            .num(window.border(high))
+    }
+}
+
 /// Before the first event: the problem.
 pub fn opening(segment: &Segment) -> Caption {
     Caption::new(Message::new("line-opening"))
