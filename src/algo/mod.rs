@@ -4,3 +4,4 @@
 //! and reports small events on the way (see [`crate::trace`]).
 
 pub mod line;
+pub mod polygon;

@@ -7,10 +7,12 @@ mod convex_polygon;
 mod error;
 mod half_plane;
 mod point;
+mod polygon;
 mod window;
 
 pub use convex_polygon::ConvexPolygon;
 pub use error::{Axis, GeomError};
 pub use half_plane::HalfPlane;
 pub use point::{Point, Segment, extent};
+pub use polygon::Polygon;
 pub use window::{Edge, Window};
