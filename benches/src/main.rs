@@ -20,6 +20,8 @@ mod harness;
 mod line;
 #[cfg(feature = "gui")]
 mod paint;
+mod plot;
+mod weiler_atherton;
 
 use std::process::ExitCode;
 
@@ -28,6 +30,7 @@ type Benchmark = (&'static str, fn());
 
 const BENCHMARKS: &[Benchmark] = &[
     ("line", line::run),
+    ("weiler-atherton", weiler_atherton::run),
     #[cfg(feature = "gui")]
     ("frame", frame::run),
     #[cfg(feature = "gui")]
