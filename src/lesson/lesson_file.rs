@@ -56,7 +56,7 @@ pub(super) fn read(sink: &mut Sink<'_>) -> Option<Skeleton> {
             .require("source", sink)
             .and_then(|item| text(item, sink));
         let mut reader = Steps {
-            scenes: lab.map_or_else(BTreeMap::new, |lab| scenes(lab, &fields, sink)),
+            scenes: scenes(lab, &fields, sink),
             ids: Names::default(),
             figures: Names::default(),
             current: Current::None,
@@ -81,15 +81,22 @@ struct NamedScene {
     is_used: bool,
 }
 
-fn scenes(lab: Lab, fields: &Fields<'_>, sink: &mut Sink<'_>) -> BTreeMap<String, NamedScene> {
+/// Scenes of an unknown lab have names, but cannot be read.
+fn scenes(
+    lab: Option<Lab>,
+    fields: &Fields<'_>,
+    sink: &mut Sink<'_>,
+) -> BTreeMap<String, NamedScene> {
     let mut room = scene_file::Room::of_file();
     let mut scenes = BTreeMap::new();
     let Some(table) = fields.get("scenes").and_then(|item| named(item, sink)) else {
         return scenes;
     };
     for (key, item) in table {
-        let scene = Fields::of(item, scene_file::fields_of(lab), sink)
-            .and_then(|fields| scene_file::scene(lab, &fields, &mut room, sink));
+        let scene = lab.and_then(|lab| {
+            let fields = Fields::of(item, scene_file::fields_of(lab), sink)?;
+            scene_file::scene(lab, &fields, &mut room, sink)
+        });
         let recorded = scene.and_then(|scene| {
             let run = scene.record().into_iter().next()?;
             Some((Arc::new(scene), run))
