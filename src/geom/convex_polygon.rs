@@ -109,7 +109,7 @@ fn reverses(a: Point, b: Point, c: Point) -> bool {
 
 /// Sign of the area of abc, `Greater` for counter-clockwise, exact where no coordinate other than zero is
 /// 2⁵⁰⁰ times smaller than the largest one (Shewchuk's adaptive predicate: Discrete & Computational Geometry 18, 1997).
-fn orientation(a: Point, b: Point, c: Point) -> Ordering {
+pub(crate) fn orientation(a: Point, b: Point, c: Point) -> Ordering {
     let largest = [a, b, c]
         .iter()
         .flat_map(|p| p.to_array())

@@ -11,6 +11,7 @@ mod polygon;
 mod window;
 
 pub use convex_polygon::ConvexPolygon;
+pub(crate) use convex_polygon::orientation;
 pub use error::{Axis, GeomError};
 pub use half_plane::HalfPlane;
 pub use point::{Point, Segment, extent};
