@@ -3,8 +3,9 @@
 use egui::Context;
 
 use crate::{
+    labs::Lab,
     lesson::scene_to_toml,
-    panels::lines::LinesEdit,
+    panels::Edit,
     text::{Catalog, Message},
 };
 
@@ -22,6 +23,8 @@ impl App {
         let now = ctx.input(|input| input.time);
         match command {
             Command::Edit(edit, gesture) => self.edit(edit, gesture, now),
+            Command::Add => self.edit(Edit::Add(self.stage.focused), None, now),
+            Command::Remove => self.edit(Edit::Remove(self.stage.focused), None, now),
             Command::EndGesture => self.document.end_gesture(),
             Command::Undo => self.travel(|app| app.document.undo()),
             Command::Redo => self.travel(|app| app.document.redo()),
@@ -31,6 +34,7 @@ impl App {
                     self.enter_step();
                 }
             }
+            Command::Lab(lab) => self.open_lab(lab),
             Command::Open([lesson, step]) => {
                 if self.place.open(lesson, step) {
                     self.enter_step();
@@ -80,10 +84,10 @@ impl App {
         }
     }
 
-    fn edit(&mut self, edit: LinesEdit, gesture: Option<Gesture>, now: f64) {
-        let size = self.document.now().segments().len();
-        let is_drag = matches!(edit, LinesEdit::Drag(..));
-        let fits = matches!(edit, LinesEdit::Replace(_) | LinesEdit::Random { .. });
+    fn edit(&mut self, edit: Edit, gesture: Option<Gesture>, now: f64) {
+        let size = self.document.now().size();
+        let is_drag = matches!(edit, Edit::Drag(..));
+        let fits = edit.brings_another();
         let changed = self
             .document
             .edit(gesture, now, size, |scene| edit.apply(scene));
@@ -98,6 +102,17 @@ impl App {
             // A handle that cannot go there stays where it is: that is answer enough.
             Err(_) if is_drag => {}
             Err(error) => self.notices.push(Notice::problem(error.to_string())),
+        }
+    }
+
+    /// The first lesson of a lab; its own first scene where the course has none.
+    fn open_lab(&mut self, lab: Lab) {
+        let lessons = self.place.lessons();
+        if let Some(lesson_idx) = lessons.iter().position(|lesson| lesson.lab == lab) {
+            self.place.open(lesson_idx, 0);
+            self.enter_step();
+        } else {
+            self.show_scene(lab.first_scene());
         }
     }
 
@@ -118,7 +133,7 @@ impl App {
             .step()
             .map(|step| (step.scene.clone(), step.position));
         if let Some((scene, position)) = wanted {
-            let replace = LinesEdit::Replace(Box::new((*scene).clone()));
+            let replace = Edit::Replace(Box::new((*scene).clone()));
             self.edit(replace, None, now);
             self.playback.transport_mut().seek(position);
         } else {
@@ -142,7 +157,10 @@ impl App {
             Command::Theme(theme) => self.settings.theme = theme,
             Command::Code(code) => self.shown.code = code,
             Command::Snap(snap) => self.settings.snap = snap,
-            Command::Measure(open) => self.lab.is_measuring = open,
+            Command::Measure(open) => {
+                // Only the lines lab has methods that give the same answer to compare.
+                self.lab.is_measuring = open && self.document.now().lab() == Lab::Lines;
+            }
             Command::Dismiss => self.notices.clear(),
             _ => {}
         }
@@ -166,7 +184,13 @@ impl App {
     fn apply_dialog(&mut self, ctx: &Context, command: Command, now: f64) {
         let name = |app: &Self, ending: &str| {
             let step = app.place.step().and_then(|step| step.figure.clone());
-            let stem = step.unwrap_or_else(|| app.document.now().method.to_string());
+            let stem = step.unwrap_or_else(|| {
+                app.document
+                    .now()
+                    .methods()
+                    .first()
+                    .map_or_else(String::new, |card| card.id.to_owned())
+            });
             app.platform.suggest(&format!("{stem}.{ending}"))
         };
         match command {

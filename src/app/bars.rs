@@ -3,12 +3,13 @@
 use egui::{Align, Button, Layout, Rect, RichText, Ui, UiBuilder, pos2, vec2};
 
 use crate::{
+    labs::{Lab, Scene},
     paint::theme,
-    panels::lines::{Batch, compare_picker, method_picker, scene_menu},
+    panels::{Edit, compare_picker, lines, method_picker, polygons},
     text::{Message, Value},
     widgets::{
-        Icon, Look, Press, Timeline, caption_text, icon_button, language_menu, speed_menu,
-        theme_menu, transport_buttons, transport_width,
+        Icon, Press, Timeline, caption_text, icon_button, language_menu, speed_menu, theme_menu,
+        transport_buttons, transport_width,
     },
 };
 
@@ -22,7 +23,7 @@ use super::{
 pub fn top(
     model: &Model<'_>,
     ui: &mut Ui,
-    batch: &mut Batch,
+    batch: &mut lines::Batch,
     room: Room,
     course_width: f32,
     commands: &mut Vec<Command>,
@@ -54,7 +55,9 @@ pub fn top(
                 } else {
                     24.0
                 });
-                tab(ui, look, bar);
+                for lab in Lab::ALL {
+                    tab(model, ui, lab, bar, commands);
+                }
                 ui.add_space(16.0);
             }
             pickers(model, ui, commands);
@@ -62,14 +65,25 @@ pub fn top(
     });
 }
 
-/// The one lab that there is; underlined, as it is open.
-fn tab(ui: &mut Ui, look: Look<'_>, bar: Rect) {
-    let text = RichText::new(look.say("lab-lines"))
+/// A lab; underlined where it is open.
+fn tab(model: &Model<'_>, ui: &mut Ui, lab: Lab, bar: Rect, commands: &mut Vec<Command>) {
+    let (look, is_open) = (model.look, model.scene.lab() == lab);
+    let colour = if is_open {
+        look.theme.accent
+    } else {
+        look.theme.soft
+    };
+    let text = RichText::new(look.say(lab.name_key()))
         .text_style(theme::strong())
-        .color(look.theme.accent);
-    let label = ui.label(text).on_hover_text(look.say("lab-lines-about"));
-    let line = Rect::from_x_y_ranges(label.rect.x_range(), bar.bottom() - 2.0..=bar.bottom());
-    ui.painter().rect_filled(line, 0.0, look.theme.accent);
+        .color(colour);
+    let button = Button::selectable(false, text).frame(false);
+    let label = ui.add(button).on_hover_text(look.say(lab.about_key()));
+    if is_open {
+        let line = Rect::from_x_y_ranges(label.rect.x_range(), bar.bottom() - 2.0..=bar.bottom());
+        ui.painter().rect_filled(line, 0.0, look.theme.accent);
+    } else if label.clicked() {
+        commands.push(Command::Lab(lab));
+    }
 }
 
 fn pickers(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
@@ -82,7 +96,7 @@ fn pickers(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
 }
 
 /// From right to left.
-fn menus(model: &Model<'_>, ui: &mut Ui, batch: &mut Batch, commands: &mut Vec<Command>) {
+fn menus(model: &Model<'_>, ui: &mut Ui, batch: &mut lines::Batch, commands: &mut Vec<Command>) {
     let look = model.look;
     if ui.button(look.say("action-present")).clicked() {
         commands.push(Command::Present);
@@ -102,7 +116,12 @@ fn menus(model: &Model<'_>, ui: &mut Ui, batch: &mut Batch, commands: &mut Vec<C
 }
 
 /// Everything that the wide bar holds, behind one button.
-fn icon_menu(model: &Model<'_>, ui: &mut Ui, batch: &mut Batch, commands: &mut Vec<Command>) {
+fn icon_menu(
+    model: &Model<'_>,
+    ui: &mut Ui,
+    batch: &mut lines::Batch,
+    commands: &mut Vec<Command>,
+) {
     let look = model.look;
     let button = icon_button(ui, look, Icon::More, &look.say("menu-more"), true);
     egui::Popup::menu(&button).show(|ui| {
@@ -140,9 +159,12 @@ fn sides(model: &Model<'_>, ui: &mut Ui, room: Room, commands: &mut Vec<Command>
     }
 }
 
-fn scene(model: &Model<'_>, ui: &mut Ui, batch: &mut Batch, commands: &mut Vec<Command>) {
+fn scene(model: &Model<'_>, ui: &mut Ui, batch: &mut lines::Batch, commands: &mut Vec<Command>) {
     let look = model.look;
-    let edit = scene_menu(ui, look, model.scene, batch);
+    let edit = match model.scene {
+        Scene::Lines(scene) => lines::scene_menu(ui, look, scene, batch).map(Edit::Lines),
+        Scene::Polygons(scene) => polygons::scene_menu(ui, look, scene).map(Edit::Polygons),
+    };
     commands.extend(edit.map(|edit| Command::Edit(edit, None)));
     let mut snap = model.settings.snap;
     if ui.checkbox(&mut snap, look.say("settings-snap")).changed() {

@@ -3,7 +3,7 @@
 use egui::{Key, Modifiers};
 
 use crate::{
-    lesson::CodeView, paint::ThemeKind, panels::lines::LinesEdit, text::Lang, widgets::View,
+    labs::Lab, lesson::CodeView, paint::ThemeKind, panels::Edit, text::Lang, widgets::View,
 };
 
 use super::{dialog::Dialog, document::Gesture};
@@ -34,8 +34,14 @@ pub enum Command {
     },
     /// Opens a step of a lesson, by its indices.
     Open([usize; 2]),
+    /// To the first lesson of a lab, or to a scene of its own where it has none.
+    Lab(Lab),
     /// Changes the scene.
-    Edit(LinesEdit, Option<Gesture>),
+    Edit(Edit, Option<Gesture>),
+    /// One more of what the lab has many of.
+    Add,
+    /// One less.
+    Remove,
     /// The pointer has let go of what it dragged.
     EndGesture,
     /// Takes a change back.
@@ -164,13 +170,9 @@ pub static BINDINGS: [Binding; 27] = [
         &[(CTRL_SHIFT, Key::Z), (CTRL, Key::Y)],
         "action-redo",
     ),
+    once(Command::Add, &[(NONE, Key::Insert)], "action-add-segment"),
     once(
-        Command::Edit(LinesEdit::Add, None),
-        &[(NONE, Key::Insert)],
-        "action-add-segment",
-    ),
-    once(
-        Command::Edit(LinesEdit::Remove, None),
+        Command::Remove,
         &[(NONE, Key::Delete)],
         "action-remove-segment",
     ),

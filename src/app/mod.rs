@@ -51,10 +51,8 @@ pub use web::start;
 use egui::{Pos2, Ui};
 
 use crate::{
-    algo::line::BitOrder,
     figure::Moment,
-    geom::{Segment, Window},
-    labs::lines::{Method, Scene},
+    labs::{Lab, Scene},
     lesson::{CodeView, Course, Step},
     paint::ThemeKind,
     panels::lines::{Batch, Measure},
@@ -114,7 +112,7 @@ impl App {
         }
         let scene = place
             .step()
-            .map_or_else(first_scene, |step| (*step.scene).clone());
+            .map_or_else(|| Lab::Lines.first_scene(), |step| (*step.scene).clone());
         let mut app = Self {
             settings,
             place,
@@ -148,11 +146,16 @@ impl App {
     /// On this scene instead of the lesson's: what `clipscope open scene.toml` shows.
     #[must_use]
     pub fn with_scene(mut self, scene: Scene) -> Self {
+        self.show_scene(scene);
+        self
+    }
+
+    /// Shows a scene that is not the lesson's own, from the start of its run.
+    fn show_scene(&mut self, scene: Scene) {
         self.stage = StageState::new(&scene);
         self.stage.is_foreign = true;
         self.playback = Playback::record(&scene, 0);
         self.document = Document::new(scene);
-        self
     }
 
     /// Goes to a step of the run.
@@ -220,7 +223,7 @@ impl App {
         if focus == Focus::Free && self.shown.dialog.is_none() {
             keys::tab_to(ctx, self.stage.handle_ids.first().copied());
         }
-        if self.stage.handle_focused || egui::Popup::is_any_open(ctx) {
+        if self.stage.focused.is_some() || egui::Popup::is_any_open(ctx) {
             // Escape gives the handle's focus back, or closes the menu: nothing more.
             commands.retain(|command| *command != Command::Cancel);
         }
@@ -284,16 +287,4 @@ impl App {
         }
         self.playback.transport_mut().set_speed(speed);
     }
-}
-
-/// The scene of an app without a course.
-fn first_scene() -> Scene {
-    let method = Method::by_id("cohen-sutherland").or_else(|| Method::all().next());
-    let window = Window::new(-1.0, -1.0, 1.0, 1.0);
-    let segment = Segment::new(-2.0, -1.0, 2.0, 1.5);
-    let scene = method.zip(window.ok()).zip(segment.ok());
-    let ((method, window), segment) = scene.expect("constants that are valid");
-    let mut scene = Scene::new(method, window, vec![segment]).expect("one segment");
-    scene.bit_order = BitOrder::default();
-    scene
 }

@@ -6,6 +6,7 @@ use egui::{
 };
 
 use crate::{
+    labs::Scene,
     paint::theme,
     panels::lines::{Measure, MeasureAsk, measure_window},
     widgets::{Icon, Look, icon_button},
@@ -232,7 +233,9 @@ fn measure(app: &mut App, ctx: &Context, look: Look<'_>, commands: &mut Vec<Comm
     });
     match response.inner {
         Some(MeasureAsk::Start) => {
-            app.lab.measure = Some(Measure::new(app.document.now(), app.lab.batch.seed));
+            if let Scene::Lines(scene) = app.document.now() {
+                app.lab.measure = Some(Measure::new(scene, app.lab.batch.seed));
+            }
             ctx.request_repaint();
         }
         Some(MeasureAsk::Close) => commands.push(Command::Measure(false)),

@@ -5,9 +5,9 @@ use egui::{Context, Id, Rect, Stroke, Ui, UiBuilder, pos2, vec2};
 
 use crate::{
     figure::{Frame, Link, Mark},
-    labs::lines::{Handle, Method, Scene, backdrop, bounds},
+    labs::{Handle, MethodCard, Scene, lines},
     paint::{Viewport, theme},
-    panels::lines::{LinesEdit, spots},
+    panels::{Edit, lines::LinesEdit, spots},
     widgets::{
         Canvas, CanvasShown, Gesture as HandleGesture, Spot, View, caption, caption_height,
         caption_text, number_line, number_line_height,
@@ -38,8 +38,8 @@ pub struct StageState {
     pub canvas_ids: Vec<Id>,
     /// See above.
     pub handle_ids: Vec<Id>,
-    /// Did a handle have the focus in the last frame?
-    pub handle_focused: bool,
+    /// The handle that had the keyboard's focus in the last frame.
+    pub focused: Option<Handle>,
     /// Does the scene come from elsewhere than the lesson's step?
     pub is_foreign: bool,
     seen: Option<Viewport>,
@@ -48,7 +48,7 @@ pub struct StageState {
 
 /// The marks of one column, kept until something changes: a large scene is not clipped again every frame.
 struct Layers {
-    under: (u64, Method, bool),
+    under: (u64, &'static str, bool),
     n_under: usize,
     step: usize,
     marks: Vec<Mark>,
@@ -59,14 +59,14 @@ impl StageState {
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
         Self {
-            bounds: bounds(scene),
+            bounds: scene.bounds(),
             ..Self::default()
         }
     }
 
     /// Shows all of a scene.
     pub fn fit(&mut self, scene: &Scene) {
-        (self.view, self.bounds) = (None, bounds(scene));
+        (self.view, self.bounds) = (None, scene.bounds());
     }
 
     /// Looks elsewhere.
@@ -97,22 +97,17 @@ impl StageState {
     }
 
     /// What is drawn in a column: the backdrop, and this step's marks over it.
-    fn marks(
-        &mut self,
-        column: usize,
-        model: &Model<'_>,
-        method: Method,
-        frame: &Frame,
-    ) -> &[Mark] {
+    fn marks(&mut self, column: usize, model: &Model<'_>, frame: &Frame) -> &[Mark] {
         let transport = model.playback.transport();
         let step = transport.position();
+        let method = model.scene.methods().get(column).map_or("", |card| card.id);
         let under = (model.revision, method, step >= transport.n_steps());
         let known = self
             .layers
             .get(column)
             .filter(|layers| layers.under == under);
         if known.is_none() {
-            let marks = backdrop(model.scene, method, under.2);
+            let marks = model.scene.backdrop(column, under.2);
             self.layers.truncate(column);
             self.layers.push(Layers {
                 under,
@@ -135,17 +130,17 @@ impl StageState {
 pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &mut Vec<Command>) {
     let rect = ui.max_rect();
     let frames = model.playback.frames();
-    let methods = [Some(model.scene.method), model.scene.compare];
-    let handles = Handle::all(model.scene);
+    let methods = model.scene.methods();
+    let handles = model.scene.handles();
     // A scene from elsewhere is the reader's own: nothing of it is locked.
     let step = model.place.step().filter(|_| !state.is_foreign);
     let locks = step.map_or(&[][..], |step| &step.locks);
     let spots = spots(model.look, model.scene, &handles, locks);
     state.canvas_ids.clear();
     state.handle_ids.clear();
-    state.handle_focused = false;
+    state.focused = None;
     let width = rect.width() / frames.len().max(1) as f32;
-    for (i, (frame, method)) in frames.iter().zip(methods.into_iter().flatten()).enumerate() {
+    for (i, (frame, method)) in frames.iter().zip(methods).enumerate() {
         let left = (rect.left() + i as f32 * width).round();
         let right = (rect.left() + (i + 1) as f32 * width).round();
         let column = Rect::from_x_y_ranges(left..=right, rect.y_range());
@@ -162,6 +157,9 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
         ui.scope_builder(inner, |ui| {
             ui.set_clip_rect(column.rect.intersect(ui.clip_rect()));
             let shown = column.show(model, ui, state, frame, &spots);
+            state.focused = state
+                .focused
+                .or(shown.focused.and_then(|i| handles.get(i).copied()));
             ask(model, &shown, &handles, state, commands);
         });
         if i > 0 {
@@ -178,7 +176,7 @@ struct Column {
     /// Does any column have a second view?
     second_view: bool,
     rect: Rect,
-    method: Method,
+    method: &'static MethodCard,
 }
 
 impl Column {
@@ -236,7 +234,7 @@ impl Column {
         ui.painter().text(
             strip.left_center() + vec2(24.0, 0.0),
             egui::Align2::LEFT_CENTER,
-            look.say(self.method.info().name_key),
+            look.say(self.method.name_key),
             theme::strong().resolve(ui.style()),
             look.theme.ink,
         );
@@ -272,12 +270,12 @@ impl Column {
             name: format!(
                 "{}: {}",
                 look.say("panel-stage"),
-                look.say(self.method.info().name_key)
+                look.say(self.method.name_key)
             ),
             text: caption_text(look.catalog, &frame.caption),
             spots,
             snap: model.settings.snap,
-            marks: state.marks(self.index, model, self.method, frame),
+            marks: state.marks(self.index, model, frame),
             lit,
             look,
         }
@@ -286,7 +284,6 @@ impl Column {
         state
             .handle_ids
             .extend((0..spots.len()).map(|i| id.with(i)));
-        state.handle_focused |= shown.handle_focused;
         state.pointed_on_stage = state.pointed_on_stage.or(shown.pointed);
         state.seen = Some(shown.viewport);
         shown
@@ -312,7 +309,7 @@ fn ask(
 ) {
     commands.extend(shown.view.map(Command::View));
     if let Some(moved) = shown.moved {
-        let edit = LinesEdit::Drag(handles[moved.spot], moved.to);
+        let edit = Edit::Drag(handles[moved.spot], moved.to);
         let gesture = match moved.by {
             HandleGesture::Drag => Gesture::Drag(moved.spot),
             HandleGesture::Nudge => Gesture::Nudge(moved.spot),
@@ -322,9 +319,9 @@ fn ask(
     if shown.released {
         commands.push(Command::EndGesture);
     }
-    if let (Some(at), Some(seen)) = (shown.clicked, state.seen)
+    if let (Some(at), Some(seen), Scene::Lines(scene)) = (shown.clicked, state.seen, model.scene)
         && let Some(segment_idx) = segment_at(
-            model.scene,
+            scene,
             &Viewport {
                 rect: shown.viewport.rect,
                 ..seen
@@ -332,12 +329,15 @@ fn ask(
             at,
         )
     {
-        commands.push(Command::Edit(LinesEdit::Focus(segment_idx), None));
+        commands.push(Command::Edit(
+            Edit::Lines(LinesEdit::Focus(segment_idx)),
+            None,
+        ));
     }
 }
 
 /// The segment under a place on the screen, unless it is in focus already.
-fn segment_at(scene: &Scene, viewport: &Viewport, at: egui::Pos2) -> Option<usize> {
+fn segment_at(scene: &lines::Scene, viewport: &Viewport, at: egui::Pos2) -> Option<usize> {
     let distance = |i: usize| {
         let [a, b] = [scene.segments()[i].p1, scene.segments()[i].p2]
             .map(|p| viewport.to_screen(p.to_array()));

@@ -108,8 +108,8 @@ pub struct CanvasShown {
     pub clicked: Option<Pos2>,
     /// What the pointer is on.
     pub pointed: Option<Link>,
-    /// Does a handle have the keyboard's focus?
-    pub handle_focused: bool,
+    /// The handle that has the keyboard's focus.
+    pub focused: Option<usize>,
     /// Of the whole surface.
     pub response: Response,
 }
@@ -166,8 +166,7 @@ impl Canvas<'_> {
                 .then(|| response.interact_pointer_pos())
                 .flatten(),
             pointed: hover.and_then(|at| hit::link_at(&viewport, self.marks, at)),
-            handle_focused: focused
-                .is_some_and(|id| (0..self.spots.len()).any(|i| handles.id_of(i) == id)),
+            focused: focused.and_then(|id| (0..self.spots.len()).find(|&i| handles.id_of(i) == id)),
             response,
         }
     }

@@ -8,6 +8,8 @@ app-title = Clipscope
 
 lab-lines = Lines
 lab-lines-about = Clip a segment against a window.
+lab-polygons = Polygons
+lab-polygons-about = Clip a polygon against a window or another polygon.
 
 ## Panels
 

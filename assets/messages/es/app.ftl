@@ -8,6 +8,8 @@ app-title = Clipscope
 
 lab-lines = Segmentos
 lab-lines-about = Recorta un segmento con una ventana.
+lab-polygons = Polígonos
+lab-polygons-about = Recorta un polígono con una ventana o con otro polígono.
 
 ## Panels
 

@@ -8,6 +8,8 @@ app-title = Clipscope
 
 lab-lines = Segmentos
 lab-lines-about = Recorte um segmento contra uma janela.
+lab-polygons = Polígonos
+lab-polygons-about = Recorte um polígono contra uma janela ou outro polígono.
 
 ## Panels
 

@@ -8,6 +8,8 @@ app-title = Clipscope
 
 lab-lines = 线段
 lab-lines-about = 用裁剪窗口裁剪一条线段。
+lab-polygons = 多边形
+lab-polygons-about = 用裁剪窗口或另一个多边形裁剪多边形。
 
 ## Panels
 

@@ -8,6 +8,7 @@ mod ring;
 mod step;
 mod sutherland_hodgman;
 mod vertex;
+pub mod weiler_atherton;
 
 pub use border::ClipRegion;
 pub use clipper::{Clipped, Clipper};
