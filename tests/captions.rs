@@ -6,7 +6,10 @@
 
 use clipscope::{
     geom::{Segment, Window},
-    labs::lines::{METHODS, Method, Scene},
+    labs::{
+        Lab, Scene,
+        lines::{self, Method},
+    },
     lesson::Course,
     text::{Catalog, Lang},
 };
@@ -35,7 +38,9 @@ fn scenes() -> Vec<Scene> {
         .flat_map(|method| {
             SEGMENTS.map(|s| {
                 let segment = Segment::try_from(s).unwrap();
-                Scene::new(method, window, vec![segment]).unwrap()
+                lines::Scene::new(method, window, vec![segment])
+                    .unwrap()
+                    .into()
             })
         })
         .collect();
@@ -49,27 +54,27 @@ fn scenes() -> Vec<Scene> {
 #[test]
 fn nothing_that_is_said_is_missing_from_a_catalogue() {
     for scene in scenes() {
-        let run = scene.method.record(&scene, scene.focused());
-        for step in 0..=run.n_steps() {
-            let frame = run.frame(step);
-            for lang in Lang::ALL {
-                let catalog = Catalog::of(lang);
-                let mut said = vec![catalog.message(&frame.caption.decision)];
-                let formulas = frame.caption.arithmetic.iter();
-                said.extend(formulas.map(|f| catalog.formula(f)));
-                for row in frame.watch.iter().flat_map(|section| &section.rows) {
-                    let values = row.cells.iter().flatten().chain(&row.note);
-                    said.extend(values.chain([&row.name]).map(|v| catalog.value(v)));
-                }
-                let labels = frame.marks.iter().filter_map(|mark| mark.label.as_ref());
-                said.extend(labels.map(|label| catalog.value(&label.text)));
-                for text in said {
-                    assert!(
-                        !text.contains('⟦'),
-                        "{lang} lacks {text} at step {step} of {} on {:?}",
-                        scene.method,
-                        scene.focused()
-                    );
+        for (card, run) in scene.methods().into_iter().zip(scene.record()) {
+            for step in 0..=run.n_steps() {
+                let frame = run.frame(step);
+                for lang in Lang::ALL {
+                    let catalog = Catalog::of(lang);
+                    let mut said = vec![catalog.message(&frame.caption.decision)];
+                    let formulas = frame.caption.arithmetic.iter();
+                    said.extend(formulas.map(|f| catalog.formula(f)));
+                    for row in frame.watch.iter().flat_map(|section| &section.rows) {
+                        let values = row.cells.iter().flatten().chain(&row.note);
+                        said.extend(values.chain([&row.name]).map(|v| catalog.value(v)));
+                    }
+                    let labels = frame.marks.iter().filter_map(|mark| mark.label.as_ref());
+                    said.extend(labels.map(|label| catalog.value(&label.text)));
+                    for text in said {
+                        assert!(
+                            !text.contains('⟦'),
+                            "{lang} lacks {text} at step {step} of {} on {scene:?}",
+                            card.id
+                        );
+                    }
                 }
             }
         }
@@ -78,10 +83,11 @@ fn nothing_that_is_said_is_missing_from_a_catalogue() {
 
 #[test]
 fn every_method_has_its_pseudocode_in_every_language() {
-    for (info, lang) in METHODS.iter().flat_map(|i| Lang::ALL.map(|l| (i, l))) {
+    let cards = Lab::ALL.into_iter().flat_map(Lab::methods);
+    for (card, lang) in cards.flat_map(|card| Lang::ALL.map(|lang| (card, lang))) {
         let catalog = Catalog::of(lang);
-        for line in info.code {
-            for key in [line.code, line.words, info.name_key] {
+        for line in card.code {
+            for key in [line.code, line.words, card.name_key] {
                 assert!(!catalog.term(key).contains('⟦'), "{lang} lacks {key}");
             }
         }
@@ -91,14 +97,15 @@ fn every_method_has_its_pseudocode_in_every_language() {
 #[test]
 fn every_step_has_a_line_of_pseudocode() {
     for scene in scenes() {
-        let run = scene.method.record(&scene, scene.focused());
-        for step in 1..=run.n_steps() {
-            let line = run.frame(step).code_line;
-            assert!(
-                line.is_some_and(|line| line < scene.method.info().code.len()),
-                "step {step} of {} points at line {line:?}",
-                scene.method
-            );
+        for (card, run) in scene.methods().into_iter().zip(scene.record()) {
+            for step in 1..=run.n_steps() {
+                let line = run.frame(step).code_line;
+                assert!(
+                    line.is_some_and(|line| line < card.code.len()),
+                    "step {step} of {} points at line {line:?}",
+                    card.id
+                );
+            }
         }
     }
 }
@@ -107,15 +114,16 @@ fn every_step_has_a_line_of_pseudocode() {
 fn decisions_carry_numbers_or_names_of_the_step() {
     // A decision without an argument says the same at every step: its arithmetic must carry the numbers.
     for scene in scenes() {
-        let run = scene.method.record(&scene, scene.focused());
-        for step in 1..=run.n_steps() {
-            let caption = run.frame(step).caption;
-            assert!(
-                !caption.decision.args.is_empty() || !caption.arithmetic.is_empty(),
-                "{} says nothing of step {step} of {}",
-                caption.decision.key,
-                scene.method
-            );
+        for (card, run) in scene.methods().into_iter().zip(scene.record()) {
+            for step in 1..=run.n_steps() {
+                let caption = run.frame(step).caption;
+                assert!(
+                    !caption.decision.args.is_empty() || !caption.arithmetic.is_empty(),
+                    "{} says nothing of step {step} of {}",
+                    caption.decision.key,
+                    card.id
+                );
+            }
         }
     }
 }

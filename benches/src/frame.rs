@@ -2,7 +2,10 @@
 
 use std::f32::consts::TAU;
 
-use clipscope::{app::Command, labs::lines::Method, panels::lines::LinesEdit};
+use clipscope::{
+    app::Command,
+    panels::{Edit, lines::LinesEdit},
+};
 use egui::{Event, Key, vec2};
 
 use crate::{
@@ -88,10 +91,10 @@ impl Doing {
                     Vec::new()
                 }
             };
-            let before = desk.app.scene().focused().p1;
+            let before = desk.app.scene().as_lines().unwrap().focused().p1;
             let took = desk.frame(events);
             if matches!(self, Self::Dragging) && i % ROUND == ROUND / 2 {
-                assert_ne!(desk.app.scene().focused().p1, before, "P₁ follows");
+                assert_ne!(desk.app.scene().as_lines().unwrap().focused().p1, before, "P₁ follows");
             }
             took
         });
@@ -123,8 +126,7 @@ pub fn run() {
         }
     }
     for doing in [Doing::Stepping, Doing::Dragging] {
-        let other = Method::by_id("liang-barsky");
-        let mut desk = edited(LinesEdit::Compare(other));
+        let mut desk = edited(Edit::Compare(Some("liang-barsky")));
         let took = doing.frames(&mut desk, N_FRAMES);
         row("both, side by side", doing, &took, TARGET);
     }
@@ -133,10 +135,10 @@ pub fn run() {
         ("100,000 segments, clipped", usize::MAX),
     ] {
         for doing in [Doing::Nothing, Doing::Hovering, Doing::Dragging] {
-            let mut desk = edited(LinesEdit::Random {
+            let mut desk = edited(Edit::Lines(LinesEdit::Random {
                 count: N_CROWD,
                 seed: 1,
-            });
+            }));
             desk.apply(Command::Seek(position));
             let took = doing.frames(&mut desk, N_CROWDED_FRAMES);
             row(name, doing, &took, Target::None);
@@ -146,7 +148,7 @@ pub fn run() {
 }
 
 /// The app at a step of the course whose scene has been changed.
-fn edited(edit: LinesEdit) -> Desk {
+fn edited(edit: Edit) -> Desk {
     let mut desk = Desk::at(CUTTING[0], CUTTING[1]);
     desk.apply(Command::Edit(edit, None));
     desk

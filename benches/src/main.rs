@@ -21,6 +21,7 @@ mod line;
 #[cfg(feature = "gui")]
 mod paint;
 mod plot;
+mod polygon;
 mod weiler_atherton;
 
 use std::process::ExitCode;
@@ -30,6 +31,7 @@ type Benchmark = (&'static str, fn());
 
 const BENCHMARKS: &[Benchmark] = &[
     ("line", line::run),
+    ("polygon", polygon::run),
     ("weiler-atherton", weiler_atherton::run),
     #[cfg(feature = "gui")]
     ("frame", frame::run),

@@ -4,7 +4,7 @@ use std::{hint::black_box, time::Instant};
 
 use clipscope::{
     export::{Picture, draw},
-    labs::lines::Scene,
+    labs::Scene,
     lesson::{Course, Step},
     paint::{Headless, ThemeKind},
     text::Lang,

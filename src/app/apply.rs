@@ -3,8 +3,9 @@
 use egui::Context;
 
 use crate::{
+    labs::Lab,
     lesson::scene_to_toml,
-    panels::lines::LinesEdit,
+    panels::{Edit, polygons::Sketch},
     text::{Catalog, Message},
 };
 
@@ -22,6 +23,19 @@ impl App {
         let now = ctx.input(|input| input.time);
         match command {
             Command::Edit(edit, gesture) => self.edit(edit, gesture, now),
+            Command::Add => self.edit(Edit::Add(self.stage.chosen()), None, now),
+            Command::Remove => {
+                self.edit(Edit::Remove(self.stage.chosen()), None, now);
+                self.stage.selected = None;
+            }
+            Command::Select(handle) => self.stage.selected = Some(handle),
+            Command::Draw(_) | Command::Place(_) | Command::TakeBack | Command::CloseOutline => {
+                self.sketch(ctx, &command, now);
+            }
+            // Half an outline has a past of its own.
+            Command::Undo if self.stage.sketch.is_some() => {
+                self.sketch(ctx, &Command::TakeBack, now);
+            }
             Command::EndGesture => self.document.end_gesture(),
             Command::Undo => self.travel(|app| app.document.undo()),
             Command::Redo => self.travel(|app| app.document.redo()),
@@ -31,6 +45,7 @@ impl App {
                     self.enter_step();
                 }
             }
+            Command::Lab(lab) => self.open_lab(lab),
             Command::Open([lesson, step]) => {
                 if self.place.open(lesson, step) {
                     self.enter_step();
@@ -62,15 +77,16 @@ impl App {
     }
 
     fn apply_transport(&mut self, command: &Command) {
-        let phase = |app: &Self, by| app.playback.phase(by);
-        let (before, after) = (phase(self, -1), phase(self, 1));
+        if let Command::Phase(by) = *command {
+            let to = self.playback.phase(by);
+            self.playback.transport_mut().seek(to);
+        }
         let transport = self.playback.transport_mut();
         match *command {
             Command::Step(by) => transport.step(by),
             Command::Seek(step) => transport.seek(step),
             Command::First => transport.seek(0),
             Command::Last => transport.seek(usize::MAX),
-            Command::Phase(by) => transport.seek(if by < 0 { before } else { after }),
             Command::Play => transport.toggle(),
             Command::Speed(speed) => {
                 transport.set_speed(speed);
@@ -80,10 +96,10 @@ impl App {
         }
     }
 
-    fn edit(&mut self, edit: LinesEdit, gesture: Option<Gesture>, now: f64) {
-        let size = self.document.now().segments().len();
-        let is_drag = matches!(edit, LinesEdit::Drag(..));
-        let fits = matches!(edit, LinesEdit::Replace(_) | LinesEdit::Random { .. });
+    fn edit(&mut self, edit: Edit, gesture: Option<Gesture>, now: f64) {
+        let size = self.document.now().size();
+        let is_drag = matches!(edit, Edit::Drag(..));
+        let fits = edit.brings_another();
         let changed = self
             .document
             .edit(gesture, now, size, |scene| edit.apply(scene));
@@ -97,7 +113,54 @@ impl App {
             Ok(false) => {}
             // A handle that cannot go there stays where it is: that is answer enough.
             Err(_) if is_drag => {}
-            Err(error) => self.notices.push(Notice::problem(error.to_string())),
+            Err(error) => {
+                let text = error.message().map_or_else(
+                    || error.to_string(),
+                    |message| self.catalog().message(&message),
+                );
+                self.notices.push(Notice::passing(text, now));
+            }
+        }
+    }
+
+    /// Draws an outline: the scene changes when it is closed.
+    fn sketch(&mut self, ctx: &Context, command: &Command, now: f64) {
+        if self.document.now().lab() != Lab::Polygons {
+            return;
+        }
+        if let Command::Draw(outline) = *command {
+            self.stage.sketch = Some(Sketch::new(outline));
+            self.stage.selected = None;
+            self.shown.room = Room::Stage;
+            self.playback.transport_mut().pause();
+            // Enter closes the outline: it must not press a button.
+            ctx.memory_mut(|memory| memory.stop_text_input());
+            return;
+        }
+        let Some(sketch) = &mut self.stage.sketch else {
+            return;
+        };
+        match *command {
+            Command::Place(at) => sketch.place(at),
+            Command::TakeBack if !sketch.take_back() => self.stage.sketch = None,
+            Command::CloseOutline => {
+                if let Some(edit) = sketch.edit() {
+                    self.stage.sketch = None;
+                    self.edit(Edit::Polygons(edit), None, now);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// The first lesson of a lab; its own first scene where the course has none.
+    fn open_lab(&mut self, lab: Lab) {
+        let lessons = self.place.lessons();
+        if let Some(lesson_idx) = lessons.iter().position(|lesson| lesson.lab == lab) {
+            self.place.open(lesson_idx, 0);
+            self.enter_step();
+        } else {
+            self.show_scene(lab.first_scene());
         }
     }
 
@@ -118,7 +181,7 @@ impl App {
             .step()
             .map(|step| (step.scene.clone(), step.position));
         if let Some((scene, position)) = wanted {
-            let replace = LinesEdit::Replace(Box::new((*scene).clone()));
+            let replace = Edit::Replace(Box::new((*scene).clone()));
             self.edit(replace, None, now);
             self.playback.transport_mut().seek(position);
         } else {
@@ -142,14 +205,17 @@ impl App {
             Command::Theme(theme) => self.settings.theme = theme,
             Command::Code(code) => self.shown.code = code,
             Command::Snap(snap) => self.settings.snap = snap,
-            Command::Measure(open) => self.lab.is_measuring = open,
+            Command::Measure(open) => {
+                // Only the lines lab has methods that give the same answer to compare.
+                self.lab.is_measuring = open && self.document.now().lab() == Lab::Lines;
+            }
             Command::Dismiss => self.notices.clear(),
             _ => {}
         }
     }
 
     fn cancel(&mut self) {
-        if self.shown.dialog.take().is_some() {
+        if self.shown.dialog.take().is_some() || self.stage.sketch.take().is_some() {
             return;
         }
         if std::mem::take(&mut self.lab.is_measuring) {
@@ -161,12 +227,19 @@ impl App {
         }
         self.shown.presenting = false;
         self.shown.room = Room::Stage;
+        self.stage.selected = None;
     }
 
     fn apply_dialog(&mut self, ctx: &Context, command: Command, now: f64) {
         let name = |app: &Self, ending: &str| {
             let step = app.place.step().and_then(|step| step.figure.clone());
-            let stem = step.unwrap_or_else(|| app.document.now().method.to_string());
+            let stem = step.unwrap_or_else(|| {
+                app.document
+                    .now()
+                    .methods()
+                    .first()
+                    .map_or_else(String::new, |card| card.id.to_owned())
+            });
             app.platform.suggest(&format!("{stem}.{ending}"))
         };
         match command {

@@ -4,7 +4,7 @@ use egui::Context;
 
 use crate::{
     lesson::{Problem, scene_from_toml},
-    panels::lines::LinesEdit,
+    panels::Edit,
     text::{Catalog, Message},
 };
 
@@ -34,7 +34,7 @@ impl App {
         match scene_from_toml(name, bytes) {
             Ok(scene) => {
                 self.notices.clear();
-                let replace = LinesEdit::Replace(Box::new(scene));
+                let replace = Edit::Replace(Box::new(scene));
                 self.apply(ctx, super::Command::Edit(replace, None));
                 self.apply(ctx, super::Command::First);
                 self.stage.is_foreign = true;

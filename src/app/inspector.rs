@@ -4,7 +4,7 @@ use egui::{Align, Layout, RichText, ScrollArea, Ui};
 
 use crate::{
     figure::Role,
-    labs::lines::Method,
+    labs::{Lab, MethodCard},
     lesson::CodeView,
     trace::Counts,
     widgets::{CodeLine, Cost, code_view_switch, cost, pseudocode, rule, section, watch},
@@ -61,8 +61,12 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
 }
 
 fn lines(model: &Model<'_>) -> Vec<CodeLine> {
-    let code = model.scene.method.info().code;
-    let line = |line: &crate::labs::lines::CodeLine| CodeLine {
+    let code = model
+        .scene
+        .methods()
+        .first()
+        .map_or(&[][..], |card| card.code);
+    let line = |line: &crate::labs::CodeLine| CodeLine {
         depth: line.depth,
         text: model.look.say(if model.code == CodeView::Words {
             line.words
@@ -83,7 +87,7 @@ fn costs(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
     // Beside another method, both at this step; alone, with what brute force does in all.
     let beside = costs
         .get(1)
-        .zip(model.scene.compare)
+        .zip(model.scene.methods().get(1).copied())
         .map(|([counts, end], method)| (*counts, *end, method));
     let baseline = || {
         let (method, counts) = model.playback.baseline()?;
@@ -91,7 +95,7 @@ fn costs(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
     };
     let compared = beside.or_else(baseline);
     let most = |counts: Counts| counts.add.max(counts.mul).max(counts.div).max(counts.cmp);
-    let name = |method: Method| look.say(method.info().name_key);
+    let name = |method: &MethodCard| look.say(method.name_key);
     let other_name = compared
         .map(|(_, _, method)| name(method))
         .unwrap_or_default();
@@ -101,6 +105,9 @@ fn costs(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
         most: most(end).max(compared.map_or(0, |(_, end, _)| most(end))),
     };
     ui.scope(|ui| cost(ui, look, &shown));
+    if model.scene.lab() != Lab::Lines {
+        return;
+    }
     ui.add_space(4.0);
     let measure = RichText::new(look.say("cost-measure"))
         .small()

@@ -12,6 +12,7 @@
 
 mod apply;
 mod bars;
+mod clicks;
 mod command;
 mod course_panel;
 mod dialog;
@@ -31,6 +32,7 @@ mod playback;
 #[cfg(not(target_arch = "wasm32"))]
 mod reload;
 mod settings;
+mod sketch;
 mod stage;
 #[cfg(test)]
 mod tests;
@@ -51,13 +53,14 @@ pub use web::start;
 use egui::{Pos2, Ui};
 
 use crate::{
-    algo::line::BitOrder,
     figure::Moment,
-    geom::{Segment, Window},
-    labs::lines::{Method, Scene},
+    labs::{Lab, Scene},
     lesson::{CodeView, Course, Step},
     paint::ThemeKind,
-    panels::lines::{Batch, Measure},
+    panels::{
+        lines::{Batch, Measure},
+        polygons::Random,
+    },
 };
 
 use document::Document;
@@ -75,7 +78,7 @@ pub struct App {
     document: Document<Scene>,
     playback: Playback,
     stage: StageState,
-    lab: LinesLab,
+    lab: LabState,
     shown: Shown,
     notices: Notices,
     platform: Box<dyn Platform>,
@@ -83,13 +86,20 @@ pub struct App {
     reload: Option<reload::Reload>,
 }
 
-/// What the lines lab remembers that is not part of its document.
+/// What the labs remember that is not part of their documents.
 #[derive(Default)]
-struct LinesLab {
-    batch: Batch,
+struct LabState {
+    fields: Fields,
     measure: Option<Measure>,
     /// Is the window with the measured costs open?
     is_measuring: bool,
+}
+
+/// The fields of the labs' menus.
+#[derive(Clone, Copy, Default)]
+struct Fields {
+    batch: Batch,
+    random: Random,
 }
 
 /// What of the window is shown.
@@ -114,14 +124,14 @@ impl App {
         }
         let scene = place
             .step()
-            .map_or_else(first_scene, |step| (*step.scene).clone());
+            .map_or_else(|| Lab::Lines.first_scene(), |step| (*step.scene).clone());
         let mut app = Self {
             settings,
             place,
             playback: Playback::record(&scene, 0),
             stage: StageState::new(&scene),
             document: Document::new(scene),
-            lab: LinesLab::default(),
+            lab: LabState::default(),
             shown: Shown {
                 code: CodeView::Full,
                 dialog: None,
@@ -148,11 +158,16 @@ impl App {
     /// On this scene instead of the lesson's: what `clipscope open scene.toml` shows.
     #[must_use]
     pub fn with_scene(mut self, scene: Scene) -> Self {
+        self.show_scene(scene);
+        self
+    }
+
+    /// Shows a scene that is not the lesson's own, from the start of its run.
+    fn show_scene(&mut self, scene: Scene) {
         self.stage = StageState::new(&scene);
         self.stage.is_foreign = true;
         self.playback = Playback::record(&scene, 0);
         self.document = Document::new(scene);
-        self
     }
 
     /// Goes to a step of the run.
@@ -220,9 +235,12 @@ impl App {
         if focus == Focus::Free && self.shown.dialog.is_none() {
             keys::tab_to(ctx, self.stage.handle_ids.first().copied());
         }
-        if self.stage.handle_focused || egui::Popup::is_any_open(ctx) {
+        if self.stage.focused.is_some() || egui::Popup::is_any_open(ctx) {
             // Escape gives the handle's focus back, or closes the menu: nothing more.
             commands.retain(|command| *command != Command::Cancel);
+        }
+        if self.stage.sketch.is_some() {
+            commands.retain(Command::goes_with_a_sketch);
         }
         if self.shown.dialog.is_some() || self.lab.is_measuring {
             commands.retain(|command| matches!(command, Command::Cancel | Command::Help));
@@ -284,16 +302,4 @@ impl App {
         }
         self.playback.transport_mut().set_speed(speed);
     }
-}
-
-/// The scene of an app without a course.
-fn first_scene() -> Scene {
-    let method = Method::by_id("cohen-sutherland").or_else(|| Method::all().next());
-    let window = Window::new(-1.0, -1.0, 1.0, 1.0);
-    let segment = Segment::new(-2.0, -1.0, 2.0, 1.5);
-    let scene = method.zip(window.ok()).zip(segment.ok());
-    let ((method, window), segment) = scene.expect("constants that are valid");
-    let mut scene = Scene::new(method, window, vec![segment]).expect("one segment");
-    scene.bit_order = BitOrder::default();
-    scene
 }

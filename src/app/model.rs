@@ -1,6 +1,6 @@
 //! What panels may read.
 
-use crate::{labs::lines::Scene, lesson::CodeView, paint::Theme, text::Catalog, widgets::Look};
+use crate::{labs::Scene, lesson::CodeView, paint::Theme, text::Catalog, widgets::Look};
 
 use super::{App, Settings, place::Place, playback::Playback};
 

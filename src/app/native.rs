@@ -20,7 +20,7 @@ pub struct Opening {
     /// A lesson folder, read again whenever it changes; else the embedded course.
     pub folder: Option<Folder>,
     /// A scene instead of the lesson's own.
-    pub scene: Option<crate::labs::lines::Scene>,
+    pub scene: Option<crate::labs::Scene>,
 }
 
 /// Opens the window, and comes back when it has been closed.

@@ -2,7 +2,7 @@
 
 #[cfg(not(target_arch = "wasm32"))]
 use crate::{export, paint::Headless};
-use crate::{labs::lines::Scene, paint::ThemeKind, text::Lang};
+use crate::{labs::Scene, paint::ThemeKind, text::Lang};
 
 /// A figure to be exported: what the stage shows.
 #[derive(Clone, Copy, Debug)]

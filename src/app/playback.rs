@@ -2,7 +2,7 @@
 
 use crate::{
     figure::{Frame, Run, Tick},
-    labs::lines::{Method, Scene},
+    labs::{MethodCard, Scene},
     trace::{Counts, Transport},
 };
 
@@ -12,7 +12,7 @@ pub struct Playback {
     main: Box<dyn Run>,
     other: Option<Box<dyn Run>>,
     /// What the plainest method does on the same input, in all; none where it is that method.
-    baseline: Option<(Method, Counts)>,
+    baseline: Option<(&'static MethodCard, Counts)>,
     /// Frames of the step they were made for.
     frames: Vec<Frame>,
     framed_at: Option<usize>,
@@ -21,7 +21,7 @@ pub struct Playback {
 }
 
 impl Playback {
-    /// Records the scene's focused segment, with the cursor at `position`.
+    /// Records the scene's methods, with the cursor at `position`.
     #[must_use]
     pub fn record(scene: &Scene, position: usize) -> Self {
         let (main, other) = runs(scene);
@@ -29,7 +29,7 @@ impl Playback {
             transport: Transport::new(main.n_steps()),
             main,
             other,
-            baseline: baseline(scene),
+            baseline: scene.baseline(),
             frames: Vec::new(),
             framed_at: None,
             clock: None,
@@ -45,7 +45,7 @@ impl Playback {
         let position = main.corresponding(&*self.main, before);
         self.transport.rebase(main.n_steps(), position);
         (self.main, self.other) = (main, other);
-        self.baseline = baseline(scene);
+        self.baseline = scene.baseline();
         self.framed_at = None;
     }
 
@@ -117,7 +117,7 @@ impl Playback {
 
     /// A method to compare with where none stands beside, and its cost in all.
     #[must_use]
-    pub const fn baseline(&self) -> Option<(Method, Counts)> {
+    pub const fn baseline(&self) -> Option<(&'static MethodCard, Counts)> {
         self.baseline
     }
 
@@ -134,16 +134,7 @@ impl Playback {
 }
 
 fn runs(scene: &Scene) -> (Box<dyn Run>, Option<Box<dyn Run>>) {
-    let segment = scene.focused();
-    let other = scene.compare.map(|method| method.record(scene, segment));
-    (scene.method.record(scene, segment), other)
-}
-
-/// The first method of the registry is the plainest.
-fn baseline(scene: &Scene) -> Option<(Method, Counts)> {
-    let method = Method::all()
-        .next()
-        .filter(|&method| method != scene.method)?;
-    let (_, counts) = method.cost(scene, scene.focused());
-    Some((method, counts))
+    let mut runs = scene.record().into_iter();
+    let main = runs.next().expect("a scene has a method");
+    (main, runs.next())
 }

@@ -6,7 +6,10 @@ use crate::{
     algo::line::BitOrder,
     figure::Run,
     geom::{ConvexPolygon, Edge, Point, Segment, Window},
-    labs::lines::{METHODS, Method, MethodInfo, Scene, output_json},
+    labs::{
+        Answer,
+        lines::{METHODS, Method, MethodInfo, Scene},
+    },
     text::{Formula, Message, Value},
     trace::Counts,
 };
@@ -32,15 +35,15 @@ const CONVEX: [Field; 3] = [
 
 impl Solver for MethodInfo {
     fn id(&self) -> &'static str {
-        self.id
+        self.card.id
     }
 
     fn name_key(&self) -> &'static str {
-        self.name_key
+        self.card.name_key
     }
 
     fn source(&self) -> &'static str {
-        self.source
+        self.card.source
     }
 
     fn fields(&self) -> &'static [Field] {
@@ -67,7 +70,7 @@ impl Solver for MethodInfo {
             (None, Some(clip)) => bounds(clip)?,
             (None, None) => return Err(missing("window")),
         };
-        let method = Method::by_id(self.id).ok_or_else(impossible)?;
+        let method = Method::by_id(self.card.id).ok_or_else(impossible)?;
         let mut scene = Scene::new(method, window, vec![segment]).map_err(|_| impossible())?;
         scene.clip = clip;
         scene.bit_order = bit_order.unwrap_or_default();
@@ -155,12 +158,12 @@ impl Problem for LineCase {
     }
 
     fn output(&self) -> Json {
-        output_json(&self.0.method.clip(&self.0, self.0.focused()))
+        self.0.method.clip(&self.0, self.0.focused()).json()
     }
 
     fn cost(&self) -> (Json, Counts) {
         let (visible, counts) = self.0.method.cost(&self.0, self.0.focused());
-        (output_json(&visible), counts)
+        (visible.json(), counts)
     }
 
     fn run(&self) -> Box<dyn Run> {

@@ -4,7 +4,7 @@ use egui::{Align2, FontId, Rect, Ui, pos2, vec2};
 
 use crate::{
     figure::{Frame, Run},
-    labs::lines::{self, Method, Scene},
+    labs::{MethodCard, Scene},
     paint::{Headless, Image, Theme, ThemeKind, Viewport, fonts::semibold, stage},
     text::{Catalog, Lang},
     trace::Counts,
@@ -43,13 +43,16 @@ pub fn draw(table: &mut Headless, picture: &Picture<'_>) -> Image {
     let size = vec2(picture.size_px[0] as f32, picture.size_px[1] as f32);
     let pixels_per_point = (size.x / PAGE_PTS[0]).min(size.y / PAGE_PTS[1]);
     let scene = picture.scene;
-    let first = scene.method.record(scene, scene.focused());
-    let second = scene.compare.map(|method| {
-        let run = method.record(scene, scene.focused());
-        Column::new(method, &*run, run.beside(&*first, picture.step))
-    });
-    let columns: Vec<Column> = std::iter::once(Column::new(scene.method, &*first, picture.step))
-        .chain(second)
+    let runs = scene.record();
+    let columns: Vec<Column> = scene
+        .methods()
+        .into_iter()
+        .zip(&runs)
+        .enumerate()
+        .map(|(i, (method, run))| match i {
+            0 => Column::new(method, &**run, picture.step),
+            _ => Column::new(method, &**run, run.beside(&*runs[0], picture.step)),
+        })
         .collect();
     let page = Page {
         scene,
@@ -70,7 +73,7 @@ pub fn draw(table: &mut Headless, picture: &Picture<'_>) -> Image {
         for (i, column) in columns.iter().enumerate() {
             let left = whole.left() + width * i as f32;
             let rect = Rect::from_min_size(pos2(left, whole.top()), vec2(width, whole.height()));
-            page.column(ui, rect, column);
+            page.column(ui, rect, i, column);
             if i > 0 {
                 let hairline = page.look.theme.stroke(1.0, page.look.theme.hairline);
                 ui.painter().vline(left, whole.y_range(), hairline);
@@ -81,13 +84,13 @@ pub fn draw(table: &mut Headless, picture: &Picture<'_>) -> Image {
 
 /// One method at one step.
 struct Column {
-    method: Method,
+    method: &'static MethodCard,
     frame: Frame,
     at_end: bool,
 }
 
 impl Column {
-    fn new(method: Method, run: &dyn Run, step: usize) -> Self {
+    fn new(method: &'static MethodCard, run: &dyn Run, step: usize) -> Self {
         Self {
             method,
             frame: run.frame(step.min(run.n_steps())),
@@ -105,7 +108,7 @@ struct Page<'a> {
 }
 
 impl Page<'_> {
-    fn column(&self, ui: &mut Ui, rect: Rect, column: &Column) {
+    fn column(&self, ui: &mut Ui, rect: Rect, index: usize, column: &Column) {
         let frame = &column.frame;
         let [margin_x, margin_y] = MARGIN_PTS;
         let width = rect.width() - 2.0 * margin_x;
@@ -126,7 +129,7 @@ impl Page<'_> {
         if self.is_comparison {
             self.title(ui, rect.min, column.method);
         }
-        self.stage(ui, stage_rect, column);
+        self.stage(ui, stage_rect, index, column);
         if let Some(line) = &frame.number_line {
             let rect = rect
                 .with_min_y(strip_top - self.line_height)
@@ -142,15 +145,11 @@ impl Page<'_> {
         }
     }
 
-    fn stage(&self, ui: &Ui, rect: Rect, column: &Column) {
-        let Column {
-            method,
-            frame,
-            at_end,
-        } = column;
-        let viewport = Viewport::fit(rect, lines::bounds(self.scene));
+    fn stage(&self, ui: &Ui, rect: Rect, index: usize, column: &Column) {
+        let Column { frame, at_end, .. } = column;
+        let viewport = Viewport::fit(rect, self.scene.bounds());
         let painter = ui.painter().with_clip_rect(rect);
-        let mut marks = lines::backdrop(self.scene, *method, *at_end);
+        let mut marks = self.scene.backdrop(index, *at_end);
         marks.extend(frame.marks.iter().cloned());
         stage(
             &painter,
@@ -162,11 +161,11 @@ impl Page<'_> {
         );
     }
 
-    fn title(&self, ui: &Ui, corner: egui::Pos2, method: Method) {
+    fn title(&self, ui: &Ui, corner: egui::Pos2, method: &MethodCard) {
         ui.painter().text(
             corner + vec2(MARGIN_PTS[0], MARGIN_PTS[1]),
             Align2::LEFT_TOP,
-            self.look.catalog.term(method.info().name_key),
+            self.look.catalog.term(method.name_key),
             FontId::new(13.0 * self.look.theme.text_scale, semibold()),
             self.look.theme.ink,
         );

@@ -72,8 +72,8 @@ pub fn jobs<'a>(lessons: impl IntoIterator<Item = &'a Lesson>, steps: Steps) -> 
             match steps {
                 Steps::Figures => jobs.push(job(step.position, figure.clone())),
                 Steps::All => {
-                    let scene = &step.scene;
-                    let n_steps = scene.method.record(scene, scene.focused()).n_steps();
+                    let runs = step.scene.record();
+                    let n_steps = runs.first().map_or(0, |run| run.n_steps());
                     jobs.extend((0..=n_steps).map(|k| job(k, format!("{figure}-{k:03}"))));
                 }
             }

@@ -21,9 +21,39 @@ pub enum Role {
     Discarded,
 }
 
-/// A name by which a mark, its row in the watch table, a tick on the number line and a line of pseudocode
-/// know that they are about the same thing: they light up together.
-pub type Link = &'static str;
+/// A name, numbered where there are many of its kind, by which a mark, its row in the watch table, a tick on
+/// the number line and a line of pseudocode know that they are about the same thing: they light up together.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub struct Link {
+    name: &'static str,
+    nth: Option<usize>,
+}
+
+impl Link {
+    /// About the one thing of this name.
+    #[must_use]
+    pub const fn to(name: &'static str) -> Self {
+        Self { name, nth: None }
+    }
+
+    /// About one of many: vertex 3, edge 0.
+    #[must_use]
+    pub const fn nth(name: &'static str, idx: usize) -> Self {
+        Self {
+            name,
+            nth: Some(idx),
+        }
+    }
+}
+
+impl From<&'static str> for Link {
+    fn from(name: &'static str) -> Self {
+        Self::to(name)
+    }
+}
+
+/// A corner of a textured triangle: its place, and (u, v) in the unit square that the texture fills.
+pub type Texel = ([f64; 2], [f64; 2]);
 
 /// Something to draw, at world coordinates.
 #[derive(Clone, PartialEq, Debug)]
@@ -38,8 +68,18 @@ pub enum Shape {
     Line([[f64; 2]; 2]),
     /// The ray from the first point through the second.
     Ray([[f64; 2]; 2]),
-    /// A filled outline.
+    /// A filled outline, convex.
     Polygon(Vec<[f64; 2]>),
+    /// Closed outlines of any shape, filled where an odd number of them goes round.
+    Area(Vec<Vec<[f64; 2]>>),
+    /// A closed outline of any shape, not filled.
+    Outline(Vec<[f64; 2]>),
+    /// From point to point, not closed.
+    Path(Vec<[f64; 2]>),
+    /// Everything to the left of the line from a to b, shaded, and the line itself.
+    HalfPlane([[f64; 2]; 2]),
+    /// Triangles with a texture on them: each corner's place, and its texture coordinates.
+    Textured(Vec<[Texel; 3]>),
     /// A filled point.
     Dot([f64; 2]),
     /// A hollow point.
@@ -121,8 +161,8 @@ impl Mark {
 
     /// About `link`.
     #[must_use]
-    pub const fn linked(mut self, link: Link) -> Self {
-        self.link = Some(link);
+    pub fn linked(mut self, link: impl Into<Link>) -> Self {
+        self.link = Some(link.into());
         self
     }
 }

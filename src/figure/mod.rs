@@ -7,6 +7,6 @@ mod run;
 mod watch;
 
 pub use frame::{Caption, Frame, LineTick, NumberLine, Side};
-pub use mark::{Label, Link, Mark, Role, Shape};
+pub use mark::{Label, Link, Mark, Role, Shape, Texel};
 pub use run::{Moment, MomentError, Run, Tick};
 pub use watch::{Watch, WatchRow, WatchSection, mark_changes};

@@ -47,8 +47,8 @@ impl WatchRow {
 
     /// About `link`.
     #[must_use]
-    pub const fn linked(mut self, link: Link) -> Self {
-        self.link = Some(link);
+    pub fn linked(mut self, link: impl Into<Link>) -> Self {
+        self.link = Some(link.into());
         self
     }
 }

@@ -40,6 +40,13 @@ impl Polygon {
         &self.vertices
     }
 
+    /// Moves a vertex; an index that is none is ignored.
+    pub fn set_vertex(&mut self, vertex_idx: usize, to: Point) {
+        if let Some(vertex) = self.vertices.get_mut(vertex_idx) {
+            *vertex = to;
+        }
+    }
+
     /// From vertex `edge_idx` to the next; the last edge closes the ring.
     ///
     /// # Panics

@@ -1,3 +1,18 @@
-//! The labs: each one's scene (the document that a person edits), and scene + trace → figure.
+//! The labs: each has a document, methods that work on it, and a file a method that says how its steps are
+//! shown. What every lab has in common is here beside them.
 
+mod card;
+mod demo;
+mod document;
+mod handle;
 pub mod lines;
+pub mod polygons;
+mod words;
+
+pub use card::{CodeLine, MethodCard};
+pub use demo::{Answer, Demo, Step};
+pub use document::{Document, Lab, Scene};
+pub use handle::{Corner, Handle, Lock};
+
+use card::code_line;
+use demo::record;

@@ -2,13 +2,12 @@
 
 use std::{
     collections::{BTreeMap, BTreeSet},
-    fmt,
     sync::Arc,
 };
 
 use crate::{
     figure::Moment,
-    labs::lines::{Lock, Scene},
+    labs::{Lab, Lock, Scene},
     text::{Lang, Message},
 };
 
@@ -59,13 +58,6 @@ pub struct Lesson {
     pub(super) translations: BTreeMap<Lang, LessonText>,
 }
 
-/// A lab that lessons can be written for.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
-pub enum Lab {
-    /// Segments against a window.
-    Lines,
-}
-
 /// One step of a lesson: a scene, and where its run stops.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Step {
@@ -75,7 +67,7 @@ pub struct Step {
     pub scene: Arc<Scene>,
     /// As the lesson names it.
     pub moment: Moment,
-    /// The step of the focused segment's run at which that moment comes.
+    /// The step of the first method's run at which that moment comes.
     pub position: usize,
     /// The figure that export makes of it, unique in the lesson: lower-case letters, digits and hyphens.
     pub figure: Option<String>,
@@ -113,25 +105,6 @@ pub struct StepText {
     pub title: String,
     /// What is read, from top to bottom.
     pub body: Vec<Block>,
-}
-
-impl Lab {
-    /// Every lab, in the order in which they are taught.
-    pub const ALL: [Self; 1] = [Self::Lines];
-
-    /// As lesson files spell it.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Lines => "lines",
-        }
-    }
-}
-
-impl fmt::Display for Lab {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.id())
-    }
 }
 
 impl CodeView {

@@ -4,12 +4,12 @@ use std::{collections::BTreeMap, ops::Range, sync::Arc};
 
 use crate::{
     figure::{Moment, MomentError, Run},
-    labs::lines::{Lock, MAX_SEGMENTS, Scene},
+    labs::{Lab, Lock, Scene},
     text::{Lang, Message},
 };
 
 use super::{
-    course::{CodeView, Lab, Lesson, LessonText, Step},
+    course::{CodeView, Lesson, LessonText, Step},
     scene_file,
     sink::{Sink, clipped},
     toml_errors::with_toml,
@@ -56,7 +56,7 @@ pub(super) fn read(sink: &mut Sink<'_>) -> Option<Skeleton> {
             .require("source", sink)
             .and_then(|item| text(item, sink));
         let mut reader = Steps {
-            scenes: scenes(&fields, sink),
+            scenes: scenes(lab, &fields, sink),
             ids: Names::default(),
             figures: Names::default(),
             current: Current::None,
@@ -73,7 +73,7 @@ pub(super) fn read(sink: &mut Sink<'_>) -> Option<Skeleton> {
     })
 }
 
-/// A scene of the lesson, and its focused segment's run.
+/// A scene of the lesson, and its first method's run.
 struct NamedScene {
     span: Range<usize>,
     /// `None` where it has a mistake.
@@ -81,18 +81,25 @@ struct NamedScene {
     is_used: bool,
 }
 
-fn scenes(fields: &Fields<'_>, sink: &mut Sink<'_>) -> BTreeMap<String, NamedScene> {
-    let mut segments_left = MAX_SEGMENTS;
+/// Scenes of an unknown lab have names, but cannot be read.
+fn scenes(
+    lab: Option<Lab>,
+    fields: &Fields<'_>,
+    sink: &mut Sink<'_>,
+) -> BTreeMap<String, NamedScene> {
+    let mut room = scene_file::Room::of_file();
     let mut scenes = BTreeMap::new();
     let Some(table) = fields.get("scenes").and_then(|item| named(item, sink)) else {
         return scenes;
     };
     for (key, item) in table {
-        let scene = Fields::of(item, &scene_file::FIELDS, sink)
-            .and_then(|fields| scene_file::scene(&fields, &mut segments_left, sink));
-        let recorded = scene.map(|scene| {
-            let run = scene.method.record(&scene, scene.focused());
-            (Arc::new(scene), run)
+        let scene = lab.and_then(|lab| {
+            let fields = Fields::of(item, scene_file::fields_of(lab), sink)?;
+            scene_file::scene(lab, &fields, &mut room, sink)
+        });
+        let recorded = scene.and_then(|scene| {
+            let run = scene.record().into_iter().next()?;
+            Some((Arc::new(scene), run))
         });
         let scene = NamedScene {
             span: key.span(),

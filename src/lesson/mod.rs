@@ -28,11 +28,11 @@ mod tests;
 mod toml_errors;
 mod toml_fields;
 
-pub use course::{CodeView, Course, Lab, Lesson, LessonText, Loaded, MAX_LESSONS, Step, StepText};
+pub use course::{CodeView, Course, Lesson, LessonText, Loaded, MAX_LESSONS, Step, StepText};
 pub use files::{Embedded, FileError, Files, MAX_FILE_BYTES};
 #[cfg(not(target_arch = "wasm32"))]
 pub use folder::Folder;
 pub use markdown::{Block, Inline, Marker};
 pub use problem::{Place, Problem, Severity};
-pub use random::random_segments;
+pub use random::{random_polygon, random_segments};
 pub use scene_file::{scene_from_toml, scene_to_toml};

@@ -1,6 +1,6 @@
-//! Seeded segments around a window: the same on every machine.
+//! Seeded segments and polygons around a window: the same on every machine.
 
-use crate::geom::{Point, Segment, Window};
+use crate::geom::{GeomError, Point, Polygon, Segment, Window};
 
 /// `count` segments whose ends lie in a box of twice the window's size around it, on a grid of "short"
 /// decimals. Only +, −, ×, ÷ and rounding are used, which IEEE 754 defines to the last bit.
@@ -19,6 +19,31 @@ pub fn random_segments(window: &Window, count: usize, seed: u64) -> Vec<Segment>
             p2: point(),
         })
         .collect()
+}
+
+/// A star-shaped polygon of `count` vertices around the window's middle, some near it and some beyond the
+/// window. The directions go round a square, so that no sine is needed.
+///
+/// # Errors
+/// [`GeomError::Degenerate`] where `count` is less than 3.
+pub fn random_polygon(window: &Window, count: usize, seed: u64) -> Result<Polygon, GeomError> {
+    let mut bits = SplitMix64(seed);
+    let [xmin, ymin, xmax, ymax] = window.to_array();
+    let (cx, cy) = (xmin.midpoint(xmax), ymin.midpoint(ymax));
+    let (half_width, half_height) = (0.5 * xmax - 0.5 * xmin, 0.5 * ymax - 0.5 * ymin);
+    let vertex = |i: usize| {
+        let along = 8.0 * (i as f64 + 0.5 * bits.unit()) / count as f64;
+        let [x, y] = match along {
+            a if a < 2.0 => [1.0, a - 1.0],
+            a if a < 4.0 => [3.0 - a, 1.0],
+            a if a < 6.0 => [-1.0, 5.0 - a],
+            a => [a - 7.0, -1.0],
+        };
+        let radius = 0.35 + 1.25 * bits.unit();
+        [cx + half_width * radius * x, cy + half_height * radius * y]
+    };
+    let outline: Vec<[f64; 2]> = (0..count).map(vertex).collect();
+    Polygon::new(&outline)
 }
 
 /// An interval of twice the window's extent, and the grid on it.

@@ -1,5 +1,7 @@
 //! How things look: the theme, the fonts, and a painter that needs no display.
 
+mod area;
+mod checker;
 mod cpu;
 mod crowd;
 pub mod fonts;

@@ -10,6 +10,8 @@ use crate::{
 
 use super::{
     Theme, Viewport,
+    area::filled,
+    checker::textured,
     crowd::crowd,
     labels::{Anchor, Labels},
 };
@@ -20,6 +22,8 @@ const DOT_RADIUS: f32 = 5.5;
 const RING_RADIUS: f32 = 6.5;
 /// Up to this number, segments out of focus can be told apart.
 const FEW_ENOUGH: usize = 2_000;
+/// Labels keep off outlines with up to this many edges; no place is left between more.
+const FEW_ENOUGH_TO_AVOID: usize = 200;
 
 /// Draws the marks in order, then their labels where they cover nothing. What is about `lit` stands out.
 pub fn stage(
@@ -62,6 +66,33 @@ impl<'a> Stage<'a> {
             Shape::Polygon(outline) => {
                 let points: Vec<Pos2> = outline.iter().map(|&p| self.at(p)).collect();
                 self.polygon(points, stroke);
+                None
+            }
+            Shape::Area(outlines) => {
+                self.area(outlines, mark.role, stroke);
+                None
+            }
+            Shape::Outline(outline) => {
+                let points = self.on_screen(outline);
+                self.ring_of(&points, stroke, dashed);
+                None
+            }
+            Shape::Path(points) => {
+                for ends in self.on_screen(points).windows(2) {
+                    self.line([ends[0], ends[1]], stroke, dashed);
+                }
+                None
+            }
+            Shape::HalfPlane([a, b]) => {
+                self.half_plane([self.at(*a), self.at(*b)], colour);
+                let ends = self.ends(&Shape::Line([*a, *b]));
+                self.line(ends, stroke, false);
+                Some(Anchor::Line(ends))
+            }
+            Shape::Textured(triangles) => {
+                let ctx = self.painter.ctx();
+                self.painter
+                    .add(textured(ctx, self.theme, self.viewport, triangles));
                 None
             }
             Shape::Dot(p) => {
@@ -158,7 +189,9 @@ impl<'a> Stage<'a> {
                 let [a, b] = [self.at(*a), self.at(*b)];
                 [a, b + self.reach(a, b)]
             }
-            Shape::Segment([a, b]) | Shape::Arrow([a, b]) => [self.at(*a), self.at(*b)],
+            Shape::Segment([a, b]) | Shape::Arrow([a, b]) | Shape::HalfPlane([a, b]) => {
+                [self.at(*a), self.at(*b)]
+            }
             _ => [rect.center(); 2],
         }
     }
@@ -189,6 +222,52 @@ impl<'a> Stage<'a> {
         }
         self.painter
             .add(Egui::convex_polygon(points, self.theme.accent_wash, stroke));
+    }
+
+    fn on_screen(&self, points: &[[f64; 2]]) -> Vec<Pos2> {
+        points.iter().map(|&p| self.at(p)).collect()
+    }
+
+    /// A wash of the role's colour, and the outlines over it.
+    fn area(&mut self, outlines: &[Vec<[f64; 2]>], role: Role, stroke: Stroke) {
+        let outlines: Vec<Vec<Pos2>> = outlines.iter().map(|o| self.on_screen(o)).collect();
+        let wash = match role {
+            Role::Ink | Role::Accent => self.theme.accent_wash,
+            _ => self.colour(role).gamma_multiply(0.12),
+        };
+        self.painter.add(filled(&outlines, wash));
+        for outline in &outlines {
+            self.ring_of(outline, stroke, role == Role::Discarded);
+        }
+    }
+
+    fn ring_of(&mut self, points: &[Pos2], stroke: Stroke, dashed: bool) {
+        if points.len() <= FEW_ENOUGH_TO_AVOID {
+            for (i, &a) in points.iter().enumerate() {
+                self.labels.avoid_line([a, points[(i + 1) % points.len()]]);
+            }
+        }
+        if dashed {
+            let [dash, gap] = DASH.map(|length| length * self.theme.stroke_scale);
+            let ring: Vec<Pos2> = points.iter().chain(points.first()).copied().collect();
+            self.painter
+                .extend(Egui::dashed_line(&ring, stroke, dash, gap));
+        } else {
+            self.painter.add(Egui::closed_line(points.to_vec(), stroke));
+        }
+    }
+
+    /// Shades what lies to the left of a → b on the world's plane: to the right on the screen's, where y
+    /// points down and left and right are as seen along the line.
+    fn half_plane(&self, [a, b]: [Pos2; 2], colour: Color32) {
+        let along = self.reach(a, b);
+        let left = vec2(along.y, -along.x);
+        let corners = [a - along, b + along, b + along + left, a - along + left];
+        self.painter.add(Egui::convex_polygon(
+            corners.to_vec(),
+            colour.gamma_multiply(0.08),
+            Stroke::NONE,
+        ));
     }
 
     fn crowd(&self, segments: &[[[f64; 2]; 2]], role: Role) {
@@ -240,7 +319,13 @@ impl<'a> Stage<'a> {
                 self.painter
                     .circle(self.at(*p), radius, fill, self.theme.stroke(1.5, rim));
             }
-            Shape::Polygon(_) | Shape::Region(_) | Shape::Crowd(_) => {}
+            Shape::Polygon(_)
+            | Shape::Area(_)
+            | Shape::Outline(_)
+            | Shape::Path(_)
+            | Shape::Region(_)
+            | Shape::Textured(_)
+            | Shape::Crowd(_) => {}
             line => {
                 if let Some(ends) = cut_to(self.ends(line), self.viewport.rect.expand(16.0)) {
                     self.painter.line_segment(ends, glow);

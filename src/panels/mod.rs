@@ -1,6 +1,13 @@
 //! What each lab adds to the window.
 
 mod clock;
+mod edit;
 pub mod lines;
+mod pickers;
+pub mod polygons;
+mod spots;
 
 pub use clock::Stopwatch;
+pub use edit::{Edit, EditError};
+pub use pickers::{compare_picker, method_picker};
+pub use spots::{Reach, spots};

@@ -43,7 +43,7 @@ macro_rules! catalogues {
     };
 }
 
-catalogues!("app", "geometry", "lines", "lesson", "cli");
+catalogues!("app", "geometry", "lines", "polygons", "lesson", "cli");
 
 /// One language's messages, falling back to English for a missing key.
 ///

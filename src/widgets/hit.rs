@@ -35,15 +35,26 @@ fn distance(viewport: &Viewport, shape: &Shape, at: Pos2) -> f32 {
         | Shape::Line([a, b]) => distance_to_segment(at, screen(*a), screen(*b)),
         Shape::Border(Axis::X, x) => (at.x - screen([*x, 0.0]).x).abs(),
         Shape::Border(Axis::Y, y) => (at.y - screen([0.0, *y]).y).abs(),
-        Shape::Polygon(outline) => (0..outline.len())
-            .map(|i| {
-                let next = outline[(i + 1) % outline.len()];
-                distance_to_segment(at, screen(outline[i]), screen(next))
-            })
+        Shape::HalfPlane([a, b]) => distance_to_segment(at, screen(*a), screen(*b)),
+        Shape::Polygon(outline) | Shape::Outline(outline) => to_outline(viewport, outline, at),
+        Shape::Area(outlines) => outlines
+            .iter()
+            .map(|outline| to_outline(viewport, outline, at))
+            .fold(f32::INFINITY, f32::min),
+        Shape::Path(points) => points
+            .windows(2)
+            .map(|ends| distance_to_segment(at, screen(ends[0]), screen(ends[1])))
             .fold(f32::INFINITY, f32::min),
         Shape::Dot(p) | Shape::Ring(p) | Shape::Cross(p) => screen(*p).distance(at),
-        Shape::Region(_) | Shape::Crowd(_) => f32::INFINITY,
+        Shape::Region(_) | Shape::Crowd(_) | Shape::Textured(_) => f32::INFINITY,
     }
+}
+
+fn to_outline(viewport: &Viewport, outline: &[[f64; 2]], at: Pos2) -> f32 {
+    let screen = |i: usize| viewport.to_screen(outline[i % outline.len()]);
+    (0..outline.len())
+        .map(|i| distance_to_segment(at, screen(i), screen(i + 1)))
+        .fold(f32::INFINITY, f32::min)
 }
 
 /// Distance of a point from a segment, all on the screen.
@@ -79,8 +90,8 @@ mod tests {
             Mark::new(Role::Ink, Shape::Dot([2.0, 0.0])),
         ];
         let at = |x, y| link_at(&viewport, &marks, pos2(x, y));
-        assert_eq!(at(103.0, 101.0), Some("point"));
-        assert_eq!(at(130.0, 95.0), Some("line"));
+        assert_eq!(at(103.0, 101.0), Some(Link::to("point")));
+        assert_eq!(at(130.0, 95.0), Some(Link::to("line")));
         assert_eq!(at(130.0, 60.0), None);
         assert_eq!(at(165.0, 100.0), None, "past the end of the segment");
     }

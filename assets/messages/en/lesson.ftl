@@ -48,6 +48,8 @@ problem-degenerate = The clip polygon is degenerate: a vertex is repeated, or th
 problem-no-segments = There is no segment.
 problem-too-large = There are too many segments: { $count }, where a file may have { $limit }.
 problem-two-kinds-of-segments = Both “segments” and “random” are given: only one of the two may be.
+problem-two-kinds-of-polygons = Both “polygon” and “random” are given: only one of the two may be.
+problem-too-many-vertices = There are too many vertices: { $count }, where a scene may have { $limit }.
 problem-no-such-focus =
     { $count ->
         [one] There is no segment { $focus }: there is { $count } segment, counted from 0.
@@ -99,6 +101,8 @@ expect-point = Expected: the two numbers of a point, [x, y].
 expect-segment = Expected: the four numbers of a segment, [x1, y1, x2, y2].
 expect-segments = Expected: a list of segments, [[x1, y1, x2, y2], …], or “random” with “count” and “seed”.
 expect-clip = Expected: at least three corners of a convex polygon, [[x, y], …], in either direction.
+expect-polygon = Expected: at least three vertices of a polygon, [[x, y], …].
+expect-holes = Expected: a list of holes, each a list of at least three vertices, [[[x, y], …], …].
 expect-steps = Expected: at least one [[step]].
 expect-kebab = Expected: lower-case letters and digits, joined by single hyphens: nine-regions.
 expect-figure = Expected: at most 64 lower-case letters, digits and hyphens: nine-regions.

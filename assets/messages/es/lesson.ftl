@@ -48,6 +48,8 @@ problem-degenerate = El polígono de recorte es degenerado: repite un vértice o
 problem-no-segments = No hay ningún segmento.
 problem-too-large = Hay demasiados segmentos: { $count }; un archivo admite { $limit }.
 problem-two-kinds-of-segments = Se dan a la vez «segments» y «random»: solo puede haber uno de los dos.
+problem-two-kinds-of-polygons = Se dan a la vez «polygon» y «random»: solo puede haber uno de los dos.
+problem-too-many-vertices = Hay demasiados vértices: { $count }; una escena admite { $limit }.
 problem-no-such-focus =
     { $count ->
         [one] No existe el segmento { $focus }: hay { $count } segmento, contando desde 0.
@@ -99,6 +101,8 @@ expect-point = Se esperaba: los dos números de un punto, [x, y].
 expect-segment = Se esperaba: los cuatro números de un segmento, [x1, y1, x2, y2].
 expect-segments = Se esperaba: una lista de segmentos, [[x1, y1, x2, y2], …], o bien «random» con «count» y «seed».
 expect-clip = Se esperaba: al menos tres vértices de un polígono convexo, [[x, y], …], en cualquier sentido.
+expect-polygon = Se esperaba: al menos tres vértices de un polígono, [[x, y], …].
+expect-holes = Se esperaba: una lista de huecos, cada uno con al menos tres vértices, [[[x, y], …], …].
 expect-steps = Se esperaba: al menos un [[step]].
 expect-kebab = Se esperaba: letras minúsculas sin tilde y cifras, unidas por guiones sencillos: nine-regions.
 expect-figure = Se esperaba: como mucho 64 letras minúsculas sin tilde, cifras y guiones: nine-regions.

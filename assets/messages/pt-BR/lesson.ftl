@@ -48,6 +48,8 @@ problem-degenerate = O polígono de recorte é degenerado: repete um vértice ou
 problem-no-segments = Não há nenhum segmento.
 problem-too-large = Há segmentos demais: { $count }; um arquivo admite { $limit }.
 problem-two-kinds-of-segments = “segments” e “random” foram dados ao mesmo tempo: só pode haver um dos dois.
+problem-two-kinds-of-polygons = “polygon” e “random” foram dados ao mesmo tempo: só pode haver um dos dois.
+problem-too-many-vertices = Há vértices demais: { $count }; uma cena admite { $limit }.
 problem-no-such-focus =
     { $count ->
         [one] Não existe o segmento { $focus }: há { $count } segmento, contando a partir de 0.
@@ -99,6 +101,8 @@ expect-point = Esperado: os dois números de um ponto, [x, y].
 expect-segment = Esperado: os quatro números de um segmento, [x1, y1, x2, y2].
 expect-segments = Esperado: uma lista de segmentos, [[x1, y1, x2, y2], …], ou “random” com “count” e “seed”.
 expect-clip = Esperado: pelo menos três vértices de um polígono convexo, [[x, y], …], em qualquer sentido.
+expect-polygon = Esperado: pelo menos três vértices de um polígono, [[x, y], …].
+expect-holes = Esperado: uma lista de furos, cada um com pelo menos três vértices, [[[x, y], …], …].
 expect-steps = Esperado: pelo menos um [[step]].
 expect-kebab = Esperado: letras minúsculas sem acento e algarismos, unidos por hifens simples: nine-regions.
 expect-figure = Esperado: no máximo 64 letras minúsculas sem acento, algarismos e hifens: nine-regions.

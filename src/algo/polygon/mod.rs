@@ -1,3 +1,22 @@
 //! Clipping a polygon against a window or another polygon: what is left is one polygon, several, or none.
 
+mod border;
+mod clipper;
+pub mod faulty;
+mod pipeline;
+mod ring;
+mod step;
+mod sutherland_hodgman;
+mod vertex;
 pub mod weiler_atherton;
+
+pub use border::ClipRegion;
+pub use clipper::{Clipped, Clipper};
+pub use pipeline::{Pipeline, PipelineEvent, PipelineStage, PipelineState};
+pub use ring::{ClippedRing, RingOutcome};
+pub use step::Rule;
+pub use sutherland_hodgman::{
+    EdgeTest, SutherlandHodgman, SutherlandHodgmanEvent, SutherlandHodgmanInput,
+    SutherlandHodgmanState,
+};
+pub use vertex::{Share, Textured, Vertex};

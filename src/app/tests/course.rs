@@ -7,7 +7,7 @@ use crate::{
     app::{App, Command, Settings},
     lesson::Course,
     paint::ThemeKind,
-    panels::lines::LinesEdit,
+    panels::Edit,
     text::Lang,
     trace::Transport,
 };
@@ -42,7 +42,7 @@ fn a_presenter_walks_the_course_and_comes_back() {
 fn reset_brings_the_lesson_s_scene_back() {
     let mut bench = Bench::with(App::new(Course::embedded(), Settings::default()), SIZE);
     let ctx = bench.ctx.clone();
-    bench.app.apply(&ctx, Command::Edit(LinesEdit::Add, None));
+    bench.app.apply(&ctx, Command::Edit(Edit::Add(None), None));
     bench.settle();
     assert!(!bench.app.is_untouched());
     bench.key(Key::R);

@@ -7,7 +7,7 @@ use egui::Key;
 use super::{Bench, SIZE, ctrl};
 use crate::{
     app::{App, Command, Desktop, Dialog, Settings},
-    labs::lines::Scene,
+    labs::{Scene, lines},
     lesson::{Course, random_segments},
 };
 
@@ -46,8 +46,10 @@ fn garbage_that_is_dropped_is_explained_and_changes_nothing() {
 fn a_scene_that_is_dropped_is_opened_and_can_be_undone() {
     let mut bench = Bench::new(SIZE);
     let before = bench.app.scene().clone();
-    let segments = random_segments(&before.window, 3, 7);
-    let scene = Scene::new(before.method, before.window, segments).expect("three segments");
+    let lines = before.as_lines().expect("the first lab");
+    let segments = random_segments(&lines.window, 3, 7);
+    let scene = lines::Scene::new(lines.method, lines.window, segments).expect("three segments");
+    let scene = Scene::Lines(scene);
     let text = crate::lesson::scene_to_toml(&scene).into_bytes();
     let file = Dropped(Box::leak(text.into_boxed_slice()));
     bench.frame_with(0.1, Vec::new(), vec![Arc::new(file)]);

@@ -5,10 +5,9 @@ use egui::{Key, vec2};
 use super::{Bench, SIZE, ctrl};
 use crate::{
     app::{App, Command, Settings},
-    labs::lines::Method,
     lesson::Course,
     paint::ThemeKind,
-    panels::lines::LinesEdit,
+    panels::{Edit, lines::LinesEdit},
     text::Lang,
 };
 
@@ -64,11 +63,11 @@ fn every_size_language_and_theme_is_drawn() {
 #[test]
 fn two_methods_stand_side_by_side_and_step_together() {
     let mut bench = Bench::new(SIZE);
-    let other = Method::by_id("liang-barsky");
     let ctx = bench.ctx.clone();
-    bench
-        .app
-        .apply(&ctx, Command::Edit(LinesEdit::Compare(other), None));
+    bench.app.apply(
+        &ctx,
+        Command::Edit(Edit::Compare(Some("liang-barsky")), None),
+    );
     bench.key(Key::End);
     assert_eq!(bench.app.playback.frames().len(), 2);
     assert_eq!(bench.app.stage.canvas_ids.len(), 2);
@@ -87,10 +86,12 @@ fn a_hundred_thousand_segments_are_drawn() {
         count: 100_000,
         seed: 1,
     };
-    bench.app.apply(&ctx, Command::Edit(edit, None));
+    bench
+        .app
+        .apply(&ctx, Command::Edit(Edit::Lines(edit), None));
     bench.settle();
     assert!(bench.frame(0.1, Vec::new()) > 0);
     bench.key(Key::End);
     bench.press(Key::Z, ctrl());
-    assert_eq!(bench.app.scene().segments().len(), 1);
+    assert_eq!(bench.app.scene().size(), 1);
 }

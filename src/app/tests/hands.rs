@@ -12,9 +12,19 @@ fn an_end_is_dragged_and_one_undo_takes_the_whole_drag_back() {
     bench.settle();
     let before = bench.app.scene().clone();
     let moment = bench.app.playback.main().moment(6);
-    let p2 = before.focused().p2.to_array();
+    let p2 = before.as_lines().unwrap().focused().p2.to_array();
     bench.drag(bench.on_screen(p2), bench.on_screen([2.5, 1.5]));
-    assert_eq!(bench.app.scene().focused().p2.to_array(), [2.5, 1.5]);
+    assert_eq!(
+        bench
+            .app
+            .scene()
+            .as_lines()
+            .unwrap()
+            .focused()
+            .p2
+            .to_array(),
+        [2.5, 1.5]
+    );
     let now = bench.app.playback.main();
     assert_eq!(
         now.moment(bench.app.position()),
@@ -24,16 +34,43 @@ fn an_end_is_dragged_and_one_undo_takes_the_whole_drag_back() {
     bench.press(Key::Z, ctrl());
     assert_eq!(bench.app.scene(), &before);
     bench.press(Key::Z, ctrl() | Modifiers::SHIFT);
-    assert_eq!(bench.app.scene().focused().p2.to_array(), [2.5, 1.5]);
+    assert_eq!(
+        bench
+            .app
+            .scene()
+            .as_lines()
+            .unwrap()
+            .focused()
+            .p2
+            .to_array(),
+        [2.5, 1.5]
+    );
     assert!(!bench.app.document.can_redo());
 }
 
 #[test]
 fn a_drag_keeps_to_the_grid_and_the_background_pans() {
     let mut bench = Bench::new(SIZE);
-    let p1 = bench.app.scene().focused().p1.to_array();
+    let p1 = bench
+        .app
+        .scene()
+        .as_lines()
+        .unwrap()
+        .focused()
+        .p1
+        .to_array();
     bench.drag(bench.on_screen(p1), bench.on_screen([-1.61, -0.72]));
-    assert_eq!(bench.app.scene().focused().p1.to_array(), [-1.5, -0.5]);
+    assert_eq!(
+        bench
+            .app
+            .scene()
+            .as_lines()
+            .unwrap()
+            .focused()
+            .p1
+            .to_array(),
+        [-1.5, -0.5]
+    );
     let scene = bench.app.scene().clone();
     let fixed = [2.4, -1.3];
     let from = bench.on_screen(fixed);
@@ -50,14 +87,41 @@ fn a_handle_with_the_focus_takes_the_arrows_until_escape() {
     bench.frame(0.1, Vec::new());
     bench.key(Key::ArrowRight);
     bench.key(Key::ArrowUp);
-    assert_eq!(bench.app.scene().focused().p1.to_array(), [-1.5, -0.5]);
+    assert_eq!(
+        bench
+            .app
+            .scene()
+            .as_lines()
+            .unwrap()
+            .focused()
+            .p1
+            .to_array(),
+        [-1.5, -0.5]
+    );
     assert_eq!(bench.app.position(), 0);
     bench.press(Key::ArrowLeft, Modifiers::ALT);
-    assert_eq!(bench.app.scene().focused().p1.to_array(), [-1.55, -0.5]);
+    assert_eq!(
+        bench
+            .app
+            .scene()
+            .as_lines()
+            .unwrap()
+            .focused()
+            .p1
+            .to_array(),
+        [-1.55, -0.5]
+    );
     bench.key(Key::Tab);
     bench.key(Key::ArrowLeft);
     assert_eq!(
-        bench.app.scene().focused().p2.to_array(),
+        bench
+            .app
+            .scene()
+            .as_lines()
+            .unwrap()
+            .focused()
+            .p2
+            .to_array(),
         [1.5, 1.5],
         "Tab goes on to the next"
     );

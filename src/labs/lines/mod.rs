@@ -3,13 +3,11 @@
 mod backdrop;
 mod crowd;
 mod demo;
-mod handle;
+mod document;
 mod methods;
 mod registry;
 mod scene;
 
-pub use backdrop::{backdrop, bounds};
-pub use demo::{Demo, output_json};
-pub use handle::{Corner, Handle, Lock};
-pub use registry::{CodeLine, METHODS, Method, MethodInfo, Pass};
+pub use demo::LineDemo;
+pub use registry::{METHODS, Method, MethodInfo, Pass};
 pub use scene::{MAX_SEGMENTS, Scene, SceneError};

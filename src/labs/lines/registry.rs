@@ -1,4 +1,4 @@
-//! The methods of this lab. To add one: a file in `algo::line`, its [`Demo`](super::Demo) here beside the
+//! The methods of this lab. To add one: a file in `algo::line`, its [`LineDemo`] here beside the
 //! others, one line below.
 
 use std::fmt;
@@ -9,24 +9,16 @@ use crate::{
     algo::line::{self, Visible},
     figure::Run,
     geom::Segment,
-    trace::{Counts, silent},
+    labs::{self, MethodCard},
+    trace::{Counted, Counts, silent},
 };
 
-use super::{
-    Demo, Scene,
-    demo::{clip, cost, record},
-};
+use super::{LineDemo, Scene};
 
 /// What is known of a method without running it.
 pub struct MethodInfo {
-    /// As the command line, JSON and lesson files spell it.
-    pub id: &'static str,
-    /// Catalogue key of its name.
-    pub name_key: &'static str,
-    /// Author and year.
-    pub source: &'static str,
-    /// Catalogue keys of its pseudocode: `code-…` as code, `words-…` in words; with the depth of each line.
-    pub code: &'static [CodeLine],
+    /// Names, source and pseudocode.
+    pub card: MethodCard,
     /// Can it clip against any convex polygon?
     pub takes_polygon: bool,
     /// Does it write outcodes, so that the order of their bits matters?
@@ -40,39 +32,23 @@ pub struct MethodInfo {
 /// Clips a batch, the same one each time it is called; the number of segments that are visible.
 pub type Pass = Box<dyn FnMut() -> usize>;
 
-/// One line of pseudocode.
-#[derive(Clone, Copy, Debug)]
-pub struct CodeLine {
-    /// Levels of indentation.
-    pub depth: usize,
-    /// Key of the line as code.
-    pub code: &'static str,
-    /// Key of the line in words.
-    pub words: &'static str,
-}
-
-/// A line of pseudocode at a depth, with its two keys.
-pub(super) const fn code_line(depth: usize, code: &'static str, words: &'static str) -> CodeLine {
-    CodeLine { depth, code, words }
-}
-
-const fn info<A: Demo>() -> MethodInfo {
+const fn info<A: LineDemo>() -> MethodInfo {
     MethodInfo {
-        id: A::ID,
-        name_key: A::NAME_KEY,
-        source: A::SOURCE,
-        code: A::CODE,
+        card: MethodCard::of::<A>(),
         takes_polygon: A::TAKES_POLYGON,
         writes_codes: A::WRITES_CODES,
-        record: record::<A>,
-        clip: clip::<A>,
-        cost: cost::<A>,
+        record: |scene, segment| labs::record::<A>(A::input(scene, segment)),
+        clip: |scene, segment| silent::<A>(&A::input(scene, segment)),
+        cost: |scene, segment| {
+            let input = A::input(scene, segment);
+            Counts::of(|| A::run::<Counted>(&input, |_| {}))
+        },
         pass: pass::<A>,
     }
 }
 
 /// Inputs are made beforehand: only the clipping itself is left to measure.
-fn pass<A: Demo>(scene: &Scene, segments: &[Segment]) -> Pass {
+fn pass<A: LineDemo>(scene: &Scene, segments: &[Segment]) -> Pass {
     let inputs: Vec<A::Input> = segments
         .iter()
         .map(|&segment| A::input(scene, segment))
@@ -102,13 +78,19 @@ impl Method {
     /// The method with this id.
     #[must_use]
     pub fn by_id(id: &str) -> Option<Self> {
-        METHODS.iter().position(|info| info.id == id).map(Self)
+        METHODS.iter().position(|info| info.card.id == id).map(Self)
     }
 
     /// What is known of it.
     #[must_use]
     pub fn info(self) -> &'static MethodInfo {
         &METHODS[self.0]
+    }
+
+    /// Its names, source and pseudocode.
+    #[must_use]
+    pub fn card(self) -> &'static MethodCard {
+        &self.info().card
     }
 
     /// Runs it on one segment of the scene.
@@ -138,13 +120,13 @@ impl Method {
 
 impl fmt::Display for Method {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.info().id)
+        f.write_str(self.card().id)
     }
 }
 
 impl Serialize for Method {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(self.info().id)
+        serializer.serialize_str(self.card().id)
     }
 }
 
@@ -152,7 +134,7 @@ impl<'de> Deserialize<'de> for Method {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let id = String::deserialize(deserializer)?;
         Self::by_id(&id).ok_or_else(|| {
-            let known: Vec<&str> = METHODS.iter().map(|info| info.id).collect();
+            let known: Vec<&str> = METHODS.iter().map(|info| info.card.id).collect();
             de::Error::custom(format!(
                 "unknown method `{id}`: expected one of {}",
                 known.join(", ")

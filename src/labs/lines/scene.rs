@@ -99,6 +99,20 @@ impl Scene {
         })
     }
 
+    /// What the lab opens on where there is no lesson.
+    ///
+    /// # Panics
+    /// Never: its numbers are valid.
+    #[must_use]
+    pub fn first() -> Self {
+        let method = Method::by_id("cohen-sutherland").or_else(|| Method::all().next());
+        let window = Window::new(-1.0, -1.0, 1.0, 1.0);
+        let segment = Segment::new(-2.0, -1.0, 2.0, 1.5);
+        let parts = method.zip(window.ok()).zip(segment.ok());
+        let ((method, window), segment) = parts.expect("constants that are valid");
+        Self::new(method, window, vec![segment]).expect("one segment")
+    }
+
     /// At least one.
     #[must_use]
     pub fn segments(&self) -> &[Segment] {

@@ -40,7 +40,7 @@ impl Subject {
     #[must_use]
     pub fn name_key(self) -> &'static str {
         match self {
-            Self::Method(method) => method.info().name_key,
+            Self::Method(method) => method.card().name_key,
             Self::Batch => "measure-batch",
         }
     }

@@ -6,18 +6,19 @@ use crate::{
     },
     figure::{Caption, Mark, Role, Shape, Tick, Watch, WatchRow, WatchSection},
     geom::{Edge, Segment},
-    labs::lines::{
-        Scene,
-        demo::{Demo, Step},
-        registry::{CodeLine, code_line},
+    labs::{
+        CodeLine, Demo, Step, code_line,
+        lines::{LineDemo, Scene},
     },
     text::{Formula, Message, Value},
 };
 
 use super::shared::{
-    accepted, along, axis_symbol, border_equation, border_mark, crossing_mark, edge_link,
-    edge_name, end_name, ends_rows, free_formula, opening, parallel_formula, parameter_formula,
+    accepted, border_mark, crossing_mark, end_name, ends_rows, opening, parallel_formula,
     segment_marks,
+};
+use crate::labs::words::{
+    along, axis_symbol, border_equation, edge_link, edge_name, free_formula, parameter_formula,
 };
 
 const EACH: usize = 0;
@@ -25,6 +26,15 @@ const INTERSECT: usize = 1;
 const REJECT: usize = 2;
 const CUT: usize = 3;
 const ACCEPT: usize = 4;
+
+impl LineDemo for BruteForce {
+    fn input(scene: &Scene, segment: Segment) -> WindowInput {
+        WindowInput {
+            window: scene.window,
+            segment,
+        }
+    }
+}
 
 impl Demo for BruteForce {
     const ID: &'static str = "brute-force";
@@ -37,13 +47,6 @@ impl Demo for BruteForce {
         code_line(1, "code-bf-cut", "words-bf-cut"),
         code_line(0, "code-bf-accept", "words-bf-accept"),
     ];
-
-    fn input(scene: &Scene, segment: Segment) -> WindowInput {
-        WindowInput {
-            window: scene.window,
-            segment,
-        }
-    }
 
     fn tick(event: &Event) -> Tick {
         match event {

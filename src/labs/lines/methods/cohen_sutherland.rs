@@ -7,18 +7,19 @@ use crate::{
     },
     figure::{Caption, Mark, Role, Shape, Tick, Watch, WatchRow, WatchSection},
     geom::{Axis, Edge, Point, Segment},
-    labs::lines::{
-        Scene,
-        demo::{Demo, Step},
-        registry::{CodeLine, code_line},
+    labs::{
+        CodeLine, Demo, Step, code_line,
+        lines::{LineDemo, Scene},
     },
     text::{Formula, Message, Value},
 };
 
 use super::shared::{
-    accepted, along, border_equation, border_mark, crossing_mark, edge_name, end_link, end_name,
-    ends_rows, free_formula, name, opening, parameter_formula, position_formula, region_key,
+    accepted, border_mark, crossing_mark, end_link, end_name, ends_rows, opening, region_key,
     segment_marks,
+};
+use crate::labs::words::{
+    along, border_equation, edge_name, free_formula, name, parameter_formula, position_formula,
 };
 
 const CODES: usize = 0;
@@ -27,6 +28,18 @@ const REJECT: usize = 3;
 const CHOOSE: usize = 4;
 const CUT: usize = 6;
 const RECODE: usize = 7;
+
+impl LineDemo for CohenSutherland {
+    const WRITES_CODES: bool = true;
+
+    fn input(scene: &Scene, segment: Segment) -> Input {
+        Input {
+            window: scene.window,
+            segment,
+            bit_order: scene.bit_order,
+        }
+    }
+}
 
 impl Demo for CohenSutherland {
     const ID: &'static str = "cohen-sutherland";
@@ -42,16 +55,6 @@ impl Demo for CohenSutherland {
         code_line(1, "code-cs-cut", "words-cs-cut"),
         code_line(1, "code-cs-recode", "words-cs-recode"),
     ];
-
-    const WRITES_CODES: bool = true;
-
-    fn input(scene: &Scene, segment: Segment) -> Input {
-        Input {
-            window: scene.window,
-            segment,
-            bit_order: scene.bit_order,
-        }
-    }
 
     fn tick(event: &Event) -> Tick {
         match event {

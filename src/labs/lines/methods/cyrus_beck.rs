@@ -2,6 +2,7 @@
 
 use glam::DVec2;
 
+use crate::labs::words::{name, subscript};
 use crate::{
     algo::line::{
         CyrusBeck, CyrusBeckEvent as Event, CyrusBeckInput as Input, CyrusBeckRow as Row,
@@ -11,17 +12,16 @@ use crate::{
         Caption, Link, Mark, NumberLine, Role, Shape, Side, Tick, Watch, WatchRow, WatchSection,
     },
     geom::{Point, Segment, extent},
-    labs::lines::{
-        Scene,
-        demo::{Demo, Step},
-        registry::{CodeLine, code_line},
+    labs::{
+        CodeLine, Demo, Step, code_line,
+        lines::{LineDemo, Scene},
     },
     text::{Formula, Message, Value},
 };
 
 use super::{
     parametric::{Crossing, Interval, bound_formula, interval_caption, moved_ends_rows},
-    shared::{accepted, end_name, name, opening, subscript},
+    shared::{accepted, end_name, opening},
 };
 
 const EACH: usize = 1;
@@ -31,11 +31,21 @@ const LEAVE: usize = 4;
 const EMPTY: usize = 5;
 const ACCEPT: usize = 6;
 
+impl LineDemo for CyrusBeck {
+    const TAKES_POLYGON: bool = true;
+
+    fn input(scene: &Scene, segment: Segment) -> Input {
+        Input {
+            clip: scene.clip_polygon(),
+            segment,
+        }
+    }
+}
+
 impl Demo for CyrusBeck {
     const ID: &'static str = "cyrus-beck";
     const NAME_KEY: &'static str = "alg-cyrus-beck";
     const SOURCE: &'static str = "Cyrus & Beck, 1978";
-    const TAKES_POLYGON: bool = true;
     const CODE: &'static [CodeLine] = &[
         code_line(0, "code-cb-start", "words-cb-start"),
         code_line(0, "code-cb-each", "words-cb-each"),
@@ -45,13 +55,6 @@ impl Demo for CyrusBeck {
         code_line(1, "code-cb-empty", "words-cb-empty"),
         code_line(0, "code-cb-accept", "words-cb-accept"),
     ];
-
-    fn input(scene: &Scene, segment: Segment) -> Input {
-        Input {
-            clip: scene.clip_polygon(),
-            segment,
-        }
-    }
 
     fn tick(event: &Event) -> Tick {
         match event {
@@ -215,13 +218,8 @@ fn edge_name(edge_idx: usize) -> Value {
     name(format!("e{}", subscript(edge_idx + 1)))
 }
 
-/// Links are names that last; edges beyond the sixteenth share the last one.
 fn edge_link(edge_idx: usize) -> Link {
-    const LINKS: [Link; 16] = [
-        "e1", "e2", "e3", "e4", "e5", "e6", "e7", "e8", "e9", "e10", "e11", "e12", "e13", "e14",
-        "e15", "e16",
-    ];
-    LINKS[edge_idx.min(LINKS.len() - 1)]
+    Link::nth("edge", edge_idx)
 }
 
 fn edge_caption(key: &'static str, edge_idx: usize) -> Caption {

@@ -1,25 +1,22 @@
 //! Liang–Barsky, shown.
 
+use crate::labs::words::{along, border_equation, edge_link, edge_name, free_formula, name};
 use crate::{
     algo::line::{
         End, LiangBarsky, LiangBarskyEvent as Event, LiangBarskyState as State, Row, WindowInput,
     },
     figure::{Caption, Mark, NumberLine, Role, Shape, Side, Tick, Watch, WatchRow, WatchSection},
     geom::{Axis, Edge, Point, Segment, Window},
-    labs::lines::{
-        Scene,
-        demo::{Demo, Step},
-        registry::{CodeLine, code_line},
+    labs::{
+        CodeLine, Demo, Step, code_line,
+        lines::{LineDemo, Scene},
     },
     text::{Formula, Message, Value},
 };
 
 use super::{
     parametric::{Crossing, Interval, bound_formula, interval_caption, moved_ends_rows},
-    shared::{
-        accepted, along, border_equation, border_mark, edge_link, edge_name, end_name,
-        free_formula, name, opening,
-    },
+    shared::{accepted, border_mark, end_name, opening},
 };
 
 const START: usize = 0;
@@ -29,6 +26,15 @@ const ENTER: usize = 3;
 const LEAVE: usize = 4;
 const EMPTY: usize = 5;
 const ACCEPT: usize = 6;
+
+impl LineDemo for LiangBarsky {
+    fn input(scene: &Scene, segment: Segment) -> WindowInput {
+        WindowInput {
+            window: scene.window,
+            segment,
+        }
+    }
+}
 
 impl Demo for LiangBarsky {
     const ID: &'static str = "liang-barsky";
@@ -43,13 +49,6 @@ impl Demo for LiangBarsky {
         code_line(1, "code-lb-empty", "words-lb-empty"),
         code_line(0, "code-lb-accept", "words-lb-accept"),
     ];
-
-    fn input(scene: &Scene, segment: Segment) -> WindowInput {
-        WindowInput {
-            window: scene.window,
-            segment,
-        }
-    }
 
     fn tick(event: &Event) -> Tick {
         match event {

@@ -7,19 +7,21 @@ use crate::{
     },
     figure::{Caption, Mark, Role, Shape, Tick, Watch, WatchRow, WatchSection},
     geom::{Axis, Edge, Point, Segment},
-    labs::lines::{
-        Scene,
-        demo::{Demo, Step},
-        registry::{CodeLine, code_line},
+    labs::{
+        CodeLine, Demo, Step, code_line,
+        lines::{LineDemo, Scene},
     },
     text::{Formula, Message, Value},
 };
 
 use super::sectors;
 use super::shared::{
-    accepted, along, border_equation, border_mark, crossing_mark, edge_name, end_link, end_name,
-    ends_rows, free_formula, name, opening, parameter_formula, point_formula, position_formula,
-    region_key, segment_marks,
+    accepted, border_mark, crossing_mark, end_link, end_name, ends_rows, opening, region_key,
+    segment_marks,
+};
+use crate::labs::words::{
+    along, border_equation, edge_name, free_formula, name, parameter_formula, point_formula,
+    position_formula,
 };
 
 const REGIONS: usize = 0;
@@ -28,6 +30,15 @@ const ENTERS: usize = 2;
 const MEETS: usize = 3;
 const LEAVES: usize = 4;
 const CUT: usize = 5;
+
+impl LineDemo for NichollLeeNicholl {
+    fn input(scene: &Scene, segment: Segment) -> WindowInput {
+        WindowInput {
+            window: scene.window,
+            segment,
+        }
+    }
+}
 
 impl Demo for NichollLeeNicholl {
     const ID: &'static str = "nicholl-lee-nicholl";
@@ -41,13 +52,6 @@ impl Demo for NichollLeeNicholl {
         code_line(0, "code-nln-leaves", "words-nln-leaves"),
         code_line(0, "code-nln-cut", "words-nln-cut"),
     ];
-
-    fn input(scene: &Scene, segment: Segment) -> WindowInput {
-        WindowInput {
-            window: scene.window,
-            segment,
-        }
-    }
 
     fn tick(event: &Event) -> Tick {
         match event {

@@ -9,7 +9,8 @@ use crate::{
     text::{Formula, Message, Value},
 };
 
-use super::shared::{end_link, end_name_now, name, segment_marks};
+use super::shared::{end_link, end_name_now, segment_marks};
+use crate::labs::words::name;
 
 /// A crossing that has been computed.
 pub struct Crossing {

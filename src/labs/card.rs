@@ -1,0 +1,48 @@
+//! What is known of a method without running it.
+
+use super::Demo;
+
+/// Names, source and pseudocode of a method.
+#[derive(Clone, Copy, Debug)]
+pub struct MethodCard {
+    /// As the command line, JSON and lesson files spell it; unique among all labs.
+    pub id: &'static str,
+    /// Catalogue key of its name.
+    pub name_key: &'static str,
+    /// Author and year.
+    pub source: &'static str,
+    /// Its pseudocode.
+    pub code: &'static [CodeLine],
+    /// Is it wrong on purpose, to be compared with the right one?
+    pub is_faulty: bool,
+}
+
+impl MethodCard {
+    /// The card of a method that can be shown.
+    #[must_use]
+    pub const fn of<A: Demo>() -> Self {
+        Self {
+            id: A::ID,
+            name_key: A::NAME_KEY,
+            source: A::SOURCE,
+            code: A::CODE,
+            is_faulty: A::IS_FAULTY,
+        }
+    }
+}
+
+/// One line of pseudocode.
+#[derive(Clone, Copy, Debug)]
+pub struct CodeLine {
+    /// Levels of indentation.
+    pub depth: usize,
+    /// Catalogue key of the line as code: `code-…`.
+    pub code: &'static str,
+    /// Catalogue key of the line in words: `words-…`.
+    pub words: &'static str,
+}
+
+/// A line of pseudocode at a depth, with its two keys.
+pub(super) const fn code_line(depth: usize, code: &'static str, words: &'static str) -> CodeLine {
+    CodeLine { depth, code, words }
+}

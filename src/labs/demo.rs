@@ -1,0 +1,124 @@
+//! How an algorithm is shown: its events' sentences, marks and watched values.
+
+use serde::Serialize;
+use serde_json::Value as Json;
+
+use crate::{
+    figure::{Caption, Frame, Mark, NumberLine, Run, Tick, Watch, mark_changes},
+    trace::{Algorithm, Counts, Trace},
+};
+
+use super::CodeLine;
+
+/// An answer that can be written down.
+pub trait Answer {
+    /// The fields of `output` in `interfaces.md`.
+    fn json(&self) -> Json;
+}
+
+/// An algorithm that can be shown.
+pub trait Demo: Algorithm<Output: Answer, Event: Serialize> + Sized + 'static {
+    /// As JSON spells it.
+    const ID: &'static str;
+    /// Catalogue key of the name.
+    const NAME_KEY: &'static str;
+    /// Author and year.
+    const SOURCE: &'static str;
+    /// Its pseudocode.
+    const CODE: &'static [CodeLine];
+    /// Is it wrong on purpose?
+    const IS_FAULTY: bool = false;
+
+    /// The shape of the event's tick.
+    fn tick(event: &Self::Event) -> Tick;
+    /// The line of pseudocode that the event belongs to; `before` is the state that it happened to.
+    fn code_line(event: &Self::Event, before: &Self::State) -> usize;
+    /// The sentence of an event; `before` is the state that it happened to.
+    fn caption(event: &Self::Event, before: &Self::State, input: &Self::Input) -> Caption;
+    /// What is said before the first event.
+    fn opening(input: &Self::Input) -> Caption;
+    /// What is drawn over the backdrop.
+    fn marks(step: &Step<'_, Self>) -> Vec<Mark>;
+    /// The values that are alive.
+    fn watch(step: &Step<'_, Self>) -> Watch;
+    /// The second view, where there is one.
+    fn number_line(_step: &Step<'_, Self>) -> Option<NumberLine> {
+        None
+    }
+}
+
+/// A step to be shown: the input, the state now, and the event that led to it.
+pub struct Step<'a, A: Algorithm> {
+    /// What the algorithm runs on.
+    pub input: &'a A::Input,
+    /// After the event.
+    pub state: &'a A::State,
+    /// `None` before the first event.
+    pub event: Option<A::Event>,
+}
+
+/// Records one run, with its type erased.
+pub(super) fn record<A: Demo>(input: A::Input) -> Box<dyn Run> {
+    Box::new(Recorded::<A>(Trace::record(input)))
+}
+
+struct Recorded<A: Demo>(Trace<A>);
+
+impl<A: Demo> Run for Recorded<A> {
+    fn n_steps(&self) -> usize {
+        self.0.events().len()
+    }
+
+    fn tick(&self, step: usize) -> Tick {
+        self.0
+            .event_at(step)
+            .map_or(Tick::Phase, |event| A::tick(&event))
+    }
+
+    fn event_json(&self, step: usize) -> Json {
+        self.0
+            .event_at(step)
+            .and_then(|event| serde_json::to_value(event).ok())
+            .unwrap_or(Json::Null)
+    }
+
+    fn counts_at(&self, step: usize) -> Counts {
+        self.0.counts_at(step)
+    }
+
+    fn frame(&self, step: usize) -> Frame {
+        let trace = &self.0;
+        let (input, state) = (trace.input(), trace.state_at(step));
+        let event = trace.event_at(step);
+        let shown = Step::<A> {
+            input,
+            state: &state,
+            event,
+        };
+        let mut watch = A::watch(&shown);
+        let (mut caption, mut code_line) = (A::opening(input), None);
+        if let Some(event) = event {
+            let before = trace.state_at(step - 1);
+            let last = Step::<A> {
+                input,
+                state: &before,
+                event: trace.event_at(step - 1),
+            };
+            mark_changes(&mut watch, &A::watch(&last));
+            caption = A::caption(&event, &before, input);
+            code_line = Some(A::code_line(&event, &before));
+        }
+        Frame {
+            marks: A::marks(&shown),
+            caption,
+            code_line,
+            watch,
+            number_line: A::number_line(&shown),
+            counts: trace.counts_at(step),
+        }
+    }
+
+    fn output_json(&self) -> Json {
+        self.0.output().json()
+    }
+}

@@ -1,0 +1,40 @@
+//! What is on stage whatever the step: the clip region, and the subject polygon as given.
+
+use crate::{
+    figure::{Mark, Role, Shape},
+    geom::{Polygon, extent},
+};
+
+use super::{Method, Scene};
+
+/// The clip region of `method`, and the subject's outlines as they were given.
+#[must_use]
+pub fn backdrop(scene: &Scene, method: Method) -> Vec<Mark> {
+    let clip = region(scene, method);
+    let subject = scene.rings().map(outline).collect();
+    vec![
+        Mark::new(Role::Ink, Shape::Area(vec![outline(&clip)])).linked("window"),
+        Mark::new(Role::Soft, Shape::Area(subject)).linked("subject"),
+    ]
+}
+
+/// The world rectangle that holds everything.
+#[must_use]
+pub fn bounds(scene: &Scene) -> [[f64; 2]; 2] {
+    let clip = region(scene, scene.method);
+    let rings = scene.rings().chain([&clip]);
+    extent(rings.flat_map(|ring| ring.vertices().iter().copied()))
+}
+
+/// What `method` clips against.
+fn region(scene: &Scene, method: Method) -> Polygon {
+    if method.info().takes_polygon {
+        scene.clip_outline()
+    } else {
+        Polygon::from(scene.window)
+    }
+}
+
+fn outline(polygon: &Polygon) -> Vec<[f64; 2]> {
+    polygon.vertices().iter().map(|p| p.to_array()).collect()
+}

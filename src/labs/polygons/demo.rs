@@ -1,0 +1,21 @@
+//! What a polygon clipper that can be shown has beyond any other algorithm.
+
+use crate::labs::Demo;
+
+use super::{Refusal, Scene};
+
+/// A polygon clipper that can be shown.
+pub trait PolygonDemo: Demo {
+    /// Can it use a clip polygon, or the window alone?
+    const TAKES_POLYGON: bool = true;
+    /// Does it carry texture coordinates along?
+    const CARRIES_TEXTURE: bool = false;
+    /// Does it know holes?
+    const KNOWS_HOLES: bool = false;
+
+    /// Its input.
+    ///
+    /// # Errors
+    /// What in the scene it cannot take.
+    fn input(scene: &Scene) -> Result<Self::Input, Refusal>;
+}

@@ -1,0 +1,1 @@
+//! One file a method: its sentences, marks and watched values.

@@ -1,0 +1,167 @@
+//! The polygons lab's document: what is clipped against what, and by which method.
+
+use std::fmt;
+
+use crate::geom::{ConvexPolygon, Point, Polygon, Window};
+
+use super::{Method, Part, Refusal};
+
+/// More vertices than this, holes and clip polygon included, are refused: a frame could not draw them in time.
+pub const MAX_VERTICES: usize = 20_000;
+
+/// What the subject polygon is filled with.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Hash)]
+pub enum Texture {
+    /// One colour.
+    #[default]
+    None,
+    /// A texture whose coordinates are interpolated at every crossing, with the crossing's own t.
+    Interpolated,
+    /// The mistake: a crossing takes over the coordinates of the vertex outside.
+    Kept,
+}
+
+impl Texture {
+    /// Every choice.
+    pub const ALL: [Self; 3] = [Self::None, Self::Interpolated, Self::Kept];
+
+    /// As lesson and scene files spell it.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Interpolated => "interpolated",
+            Self::Kept => "kept",
+        }
+    }
+}
+
+/// Always valid: every outline has three finite vertices or more. What a method asks beyond that, such as a
+/// convex clip polygon, it checks itself, and says what is wrong on stage.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Scene {
+    /// How the polygon is clipped.
+    pub method: Method,
+    /// A second method on the same input, side by side.
+    pub compare: Option<Method>,
+    /// The clip window.
+    pub window: Window,
+    /// A clip polygon that takes the window's place.
+    pub clip: Option<Polygon>,
+    /// The polygon that is clipped.
+    pub subject: Polygon,
+    /// Holes in it, for methods that know them.
+    pub holes: Vec<Polygon>,
+    /// What it is filled with, for methods that carry texture coordinates along.
+    pub texture: Texture,
+}
+
+/// Why a scene is refused.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum SceneError {
+    /// More than [`MAX_VERTICES`].
+    TooManyVertices(usize),
+    /// A polygon keeps three vertices at least.
+    TooFewVertices,
+}
+
+impl fmt::Display for SceneError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TooManyVertices(n) => {
+                write!(f, "{n} vertices: expected at most {MAX_VERTICES}")
+            }
+            Self::TooFewVertices => f.write_str("a polygon keeps at least three vertices"),
+        }
+    }
+}
+
+impl std::error::Error for SceneError {}
+
+impl Scene {
+    /// A polygon against a window.
+    #[must_use]
+    pub const fn new(method: Method, window: Window, subject: Polygon) -> Self {
+        Self {
+            method,
+            compare: None,
+            window,
+            clip: None,
+            subject,
+            holes: Vec::new(),
+            texture: Texture::None,
+        }
+    }
+
+    /// What the lab opens on where there is no lesson.
+    ///
+    /// # Panics
+    /// Never: its numbers are valid.
+    #[must_use]
+    pub fn first() -> Self {
+        let method = Method::all().next();
+        let window = Window::new(-1.0, -1.0, 1.0, 1.0);
+        let subject = Polygon::new(&[[-2.0, -0.5], [0.5, -1.5], [1.5, 0.5], [0.0, 2.0]]);
+        let parts = method.zip(window.ok()).zip(subject.ok());
+        let ((method, window), subject) = parts.expect("constants that are valid");
+        Self::new(method, window, subject)
+    }
+
+    /// The clip polygon, or the window's outline where there is none.
+    #[must_use]
+    pub fn clip_outline(&self) -> Polygon {
+        let window = || Polygon::from(self.window);
+        self.clip.clone().unwrap_or_else(window)
+    }
+
+    /// The clip region for methods that need it convex.
+    ///
+    /// # Errors
+    /// [`Refusal`] where it is not.
+    pub fn convex_clip(&self) -> Result<ConvexPolygon, Refusal> {
+        match &self.clip {
+            None => Ok(ConvexPolygon::from(self.window)),
+            Some(clip) => ConvexPolygon::try_from(Vec::from(clip.clone()))
+                .map_err(|error| Refusal::new(Part::Clip, error)),
+        }
+    }
+
+    /// The vertex coordinates of the texture: the subject's box is the unit square. A box without width or
+    /// height is taken to be as wide as high.
+    #[must_use]
+    pub fn texel(&self, at: Point) -> [f64; 2] {
+        let [[xmin, ymin], [xmax, ymax]] =
+            crate::geom::extent(self.subject.vertices().iter().copied());
+        let along = |x: f64, min: f64, max: f64| {
+            if max > min {
+                (x - min) / (max - min)
+            } else {
+                0.0
+            }
+        };
+        [along(at.x(), xmin, xmax), along(at.y(), ymin, ymax)]
+    }
+
+    /// Every outline of the subject: the polygon itself, then its holes.
+    pub fn rings(&self) -> impl Iterator<Item = &Polygon> {
+        std::iter::once(&self.subject).chain(&self.holes)
+    }
+
+    /// All vertices there are.
+    #[must_use]
+    pub fn n_vertices(&self) -> usize {
+        self.rings()
+            .chain(&self.clip)
+            .map(|ring| ring.vertices().len())
+            .sum()
+    }
+
+    /// # Errors
+    /// [`SceneError::TooManyVertices`]
+    pub fn check(self) -> Result<Self, SceneError> {
+        match self.n_vertices() {
+            0..=MAX_VERTICES => Ok(self),
+            n => Err(SceneError::TooManyVertices(n)),
+        }
+    }
+}

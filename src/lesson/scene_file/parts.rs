@@ -1,0 +1,122 @@
+//! What scenes of several labs spell alike.
+
+use std::{fmt::Write as _, ops::Range};
+
+use crate::{
+    geom::{Axis, GeomError, Point, Window},
+    labs::Lab,
+    text::Message,
+};
+
+use crate::lesson::{
+    sink::Sink,
+    toml_fields::{Item, list, numbers, one_of},
+};
+
+/// The id of a method of this lab.
+pub(super) fn method(lab: Lab, item: &Item<'_>, sink: &mut Sink<'_>) -> Option<&'static str> {
+    let known: Vec<&str> = lab.methods().iter().map(|card| card.id).collect();
+    one_of(item, &known, "problem-unknown-method", sink, |name| {
+        let mut cards = lab.methods().into_iter();
+        cards.find(|card| card.id == name).map(|card| card.id)
+    })
+}
+
+/// An outline that `make` accepts.
+pub(super) fn outline<T>(
+    item: &Item<'_>,
+    expect: &'static str,
+    make: impl FnOnce(&[[f64; 2]]) -> Result<T, GeomError>,
+    sink: &mut Sink<'_>,
+) -> Option<T> {
+    let n_errors = sink.n_errors();
+    let vertices: Vec<[f64; 2]> = list(item, expect, sink)?
+        .iter()
+        .filter_map(|vertex| numbers(vertex, "expect-point", sink))
+        .collect();
+    if sink.n_errors() > n_errors {
+        return None;
+    }
+    let error = match make(&vertices) {
+        Ok(made) => return Some(made),
+        Err(error) => error,
+    };
+    let span = match error {
+        GeomError::Degenerate { vertex_idx }
+        | GeomError::NotConvex { vertex_idx }
+        | GeomError::SelfIntersecting { vertex_idx } => span_of(item, vertex_idx),
+        _ => item.span(),
+    };
+    sink.error(span, Message::new(geometry(error)), [Message::new(expect)]);
+    None
+}
+
+/// `[[x, y], …]`, on a line of its own each where there are many.
+pub(super) fn points(points: &[Point]) -> String {
+    let vertices: Vec<String> = points.iter().map(|p| array(&p.to_array())).collect();
+    if points.len() <= 6 {
+        return format!("[{}]", vertices.join(", "));
+    }
+    let mut text = String::from("[\n");
+    for vertex in vertices {
+        let _ = writeln!(text, "    {vertex},");
+    }
+    text + "]"
+}
+
+pub(super) fn window(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Window> {
+    let [xmin, ymin, xmax, ymax] = numbers(item, "expect-window", sink)?;
+    let error = match Window::new(xmin, ymin, xmax, ymax) {
+        Ok(window) => return Some(window),
+        Err(error) => error,
+    };
+    if let GeomError::EmptyWindow { axis, min, max } = error {
+        let (key, index) = match axis {
+            Axis::X => ("problem-empty-window-x", 0),
+            Axis::Y => ("problem-empty-window-y", 1),
+        };
+        let message = Message::new(key).with("min", min).with("max", max);
+        let expected = [Message::new("expect-window")];
+        sink.error(span_of(item, index), message, expected);
+    } else {
+        sink.error(item.span(), Message::new(geometry(error)), []);
+    }
+    None
+}
+
+/// The catalogue's sentence for a refused primitive.
+pub(super) const fn geometry(error: GeomError) -> &'static str {
+    match error {
+        GeomError::NotFinite { .. } => "problem-not-finite",
+        GeomError::EmptyWindow { .. } => "error-empty-window",
+        GeomError::Degenerate { .. } => "problem-degenerate",
+        GeomError::NotConvex { .. } => "problem-not-convex",
+        GeomError::SelfIntersecting { .. }
+        | GeomError::EdgesMeet { .. }
+        | GeomError::MisplacedHole { .. } => "error-self-intersecting",
+    }
+}
+
+/// Where an element of a list stands; the whole list where there is no such element.
+pub(super) fn span_of(item: &Item<'_>, index: usize) -> Range<usize> {
+    let element = item.get_ref().as_array().and_then(|list| list.get(index));
+    element.map_or_else(|| item.span(), Item::span)
+}
+
+pub(super) fn array(numbers: &[f64]) -> String {
+    let numbers: Vec<String> = numbers.iter().copied().map(exact).collect();
+    format!("[{}]", numbers.join(", "))
+}
+
+/// The shortest decimal that reads back as this number; −0 keeps its sign as a float.
+fn exact(x: f64) -> String {
+    if x.fract() == 0.0 && x.abs() < 1e15 && !(x == 0.0 && x.is_sign_negative()) {
+        format!("{x:.0}")
+    } else {
+        format!("{x:?}")
+    }
+}
+
+pub(super) fn number_like(item: &Item<'_>) -> bool {
+    item.get_ref().is_integer() || item.get_ref().is_float()
+}

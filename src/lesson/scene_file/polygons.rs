@@ -1,0 +1,128 @@
+//! A scene of the polygons lab as files spell it.
+
+use std::fmt::Write as _;
+
+use crate::{
+    geom::{Polygon, Window},
+    labs::{
+        Lab,
+        polygons::{MAX_VERTICES, Method, Scene, Texture},
+    },
+    lesson::{
+        random::random_polygon,
+        sink::Sink,
+        toml_fields::{Fields, Item, list, one_of, whole},
+    },
+    text::Message,
+};
+
+use super::parts::{array, method, outline, points, window};
+
+/// The fields of a scene.
+pub(super) const FIELDS: [&str; 8] = [
+    "method", "compare", "window", "clip", "polygon", "holes", "random", "texture",
+];
+
+/// Reads a scene; `vertices_left` is how many a file may still have.
+pub(super) fn scene(
+    fields: &Fields<'_>,
+    vertices_left: &mut usize,
+    sink: &mut Sink<'_>,
+) -> Option<Scene> {
+    let n_errors = sink.n_errors();
+    let method = fields
+        .require("method", sink)
+        .and_then(|item| polygon_method(item, sink));
+    let compare = fields
+        .get("compare")
+        .and_then(|item| polygon_method(item, sink));
+    let window = fields
+        .require("window", sink)
+        .and_then(|item| window(item, sink));
+    let clip = fields.get("clip").and_then(|item| polygon(item, sink));
+    let subject = subject(fields, window.as_ref(), sink);
+    let holes = fields.get("holes").map_or_else(Vec::new, |item| {
+        let items = list(item, "expect-holes", sink).unwrap_or_default();
+        items
+            .iter()
+            .filter_map(|item| polygon(item, sink))
+            .collect()
+    });
+    let texture = fields.get("texture").and_then(|item| {
+        let known = Texture::ALL.map(Texture::id);
+        one_of(item, &known, "problem-unknown-value", sink, |name| {
+            Texture::ALL.into_iter().find(|t| t.id() == name)
+        })
+    });
+    let mut scene = Scene::new(method?, window?, subject?);
+    (scene.compare, scene.clip, scene.holes) = (compare, clip, holes);
+    scene.texture = texture.unwrap_or_default();
+    let n_vertices = scene.n_vertices();
+    if n_vertices > MAX_VERTICES.min(*vertices_left) {
+        sink.error(fields.span(), too_many(n_vertices), []);
+    } else {
+        *vertices_left -= n_vertices;
+    }
+    (sink.n_errors() == n_errors).then_some(scene)
+}
+
+fn polygon_method(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Method> {
+    Method::by_id(method(Lab::Polygons, item, sink)?)
+}
+
+fn polygon(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Polygon> {
+    outline(item, "expect-polygon", Polygon::new, sink)
+}
+
+/// The polygon of a scene, listed or random: one of the two.
+fn subject(fields: &Fields<'_>, window: Option<&Window>, sink: &mut Sink<'_>) -> Option<Polygon> {
+    match (fields.get("polygon"), fields.get("random")) {
+        (Some(_), Some(random)) => {
+            let message = Message::new("problem-two-kinds-of-polygons");
+            sink.error(random.span(), message, []);
+            None
+        }
+        (None, Some(item)) => random(item, window, sink),
+        _ => fields
+            .require("polygon", sink)
+            .and_then(|item| polygon(item, sink)),
+    }
+}
+
+fn random(item: &Item<'_>, window: Option<&Window>, sink: &mut Sink<'_>) -> Option<Polygon> {
+    let fields = Fields::of(item, &["count", "seed"], sink)?;
+    let count = fields
+        .require("count", sink)
+        .and_then(|item| whole(item, 3..MAX_VERTICES as u64 + 1, sink));
+    let seed = fields
+        .require("seed", sink)
+        .and_then(|item| whole(item, 0..i64::MAX as u64, sink));
+    random_polygon(window?, count? as usize, seed?).ok()
+}
+
+fn too_many(count: usize) -> Message {
+    Message::new("problem-too-many-vertices")
+        .with("count", count)
+        .with("limit", MAX_VERTICES)
+}
+
+/// Writes a scene.
+pub(super) fn to_toml(scene: &Scene) -> String {
+    let mut text = format!("method = \"{}\"\n", scene.method);
+    if let Some(compare) = scene.compare {
+        let _ = writeln!(text, "compare = \"{compare}\"");
+    }
+    let _ = writeln!(text, "window = {}", array(&scene.window.to_array()));
+    if let Some(clip) = &scene.clip {
+        let _ = writeln!(text, "clip = {}", points(clip.vertices()));
+    }
+    if scene.texture != Texture::None {
+        let _ = writeln!(text, "texture = \"{}\"", scene.texture.id());
+    }
+    let _ = writeln!(text, "polygon = {}", points(scene.subject.vertices()));
+    if !scene.holes.is_empty() {
+        let holes: Vec<String> = scene.holes.iter().map(|h| points(h.vertices())).collect();
+        let _ = writeln!(text, "holes = [{}]", holes.join(", "));
+    }
+    text
+}

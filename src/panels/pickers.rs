@@ -1,0 +1,79 @@
+//! Which methods are on stage: the same for every lab.
+
+use egui::{ComboBox, Rect, Shape, Stroke, Ui, style::WidgetVisuals, vec2};
+
+use crate::{
+    labs::{MethodCard, Scene},
+    widgets::{Look, section},
+};
+
+use super::Edit;
+
+/// The scene's method; the change that was asked for.
+pub fn method_picker(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<Edit> {
+    let mut asked = None;
+    let name = |card: &MethodCard| look.say(card.name_key);
+    let now = *scene.methods().first()?;
+    let combo = ComboBox::from_id_salt("method")
+        .icon(chevron)
+        .selected_text(name(now))
+        .show_ui(ui, |ui| {
+            for card in scene.lab().methods() {
+                if card.is_faulty {
+                    continue;
+                }
+                if ui.selectable_label(card.id == now.id, name(card)).clicked() {
+                    asked = Some(Edit::Method(card.id));
+                }
+            }
+        });
+    combo.response.on_hover_text(look.say("panel-algorithm"));
+    asked
+}
+
+/// The method beside it; the change that was asked for.
+pub fn compare_picker(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<Edit> {
+    let mut asked = None;
+    let name = |card: &MethodCard| look.say(card.name_key);
+    let methods = scene.methods();
+    let (main, beside) = (*methods.first()?, methods.get(1));
+    let shown = beside.map_or_else(|| look.say("cost-compare"), |card| name(card));
+    let combo = ComboBox::from_id_salt("compare")
+        .icon(chevron)
+        .selected_text(shown)
+        .show_ui(ui, |ui| {
+            let none = look.say("cost-compare-none");
+            if ui.selectable_label(beside.is_none(), none).clicked() {
+                asked = Some(Edit::Compare(None));
+            }
+            // The ones that are wrong on purpose come last, under their question.
+            let (faulty, right): (Vec<&MethodCard>, Vec<&MethodCard>) = scene
+                .lab()
+                .methods()
+                .into_iter()
+                .filter(|card| card.id != main.id)
+                .partition(|card| card.is_faulty);
+            let first_faulty = faulty.first().map(|card| card.id);
+            for card in right.into_iter().chain(faulty) {
+                if first_faulty == Some(card.id) {
+                    ui.separator();
+                    section(ui, look, &look.say("faulty-title"));
+                }
+                let chosen = beside.is_some_and(|beside| beside.id == card.id);
+                if ui.selectable_label(chosen, name(card)).clicked() {
+                    asked = Some(Edit::Compare(Some(card.id)));
+                }
+            }
+        });
+    combo.response.on_hover_text(look.say("cost-compare"));
+    asked
+}
+
+/// A small angle that points down: quieter than egui's triangle.
+fn chevron(ui: &Ui, rect: Rect, _visuals: &WidgetVisuals, _is_open: bool) {
+    let centre = rect.center().round();
+    let line = [vec2(-3.5, -1.75), vec2(0.0, 1.75), vec2(3.5, -1.75)];
+    let points = line.map(|offset| centre + offset).to_vec();
+    let stroke = Stroke::new(1.5, ui.visuals().weak_text_color());
+    ui.painter().add(Shape::line(points, stroke));
+}

@@ -1,0 +1,11 @@
+//! What the polygons lab adds to the window.
+
+mod edit;
+mod menu;
+mod outline;
+mod random;
+
+pub use edit::PolygonsEdit;
+pub use menu::{PolygonsAsk, scene_menu};
+pub use outline::{Outline, Sketch};
+pub use random::Random;
