@@ -6,13 +6,22 @@
 mod convex_polygon;
 mod error;
 mod half_plane;
+mod orientation;
 mod point;
 mod polygon;
+mod region;
+mod rings;
+mod simple_polygon;
+mod sweep;
 mod window;
 
 pub use convex_polygon::ConvexPolygon;
 pub use error::{Axis, GeomError};
 pub use half_plane::HalfPlane;
+pub use orientation::{lexicographic, orientation};
 pub use point::{Point, Segment, extent};
 pub use polygon::Polygon;
+pub use region::Region;
+pub use rings::{Location, Rings};
+pub use simple_polygon::SimplePolygon;
 pub use window::{Edge, Window};
