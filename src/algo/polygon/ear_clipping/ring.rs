@@ -1,10 +1,12 @@
-//! What is left of an outline: its vertices in a circle, from which any but the first can be taken in one step.
+//! What is left of an outline: its vertices in a circle, from which any one can be taken in one step.
 
 /// A doubly linked circle of vertex numbers.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Ring {
     prev: Vec<usize>,
     next: Vec<usize>,
+    /// The lowest number that is left.
+    first: usize,
     len: usize,
 }
 
@@ -14,6 +16,7 @@ impl Ring {
         Self {
             prev: (0..n).map(|i| i.checked_sub(1).unwrap_or(n - 1)).collect(),
             next: (1..=n).map(|i| i % n).collect(),
+            first: 0,
             len: n,
         }
     }
@@ -24,10 +27,16 @@ impl Ring {
         self.len
     }
 
-    /// Is nothing left? Never: the first vertex stays.
+    /// Is nothing left?
     #[must_use]
     pub const fn is_empty(&self) -> bool {
         self.len == 0
+    }
+
+    /// The lowest number that is left.
+    #[must_use]
+    pub const fn first(&self) -> usize {
+        self.first
     }
 
     /// The one before.
@@ -48,17 +57,21 @@ impl Ring {
         [self.prev(vertex_idx), vertex_idx, self.next(vertex_idx)]
     }
 
-    /// Every vertex that is left, from vertex 0 on.
+    /// Every vertex that is left, in order of number.
     pub fn iter(&self) -> impl Iterator<Item = usize> + '_ {
-        std::iter::successors(Some(0), |&i| Some(self.next(i)).filter(|&i| i != 0))
+        let first = Some(self.first).filter(|_| self.len > 0);
+        std::iter::successors(first, |&i| Some(self.next(i)).filter(|&i| i != self.first))
     }
 
-    /// Takes a vertex out; vertex 0 stays.
+    /// Takes a vertex out.
     pub(super) fn remove(&mut self, vertex_idx: usize) {
         let [prev, _, next] = self.corner(vertex_idx);
         self.next[prev] = next;
         self.prev[next] = prev;
         self.len -= 1;
+        if vertex_idx == self.first {
+            self.first = next;
+        }
     }
 }
 
@@ -73,6 +86,8 @@ mod tests {
         ring.remove(4);
         assert_eq!(ring.iter().collect::<Vec<_>>(), [0, 1, 3]);
         assert_eq!(ring.corner(0), [3, 0, 1]);
-        assert_eq!(ring.len(), 3);
+        ring.remove(0);
+        assert_eq!(ring.iter().collect::<Vec<_>>(), [1, 3]);
+        assert_eq!(ring.len(), 2);
     }
 }

@@ -68,12 +68,13 @@ impl<'a> Rivals<'a> {
                 return None;
             }
             let mut double_areas = [0.0; 3];
-            for (side, area) in double_areas.iter_mut().enumerate() {
-                let found = double_area::<R>(abc[side], abc[(side + 1) % 3], p);
-                if found < R::new(0.0) {
+            // The diagonal first: nearly all of the polygon lies beyond it.
+            for side in [2, 0, 1] {
+                let area = double_area::<R>(abc[side], abc[(side + 1) % 3], p);
+                if area < R::new(0.0) {
                     return None;
                 }
-                *area = found.get();
+                double_areas[side] = area.get();
             }
             Some(Rival {
                 vertex_idx,
