@@ -2,7 +2,7 @@
 
 use clipscope::{
     algo::polygon::{Corner, EarClipping, EarClippingEvent as Event, Triangle},
-    geom::Polygon,
+    geom::SimplePolygon,
     trace::{Algorithm, Trace, laws, silent},
 };
 
@@ -186,10 +186,10 @@ fn few_vertices_are_asked_twice() {
 fn corners_of_one_unit_in_the_last_place() {
     let [low, high] = [0.3_f64.next_down(), 0.3_f64.next_up()];
     let outline = [[0.1, 0.1], [0.3, low], [0.7, 0.7], [0.3, high]];
-    let polygon = Polygon::new(&outline).unwrap();
+    let polygon = SimplePolygon::new(&outline).unwrap();
     assert_eq!(silent::<EarClipping>(&polygon), [[3, 0, 1], [1, 2, 3]]);
     let dented = [[0.3, high], [0.7, 0.7], [0.1, 0.7], [0.1, 0.1]];
-    let polygon = Polygon::new(&dented).unwrap();
+    let polygon = SimplePolygon::new(&dented).unwrap();
     assert_eq!(
         silent::<EarClipping>(&polygon),
         [[0, 1, 2], [0, 2, 3]],
@@ -203,4 +203,22 @@ fn ten_thousand_vertices() {
     let trace = trace(&outline);
     assert_eq!(trace.output().len(), outline.len() - 2);
     assert!(trace.events().len() <= EarClipping::max_events(&polygon(&outline)));
+}
+
+/// The polygon names its vertices as they were given; what it cuts off is the same.
+#[test]
+fn clockwise_outlines_and_repeated_vertices() {
+    let arrowhead = [[0.0, 0.0], [2.0, 1.0], [4.0, 0.0], [2.0, 4.0]];
+    let [a, b, c, d] = arrowhead;
+    let corners = |outline: &[[f64; 2]]| -> Vec<[[f64; 2]; 3]> {
+        let polygon = SimplePolygon::new(outline).unwrap();
+        let triangles = silent::<EarClipping>(&polygon);
+        let given = |i: usize| outline[polygon.given_vertex(i)];
+        triangles.iter().map(|t| t.map(given)).collect()
+    };
+    let expected = [[d, a, b], [b, c, d]];
+    assert_eq!(corners(&arrowhead), expected);
+    assert_eq!(corners(&[a, d, c, b]), expected, "clockwise");
+    assert_eq!(corners(&[a, a, b, c, c, c, d, a]), expected, "repeated");
+    assert_eq!(corners(&[a, a, d, c, c, b, b]), expected, "both");
 }

@@ -12,16 +12,16 @@ use std::collections::HashSet;
 
 use clipscope::{
     algo::polygon::{EarClipping, Triangle},
-    geom::{Point, Polygon},
+    geom::{Point, SimplePolygon},
     trace::silent,
 };
 
 /// On a grid, where every area is exact.
 type Outline = Vec<[i64; 2]>;
 
-fn polygon(outline: &[[i64; 2]]) -> Polygon {
+fn polygon(outline: &[[i64; 2]]) -> SimplePolygon {
     let floats: Vec<[f64; 2]> = outline.iter().map(|p| p.map(|x| x as f64)).collect();
-    Polygon::new(&floats).expect("finite")
+    SimplePolygon::new(&floats).expect("simple")
 }
 
 /// Twice the signed area.

@@ -2,7 +2,7 @@
 
 use clipscope::{
     algo::polygon::EarClipping,
-    geom::{Point, Polygon},
+    geom::{Point, SimplePolygon},
     trace::{laws, silent},
 };
 use proptest::prelude::*;
@@ -74,7 +74,7 @@ proptest! {
     #[test]
     fn slivers(outline in sliver()) {
         prop_assume!(outline.len() > 2);
-        let polygon = Polygon::new(&outline).expect("finite");
+        let polygon = SimplePolygon::new(&outline).expect("simple");
         let triangles = silent::<EarClipping>(&polygon);
         let vertices = polygon.vertices();
         for triangle in &triangles {

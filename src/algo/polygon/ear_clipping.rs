@@ -26,12 +26,13 @@
 //! Only vertices that are not convex need to be asked whether they lie in a triangle: of those inside a corner,
 //! the one nearest to its tip belongs to a chain that turns back there. `rivals` keeps them by x.
 //!
-//! *Conventions*: triangles are numbers of vertices, counter-clockwise like the outline; the corner's own three
-//! vertices do not block it, any other one in the closed triangle does. *Degenerate*: a straight vertex is
-//! never the tip of an ear, as its triangle would have no area, but it stays in the ring until it has become a
-//! corner. Dropping it instead would leave a crack: the neighbour across that edge still has it. So n vertices
-//! give n − 2 triangles, always, none of them without area. *Exactness*: only signs decide, and they are exact
-//! ([`Corner`]); the triangles' vertices are the input's, bit for bit.
+//! *Conventions*: triangles are numbers of the vertices of a [`SimplePolygon`], which runs counter-clockwise and
+//! repeats none; the triangles run the same way. A corner's own three vertices do not block it, any other one in
+//! the closed triangle does. *Degenerate*: a straight vertex is never the tip of an ear, as its triangle would
+//! have no area, but it stays in the ring until it has become a corner. Dropping it instead would leave a crack:
+//! the neighbour across that edge still has it. So n vertices give n − 2 triangles, always, none of them without
+//! area. *Exactness*: only signs decide, and they are exact ([`Corner`]); the triangles' vertices are the
+//! input's, bit for bit.
 //!
 //! *Bound*: n − 3 cuts in at most as many rounds; n vertices are asked, and two more after each cut, with two
 //! events each, and as many classified: at most 11n − 22 events. *Cost*: O(n·r) for r vertices that are not
@@ -44,8 +45,8 @@
 //! prune-and-search", Pattern Recognition Letters 14(9), 1993, pp. 719–722, doi:10.1016/0167-8655(93)90141-Y.
 //!
 //! ```
-//! use clipscope::{algo::polygon::EarClipping, geom::Polygon, trace::silent};
-//! let arrowhead = Polygon::new(&[[0.0, 0.0], [2.0, 1.0], [4.0, 0.0], [2.0, 4.0]])?;
+//! use clipscope::{algo::polygon::EarClipping, geom::SimplePolygon, trace::silent};
+//! let arrowhead = SimplePolygon::new(&[[0.0, 0.0], [2.0, 1.0], [4.0, 0.0], [2.0, 4.0]])?;
 //! assert_eq!(silent::<EarClipping>(&arrowhead), [[3, 0, 1], [1, 2, 3]]);
 //! # Ok::<(), clipscope::geom::GeomError>(())
 //! ```
@@ -57,7 +58,7 @@ mod rivals;
 use serde::Serialize;
 
 use crate::{
-    geom::{Point, Polygon},
+    geom::{Point, SimplePolygon},
     trace::{Algorithm, Real},
 };
 
@@ -166,12 +167,15 @@ pub struct EarClippingState {
 }
 
 impl Algorithm for EarClipping {
-    type Input = Polygon;
+    type Input = SimplePolygon;
     type Output = Vec<Triangle>;
     type Event = EarClippingEvent;
     type State = EarClippingState;
 
-    fn run<R: Real>(input: &Polygon, mut emit: impl FnMut(EarClippingEvent)) -> Vec<Triangle> {
+    fn run<R: Real>(
+        input: &SimplePolygon,
+        mut emit: impl FnMut(EarClippingEvent),
+    ) -> Vec<Triangle> {
         use EarClippingEvent as Event;
         let mut left = Left::classified::<R>(input.vertices(), &mut emit);
         let mut rivals = Rivals::new(left.points, &left.corners);
@@ -211,7 +215,7 @@ impl Algorithm for EarClipping {
         triangles
     }
 
-    fn start(input: &Polygon) -> EarClippingState {
+    fn start(input: &SimplePolygon) -> EarClippingState {
         let n = input.vertices().len();
         EarClippingState {
             ring: Ring::new(n),
@@ -261,7 +265,7 @@ impl Algorithm for EarClipping {
 
     /// n classifications and two a cut; two events for as many vertices asked; n − 3 rounds and cuts; the last
     /// triangle, and the end.
-    fn max_events(input: &Polygon) -> usize {
+    fn max_events(input: &SimplePolygon) -> usize {
         let n = input.vertices().len();
         3 * (3 * n - 6) + 2 * (n - 3) + 2
     }

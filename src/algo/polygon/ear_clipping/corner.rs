@@ -11,7 +11,10 @@ use std::cmp::Ordering;
 
 use serde::Serialize;
 
-use crate::{geom::Point, trace::Real};
+use crate::{
+    geom::{Point, is_certain, orientation},
+    trace::Real,
+};
 
 /// How an outline that runs counter-clockwise turns at a vertex.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, Serialize)]
@@ -39,51 +42,34 @@ impl Corner {
     }
 }
 
-/// Twice the signed area of abc, positive where it runs counter-clockwise. The sign is exact, and so is a
-/// zero, where no coordinate other than zero is 2⁵⁰⁰ times smaller than the largest one; the value is rounded.
-///
-/// The plain formula answers unless rounding could have touched its sign: then Shewchuk's adaptive predicate
-/// does, as a guard that is not counted (Discrete & Computational Geometry 18, 1997, pp. 305–363).
+/// Twice the signed area of abc, positive where it runs counter-clockwise: a rounded value with the sign of
+/// [`orientation`]. Its adaptive predicate is a guard against rounding, and not counted.
 pub(super) fn double_area<R: Real>(a: Point, b: Point, c: Point) -> R {
     let [[xa, ya], [xb, yb], [xc, yc]] = [a, b, c].map(|p| p.to_array().map(R::new));
     let left = (xb - xa) * (yc - yb);
     let right = (yb - ya) * (xc - xb);
     let area = left - right;
-    let size = left.get().abs() + right.get().abs();
-    // Shewchuk's bound A is (3 + 16u)·u of this sum, with u half an epsilon; below 2⁻⁹⁰⁰ a product may
-    // have lost bits to underflow.
-    let is_certain = area.get().abs() > 2.0 * f64::EPSILON * size && size > 2f64.powi(-900);
-    if is_certain && size.is_finite() {
+    if is_certain(area.get(), left.get(), right.get()) {
         area
     } else {
-        R::new(adaptive(a, b, c))
+        R::new(doubtful_area(a, b, c))
     }
 }
 
 #[cold]
-fn adaptive(a: Point, b: Point, c: Point) -> f64 {
-    let largest = [a, b, c]
-        .iter()
-        .flat_map(|p| p.to_array())
-        .fold(0.0, |m: f64, x| m.max(x.abs()));
-    // Scaled by a power of two so that no product overflows, or vanishes.
-    let exponent = if largest > 2f64.powi(500) {
-        -540
-    } else if largest < 2f64.powi(-400) {
-        600
-    } else {
-        0
+fn doubtful_area(a: Point, b: Point, c: Point) -> f64 {
+    let [pa, pb, pc] = [a, b, c].map(|p| robust::Coord { x: p.x(), y: p.y() });
+    let area = robust::orient2d(pa, pb, pc);
+    // Of very large or very small numbers the sign alone is right.
+    let positive = match area.abs() {
+        size if (f64::MIN_POSITIVE..=f64::MAX).contains(&size) => size,
+        0.0 => f64::MIN_POSITIVE,
+        _ => f64::MAX,
     };
-    let scale = 2f64.powi(exponent);
-    let coord = |p: Point| robust::Coord {
-        x: p.x() * scale,
-        y: p.y() * scale,
-    };
-    let area = robust::orient2d(coord(a), coord(b), coord(c));
-    match area.partial_cmp(&0.0) {
-        Some(Ordering::Greater) => (area / scale / scale).clamp(f64::MIN_POSITIVE, f64::MAX),
-        Some(Ordering::Less) => (area / scale / scale).clamp(-f64::MAX, -f64::MIN_POSITIVE),
-        _ => 0.0,
+    match orientation(a, b, c) {
+        Ordering::Greater => positive,
+        Ordering::Less => -positive,
+        Ordering::Equal => 0.0,
     }
 }
 
