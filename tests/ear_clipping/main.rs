@@ -38,7 +38,7 @@ fn double_area(outline: &[[i64; 2]]) -> i64 {
 /// Triangulates, and checks what makes it a triangulation.
 fn triangulated(outline: &[[i64; 2]]) -> Vec<Triangle> {
     let polygon = polygon(outline);
-    let triangles = silent::<EarClipping>(&polygon);
+    let triangles = silent::<EarClipping>(&polygon).triangles().to_vec();
     let corners = |triangle: &Triangle| triangle.map(|i| outline[i]);
     for triangle in &triangles {
         assert!(

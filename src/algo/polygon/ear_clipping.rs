@@ -26,9 +26,9 @@
 //! Only vertices that are not convex need to be asked whether they lie in a triangle: of those inside a corner,
 //! the one nearest to its tip belongs to a chain that turns back there. `rivals` keeps them by x.
 //!
-//! *Conventions*: triangles are numbers of the vertices of a [`SimplePolygon`], which runs counter-clockwise and
-//! repeats none; the triangles run the same way. A corner's own three vertices do not block it, any other one in
-//! the closed triangle does. *Degenerate*: a straight vertex is never the tip of an ear, as its triangle would
+//! *Conventions*: vertices have the numbers that they were given with; the ring runs counter-clockwise whichever
+//! way they were given, and so does every triangle. A corner's own three vertices do not block it, any other one in
+//! the closed triangle does. *Degenerate*: of repeated vertices a [`SimplePolygon`] keeps the first one; a straight vertex is never the tip of an ear, as its triangle would
 //! have no area, but it stays in the ring until it has become a corner. Dropping it instead would leave a crack:
 //! the neighbour across that edge still has it. So n vertices give n − 2 triangles, always, none of them without
 //! area. *Exactness*: only signs decide, and they are exact ([`Corner`]); the triangles' vertices are the
@@ -47,13 +47,14 @@
 //! ```
 //! use clipscope::{algo::polygon::EarClipping, geom::SimplePolygon, trace::silent};
 //! let arrowhead = SimplePolygon::new(&[[0.0, 0.0], [2.0, 1.0], [4.0, 0.0], [2.0, 4.0]])?;
-//! assert_eq!(silent::<EarClipping>(&arrowhead), [[3, 0, 1], [1, 2, 3]]);
+//! assert_eq!(silent::<EarClipping>(&arrowhead).triangles(), [[3, 0, 1], [1, 2, 3]]);
 //! # Ok::<(), clipscope::geom::GeomError>(())
 //! ```
 
 mod corner;
 mod ring;
 mod rivals;
+mod triangulation;
 
 use serde::Serialize;
 
@@ -65,12 +66,14 @@ use crate::{
 use self::{
     corner::double_area,
     rivals::{Rival, Rivals},
+    triangulation::order_of,
 };
 
-pub use self::{corner::Corner, ring::Ring};
-
-/// Three vertices by number, counter-clockwise.
-pub type Triangle = [usize; 3];
+pub use self::{
+    corner::Corner,
+    ring::Ring,
+    triangulation::{Triangle, Triangulation},
+};
 
 /// The algorithm; see the module.
 #[derive(Clone, Copy, Debug)]
@@ -135,7 +138,7 @@ pub enum EarClippingEvent {
     },
     /// What is left is a triangle.
     Last {
-        /// From the lowest number on.
+        /// From the first vertex of what is left on.
         triangle: Triangle,
     },
     /// All triangles are there.
@@ -160,31 +163,31 @@ pub struct EarClippingState {
     pub blocked_by: Option<usize>,
     /// Is the candidate known to be an ear?
     pub is_ear: bool,
-    /// Cut off so far.
-    pub triangles: Vec<Triangle>,
+    /// What has been cut off so far.
+    pub cut_off: Triangulation,
     /// Is everything cut off?
     pub is_done: bool,
 }
 
 impl Algorithm for EarClipping {
     type Input = SimplePolygon;
-    type Output = Vec<Triangle>;
+    type Output = Triangulation;
     type Event = EarClippingEvent;
     type State = EarClippingState;
 
     fn run<R: Real>(
         input: &SimplePolygon,
         mut emit: impl FnMut(EarClippingEvent),
-    ) -> Vec<Triangle> {
+    ) -> Triangulation {
         use EarClippingEvent as Event;
-        let mut left = Left::classified::<R>(input.vertices(), &mut emit);
-        let mut rivals = Rivals::new(left.points, &left.corners);
-        let n = left.ring.len();
-        let mut triangles = Vec::with_capacity(n - 2);
+        let mut round = order_of(input);
+        let mut answer = Triangulation::new(input, &round);
+        let points = answer.points();
+        let mut left = Left::classified::<R>(&points, &round, &mut emit);
+        let mut rivals = Rivals::new(&points, &left.ring, &left.corners);
         // The last round in which a vertex was asked, or the next one in which it will be.
-        let mut due = vec![0; n];
-        let mut round: Vec<usize> = (0..n).collect();
-        for round_idx in 0..n - 3 {
+        let mut due = vec![0; points.len()];
+        for round_idx in 0..round.len() - 3 {
             let n_left = left.ring.len();
             if n_left == 3 {
                 break;
@@ -196,7 +199,7 @@ impl Algorithm for EarClipping {
                 if !is_due || !left.is_ear::<R>(vertex_idx, &rivals, &mut emit) {
                     continue;
                 }
-                triangles.push(left.ring.corner(vertex_idx));
+                answer.push(left.ring.corner(vertex_idx));
                 for neighbour in left.cut::<R>(vertex_idx, &mut rivals, &mut emit) {
                     if due[neighbour] <= round_idx {
                         due[neighbour] = round_idx + 1;
@@ -208,23 +211,24 @@ impl Algorithm for EarClipping {
         }
         debug_assert_eq!(left.ring.len(), 3, "a simple polygon has an ear");
         let triangle = left.ring.corner(left.ring.next(left.ring.first()));
-        triangles.push(triangle);
+        answer.push(triangle);
         emit(Event::Last { triangle });
-        let n_triangles = triangles.len();
+        let n_triangles = answer.triangles().len();
         emit(Event::Done { n_triangles });
-        triangles
+        answer
     }
 
     fn start(input: &SimplePolygon) -> EarClippingState {
-        let n = input.vertices().len();
+        let order = order_of(input);
+        let cut_off = Triangulation::new(input, &order);
         EarClippingState {
-            ring: Ring::new(n),
-            corners: vec![None; n],
+            ring: Ring::through(&order),
+            corners: vec![None; cut_off.points().len()],
             stand: None,
             candidate: None,
             blocked_by: None,
             is_ear: false,
-            triangles: Vec::new(),
+            cut_off,
             is_done: false,
         }
     }
@@ -245,11 +249,11 @@ impl Algorithm for EarClipping {
             Event::Ear { .. } => state.is_ear = true,
             Event::Cut { triangle, .. } => {
                 state.ring.remove(triangle[1]);
-                state.triangles.push(triangle);
+                state.cut_off.push(triangle);
             }
             Event::Last { triangle } => {
                 state.stand_at(triangle[1], Some(triangle));
-                state.triangles.push(triangle);
+                state.cut_off.push(triangle);
             }
             Event::Done { .. } => {
                 state.candidate = None;
@@ -259,8 +263,8 @@ impl Algorithm for EarClipping {
         }
     }
 
-    fn finish(state: &EarClippingState) -> Vec<Triangle> {
-        state.triangles.clone()
+    fn finish(state: &EarClippingState) -> Triangulation {
+        state.cut_off.clone()
     }
 
     /// n classifications and two a cut; two events for as many vertices asked; n − 3 rounds and cuts; the last
@@ -288,15 +292,18 @@ struct Left<'a> {
 }
 
 impl<'a> Left<'a> {
-    fn classified<R: Real>(points: &'a [Point], emit: &mut impl FnMut(EarClippingEvent)) -> Self {
+    fn classified<R: Real>(
+        points: &'a [Point],
+        order: &[usize],
+        emit: &mut impl FnMut(EarClippingEvent),
+    ) -> Self {
         let mut left = Self {
             points,
-            ring: Ring::new(points.len()),
-            corners: Vec::with_capacity(points.len()),
+            ring: Ring::through(order),
+            corners: vec![Corner::Straight; points.len()],
         };
-        for vertex_idx in 0..points.len() {
-            let corner = left.classify::<R>(vertex_idx, emit);
-            left.corners.push(corner);
+        for &vertex_idx in order {
+            left.corners[vertex_idx] = left.classify::<R>(vertex_idx, emit);
         }
         left
     }

@@ -2,4 +2,6 @@
 
 mod ear_clipping;
 
-pub use ear_clipping::{Corner, EarClipping, EarClippingEvent, EarClippingState, Ring, Triangle};
+pub use ear_clipping::{
+    Corner, EarClipping, EarClippingEvent, EarClippingState, Ring, Triangle, Triangulation,
+};

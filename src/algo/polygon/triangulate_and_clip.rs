@@ -140,11 +140,10 @@ impl Algorithm for TriangulateAndClip {
     fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Pieces {
         use EachTriangleEvent::{Finish, Piece, Triangle};
         use TriangulateAndClipEvent as Event;
-        let points = input.polygon.vertices();
-        let triangles = EarClipping::run::<R>(&input.polygon, |e| emit(Event::Triangulate(e)));
+        let whole = EarClipping::run::<R>(&input.polygon, |e| emit(Event::Triangulate(e)));
         let mut pieces = Pieces::default();
-        for (triangle_idx, triangle) in triangles.into_iter().enumerate() {
-            let corners = triangle.map(|i| points[i]);
+        for (triangle_idx, &triangle) in whole.triangles().iter().enumerate() {
+            let corners = whole.corners(triangle);
             emit(Event::Each(Triangle {
                 triangle_idx,
                 triangle,

@@ -5,19 +5,23 @@
 pub struct Ring {
     prev: Vec<usize>,
     next: Vec<usize>,
-    /// The lowest number that is left.
     first: usize,
     len: usize,
 }
 
 impl Ring {
-    /// 0, 1, … n − 1 and back to 0.
-    pub(super) fn new(n: usize) -> Self {
+    /// The vertices in this order, and from the last one back to the first.
+    pub(super) fn through(order: &[usize]) -> Self {
+        let n_numbers = order.iter().max().map_or(0, |highest| highest + 1);
+        let (mut prev, mut next) = (vec![0; n_numbers], vec![0; n_numbers]);
+        for (&here, &after) in order.iter().zip(order.iter().cycle().skip(1)) {
+            (next[here], prev[after]) = (after, here);
+        }
         Self {
-            prev: (0..n).map(|i| i.checked_sub(1).unwrap_or(n - 1)).collect(),
-            next: (1..=n).map(|i| i % n).collect(),
-            first: 0,
-            len: n,
+            prev,
+            next,
+            first: order.first().copied().unwrap_or_default(),
+            len: order.len(),
         }
     }
 
@@ -33,7 +37,7 @@ impl Ring {
         self.len == 0
     }
 
-    /// The lowest number that is left.
+    /// Where it begins: at the first vertex that is left.
     #[must_use]
     pub const fn first(&self) -> usize {
         self.first
@@ -57,7 +61,7 @@ impl Ring {
         [self.prev(vertex_idx), vertex_idx, self.next(vertex_idx)]
     }
 
-    /// Every vertex that is left, in order of number.
+    /// Every vertex that is left, from the first one on.
     pub fn iter(&self) -> impl Iterator<Item = usize> + '_ {
         let first = Some(self.first).filter(|_| self.len > 0);
         std::iter::successors(first, |&i| Some(self.next(i)).filter(|&i| i != self.first))
@@ -81,13 +85,13 @@ mod tests {
 
     #[test]
     fn neighbours_join_over_what_is_taken_out() {
-        let mut ring = Ring::new(5);
-        ring.remove(2);
+        let mut ring = Ring::through(&[0, 5, 4, 2, 1]);
         ring.remove(4);
-        assert_eq!(ring.iter().collect::<Vec<_>>(), [0, 1, 3]);
-        assert_eq!(ring.corner(0), [3, 0, 1]);
+        ring.remove(1);
+        assert_eq!(ring.iter().collect::<Vec<_>>(), [0, 5, 2]);
+        assert_eq!(ring.corner(0), [2, 0, 5]);
         ring.remove(0);
-        assert_eq!(ring.iter().collect::<Vec<_>>(), [1, 3]);
+        assert_eq!(ring.iter().collect::<Vec<_>>(), [5, 2]);
         assert_eq!(ring.len(), 2);
     }
 }

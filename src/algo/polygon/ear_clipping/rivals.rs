@@ -10,7 +10,10 @@
 
 use crate::{geom::Point, trace::Real};
 
-use super::corner::{Corner, double_area};
+use super::{
+    Ring,
+    corner::{Corner, double_area},
+};
 
 /// The vertices that are not convex, by x. A vertex that has become convex is passed over.
 pub(super) struct Rivals<'a> {
@@ -27,10 +30,9 @@ pub(super) struct Rival {
 }
 
 impl<'a> Rivals<'a> {
-    pub fn new(points: &'a [Point], corners: &[Corner]) -> Self {
-        let mut by_x: Vec<usize> = (0..points.len())
-            .filter(|&i| corners[i] != Corner::Convex)
-            .collect();
+    pub fn new(points: &'a [Point], ring: &Ring, corners: &[Corner]) -> Self {
+        let mut by_x: Vec<usize> = ring.iter().collect();
+        by_x.retain(|&i| corners[i] != Corner::Convex);
         by_x.sort_by(|&i, &j| points[i].x().total_cmp(&points[j].x()));
         Self {
             points,
