@@ -1,11 +1,15 @@
-//! What `clipscope::algo::polygon::EarClipping` promises, held to it.
+//! What `EarClipping` and `TriangulateAndClip` of `clipscope::algo::polygon` promise, held to it.
 //!
 //! - `cases`: named outlines, with the triangles that they give.
 //! - `properties`: random simple outlines, most of them on small grids, where degenerate ones are common.
-//! - `outlines`: where those come from.
+//! - `pieces`: triangulated, then clipped.
+//! - `outlines`: where the random ones come from.
 
 mod cases;
+#[path = "../polygon_exactness/oracle.rs"]
+mod oracle;
 mod outlines;
+mod pieces;
 mod properties;
 
 use std::collections::HashSet;

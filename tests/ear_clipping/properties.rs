@@ -13,7 +13,7 @@ use super::{
     polygon, triangulated,
 };
 
-fn any_outline() -> impl Strategy<Value = Outline> {
+pub fn any_outline() -> impl Strategy<Value = Outline> {
     prop_oneof![tangled(8, 4), tangled(14, 6), tangled(30, 1000), squares()]
 }
 
