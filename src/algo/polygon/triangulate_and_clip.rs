@@ -2,13 +2,14 @@
 //! clipped on its own.
 //!
 //! ```text
-//!     ┌───┐   ┌───┐         Sutherland–Hodgman leaves one ring: two   ┌───┐   ┌───┐
-//!   ┌─│───│───│───│─┐       teeth, joined by a bridge along the       │   │   │   │
-//!   │ │   │   │   │ │       border, walked there and back             │   ├───┤   │
-//!   └─│───│───│───│─┘                                                 └───┘═══└───┘
-//!     │   └───┘   │         Clipped by triangles: convex pieces,      ┌───┐   ┌───┐
-//!     └───────────┘         none of them with a bridge                │ ╱ │   │ ╱ │
-//!                                                                     └───┘   └───┘
+//!     ┌────────────────┐        a U reaches into a window          ┌──┐      ┌──┐
+//!     │ ┌──┐      ┌──┐ │                                           │  │      │  │
+//!     │ │  │      │  │ │        Sutherland–Hodgman leaves one      └──┴══════┴──┘
+//!     └─┼──┼──────┼──┼─┘        ring, with a bridge ══
+//!       │  └──────┘  │
+//!       │            │          triangle by triangle there are     ┌──┐      ┌──┐
+//!       └────────────┘          convex pieces, and no bridge       │ ╲│      │╱ │
+//!                                                                  └──┘      └──┘
 //! ```
 //!
 //! 1. Cut the polygon into triangles: [`EarClipping`].
