@@ -22,6 +22,6 @@ pub use orientation::{is_certain, lexicographic, orientation};
 pub use point::{Point, Segment, extent};
 pub use polygon::Polygon;
 pub use region::Region;
-pub use rings::{Location, Rings};
+pub use rings::{Location, Rings, locate};
 pub use simple_polygon::SimplePolygon;
 pub use window::{Edge, Window};

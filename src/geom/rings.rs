@@ -132,7 +132,7 @@ impl Rings {
 /// Where a point lies by one simple ring, of either winding. A ray to the right is crossed an odd number of
 /// times from inside; an edge counts its lower end and not its upper one.
 #[must_use]
-pub(crate) fn locate(ring: &[Point], p: Point) -> Location {
+pub fn locate(ring: &[Point], p: Point) -> Location {
     let mut inside = false;
     let Some(&last) = ring.last() else {
         return Location::Outside;

@@ -10,6 +10,7 @@ mod step;
 mod sutherland_hodgman;
 mod triangulate_and_clip;
 mod vertex;
+pub mod weiler_atherton;
 
 pub use border::ClipRegion;
 pub use clipper::{Clipped, Clipper};
