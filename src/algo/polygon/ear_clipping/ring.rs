@@ -55,6 +55,12 @@ impl Ring {
         self.next[vertex_idx]
     }
 
+    /// Is it left?
+    #[must_use]
+    pub fn contains(&self, vertex_idx: usize) -> bool {
+        self.next(self.prev(vertex_idx)) == vertex_idx
+    }
+
     /// The corner at a vertex: the one before it, itself, the one after.
     #[must_use]
     pub fn corner(&self, vertex_idx: usize) -> [usize; 3] {
@@ -93,5 +99,7 @@ mod tests {
         ring.remove(0);
         assert_eq!(ring.iter().collect::<Vec<_>>(), [5, 2]);
         assert_eq!(ring.len(), 2);
+        let left: Vec<usize> = (0..6).filter(|&i| ring.contains(i)).collect();
+        assert_eq!(left, [2, 5], "3 never was there");
     }
 }
