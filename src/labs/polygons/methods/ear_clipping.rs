@@ -36,8 +36,7 @@ impl PolygonDemo for EarClipping {
     const TAKES_POLYGON: bool = false;
 
     fn input(scene: &Scene) -> Result<SimplePolygon, Refusal> {
-        SimplePolygon::try_from(&scene.subject)
-            .map_err(|error| Refusal::new(Part::Subject, error))
+        SimplePolygon::try_from(&scene.subject).map_err(|error| Refusal::new(Part::Subject, error))
     }
 }
 
@@ -262,7 +261,9 @@ const fn corner_name(corner: Corner) -> Value {
 
 /// `V₁V₂…`.
 fn vertices_name(vertices: impl IntoIterator<Item = usize>) -> String {
-    let names = vertices.into_iter().map(|i| format!("V{}", subscript(i + 1)));
+    let names = vertices
+        .into_iter()
+        .map(|i| format!("V{}", subscript(i + 1)));
     names.collect()
 }
 

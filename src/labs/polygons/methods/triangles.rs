@@ -66,7 +66,12 @@ pub fn triangles_section(whole: &Triangulation) -> Option<WatchSection> {
         let row_name = name(format!("T{}", subscript(triangle_idx + 1)));
         WatchRow::new(row_name, Some(triangle_name(triangle))).linked(triangle_link(triangle_idx))
     };
-    let rows: Vec<WatchRow> = triangles.iter().enumerate().skip(skipped).map(row).collect();
+    let rows: Vec<WatchRow> = triangles
+        .iter()
+        .enumerate()
+        .skip(skipped)
+        .map(row)
+        .collect();
     (!rows.is_empty()).then(|| WatchSection::list(rows))
 }
 
