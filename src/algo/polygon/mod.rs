@@ -4,15 +4,16 @@ mod border;
 mod clipper;
 pub mod faulty;
 mod pipeline;
+mod region;
 mod ring;
 mod step;
 mod sutherland_hodgman;
 mod vertex;
 pub mod weiler_atherton;
 
-pub use border::ClipRegion;
 pub use clipper::{Clipped, Clipper};
 pub use pipeline::{Pipeline, PipelineEvent, PipelineStage, PipelineState};
+pub use region::ClipRegion;
 pub use ring::{ClippedRing, RingOutcome};
 pub use step::Rule;
 pub use sutherland_hodgman::{

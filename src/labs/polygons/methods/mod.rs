@@ -1,1 +1,9 @@
 //! One file a method: its sentences, marks and watched values.
+
+mod clip_edge;
+pub mod faulty;
+mod lists;
+mod pipeline;
+mod rules;
+mod skin;
+mod sutherland_hodgman;
