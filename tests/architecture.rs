@@ -174,6 +174,38 @@ fn algorithms_say_nothing_and_draw_nothing() {
 }
 
 #[test]
+fn what_is_wrong_on_purpose_stays_in_its_room() {
+    // Only the demo that shows the mistakes may know them.
+    let room = src().join("algo/polygon/faulty");
+    let shown_in = src().join("labs/polygons/methods/faulty.rs");
+    let words = |code: &str| -> Vec<String> {
+        let parts = code.split(|c: char| !(c.is_alphanumeric() || c == '_'));
+        parts.map(str::to_owned).collect()
+    };
+    let mut mistakes: Vec<String> = Vec::new();
+    for file in rust_files(&room) {
+        let words = words(&code(&file));
+        let declared = words
+            .windows(3)
+            .filter(|w| w[0] == "pub" && w[1] == "struct");
+        mistakes.extend(declared.map(|w| w[2].clone()));
+    }
+    assert!(!mistakes.is_empty(), "{} is empty", room.display());
+    for file in rust_files(&src()) {
+        if file.starts_with(&room) || file == shown_in {
+            continue;
+        }
+        for word in words(&code(&file)) {
+            assert!(
+                !mistakes.contains(&word),
+                "{} names {word}, which is wrong on purpose",
+                file.display()
+            );
+        }
+    }
+}
+
+#[test]
 fn files_are_about_one_thing() {
     for file in rust_files(&src()) {
         let lines = fs::read_to_string(&file).unwrap().lines().count();

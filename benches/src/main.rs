@@ -20,6 +20,7 @@ mod harness;
 mod line;
 #[cfg(feature = "gui")]
 mod paint;
+mod polygon;
 
 use std::process::ExitCode;
 
@@ -28,6 +29,7 @@ type Benchmark = (&'static str, fn());
 
 const BENCHMARKS: &[Benchmark] = &[
     ("line", line::run),
+    ("polygon", polygon::run),
     #[cfg(feature = "gui")]
     ("frame", frame::run),
     #[cfg(feature = "gui")]

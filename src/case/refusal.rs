@@ -125,6 +125,17 @@ impl Refusal {
                 let problem = Message::new("error-self-intersecting");
                 (Code::SelfIntersecting, Some(vertex_idx), problem)
             }
+            // Edge i starts from vertex i: the place is the first of the two.
+            GeomError::EdgesMeet { edges: [i, j] } => {
+                let problem = Message::new("error-edges-meet")
+                    .with("first", i)
+                    .with("second", j);
+                (Code::SelfIntersecting, Some(i), problem)
+            }
+            GeomError::MisplacedHole { hole_idx } => {
+                let problem = Message::new("error-misplaced-hole").with("hole", hole_idx);
+                (Code::SelfIntersecting, None, problem)
+            }
         };
         match vertex_idx.filter(|&idx| idx < n_vertices) {
             Some(idx) => Self::at(code, &Path::Index(field, idx), problem),

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use serde::{Deserialize, Serialize};
 
-use super::{GeomError, HalfPlane, Point, Window, point::finite};
+use super::{GeomError, HalfPlane, Point, Window, lexicographic, orientation, point::finite};
 
 /// A convex polygon with an area. Vertices run counter-clockwise; three in a row may be collinear.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
@@ -96,38 +96,9 @@ fn winding(vertices: &[Point]) -> Result<Ordering, GeomError> {
     }
 }
 
-fn lexicographic(a: Point, b: Point) -> Ordering {
-    (a.x(), a.y())
-        .partial_cmp(&(b.x(), b.y()))
-        .unwrap_or(Ordering::Equal)
-}
-
 /// Of three collinear points: does the second step go back over the first?
 fn reverses(a: Point, b: Point, c: Point) -> bool {
     lexicographic(a, b) != lexicographic(b, c)
-}
-
-/// Sign of the area of abc, `Greater` for counter-clockwise, exact where no coordinate other than zero is
-/// 2⁵⁰⁰ times smaller than the largest one (Shewchuk's adaptive predicate: Discrete & Computational Geometry 18, 1997).
-fn orientation(a: Point, b: Point, c: Point) -> Ordering {
-    let largest = [a, b, c]
-        .iter()
-        .flat_map(|p| p.to_array())
-        .fold(0.0, |m: f64, x| m.max(x.abs()));
-    // Scaled by a power of two so that no product overflows, or vanishes.
-    let scale = if largest > 2f64.powi(500) {
-        2f64.powi(-540)
-    } else if largest < 2f64.powi(-400) {
-        2f64.powi(600)
-    } else {
-        1.0
-    };
-    let coord = |p: Point| robust::Coord {
-        x: p.x() * scale,
-        y: p.y() * scale,
-    };
-    let area = robust::orient2d(coord(a), coord(b), coord(c));
-    area.partial_cmp(&0.0).unwrap_or(Ordering::Equal)
 }
 
 impl From<Window> for ConvexPolygon {

@@ -46,6 +46,17 @@ pub enum GeomError {
         /// A vertex of the second round.
         vertex_idx: usize,
     },
+    /// Two edges of one outline cross, touch or overlap, other than two neighbours in the vertex that they
+    /// share.
+    EdgesMeet {
+        /// The edges, the lower number first; edge `i` runs from the given vertex `i` to the next.
+        edges: [usize; 2],
+    },
+    /// A hole that does not lie inside the outline, clear of its edges and of every other hole.
+    MisplacedHole {
+        /// The hole.
+        hole_idx: usize,
+    },
 }
 
 impl GeomError {
@@ -57,7 +68,9 @@ impl GeomError {
             Self::EmptyWindow { .. } => "empty-window",
             Self::Degenerate { .. } => "degenerate",
             Self::NotConvex { .. } => "not-convex",
-            Self::SelfIntersecting { .. } => "self-intersecting",
+            Self::SelfIntersecting { .. } | Self::EdgesMeet { .. } | Self::MisplacedHole { .. } => {
+                "self-intersecting"
+            }
         }
     }
 }
@@ -85,6 +98,16 @@ impl fmt::Display for GeomError {
             Self::SelfIntersecting { vertex_idx } => write!(
                 f,
                 "the outline crosses itself: it runs around more than once by vertex {vertex_idx}"
+            ),
+            Self::EdgesMeet { edges: [i, j] } => {
+                write!(
+                    f,
+                    "the outline crosses or touches itself: edges {i} and {j} meet"
+                )
+            }
+            Self::MisplacedHole { hole_idx } => write!(
+                f,
+                "hole {hole_idx} does not lie inside the outline, clear of it and of the other holes"
             ),
         }
     }

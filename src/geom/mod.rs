@@ -5,14 +5,24 @@
 
 mod convex_polygon;
 mod error;
+mod exact;
 mod half_plane;
+mod orientation;
 mod point;
 mod polygon;
+mod region;
+mod rings;
+mod simple_polygon;
+mod sweep;
 mod window;
 
 pub use convex_polygon::ConvexPolygon;
 pub use error::{Axis, GeomError};
 pub use half_plane::HalfPlane;
+pub use orientation::{is_certain, lexicographic, orientation};
 pub use point::{Point, Segment, extent};
 pub use polygon::Polygon;
+pub use region::Region;
+pub use rings::{Location, Rings, locate};
+pub use simple_polygon::SimplePolygon;
 pub use window::{Edge, Window};

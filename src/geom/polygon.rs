@@ -61,6 +61,7 @@ impl Polygon {
     }
 
     /// Every edge, first to last.
+    #[must_use]
     pub fn edges(&self) -> impl ExactSizeIterator<Item = Segment> + '_ {
         (0..self.vertices.len()).map(|i| self.edge(i))
     }

@@ -8,10 +8,12 @@
 mod algorithm;
 mod counts;
 pub mod laws;
+mod log;
 mod recording;
 mod transport;
 
 pub use algorithm::{Algorithm, silent};
 pub use counts::{Counted, Counts, Real};
+pub use log::Log;
 pub use recording::Trace;
 pub use transport::Transport;

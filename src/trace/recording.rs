@@ -2,9 +2,9 @@
 
 use super::{Algorithm, Counted, Counts};
 
-/// Steps between two kept states: a seek folds at most this many events. A state is about as large as
-/// ten events, so that keyframes cost a few per cent of the recording.
-const KEYFRAME_INTERVAL: usize = 256;
+use keyframes::Keyframes;
+
+mod keyframes;
 
 /// Input, events, cost so far at each, answer, and keyframes.
 #[derive(Clone)]
@@ -15,8 +15,7 @@ pub struct Trace<A: Algorithm> {
     counts: Vec<Counts>,
     total: Counts,
     output: A::Output,
-    /// State after `i · KEYFRAME_INTERVAL` events.
-    keyframes: Vec<A::State>,
+    keyframes: Keyframes<A::State>,
 }
 
 impl<A: Algorithm> Trace<A> {
@@ -31,12 +30,10 @@ impl<A: Algorithm> Trace<A> {
             })
         });
         let mut state = A::start(&input);
-        let mut keyframes = vec![state.clone()];
+        let mut keyframes = Keyframes::starting_with(state.clone());
         for (i, &event) in events.iter().enumerate() {
             A::apply(&mut state, event);
-            if (i + 1) % KEYFRAME_INTERVAL == 0 {
-                keyframes.push(state.clone());
-            }
+            keyframes.offer(i + 1, &state);
         }
         Self {
             input,
@@ -90,9 +87,9 @@ impl<A: Algorithm> Trace<A> {
     #[must_use]
     pub fn state_at(&self, n_steps: usize) -> A::State {
         let n_steps = n_steps.min(self.events.len());
-        let keyframe_idx = n_steps / KEYFRAME_INTERVAL;
-        let mut state = self.keyframes[keyframe_idx].clone();
-        for &event in &self.events[keyframe_idx * KEYFRAME_INTERVAL..n_steps] {
+        let (kept_steps, kept) = self.keyframes.before(n_steps);
+        let mut state = kept.clone();
+        for &event in &self.events[kept_steps..n_steps] {
             A::apply(&mut state, event);
         }
         state

@@ -18,10 +18,10 @@ mod timeline;
 mod transport;
 mod watch;
 
-pub use canvas::{Canvas, CanvasShown, View};
+pub use canvas::{Canvas, CanvasShown, Click, View, place_at};
 pub use caption::{caption, caption_height, caption_job, caption_text};
 pub use cost::{Cost, cost};
-pub use handles::{Gesture, Moved, Snap, Spot};
+pub use handles::{Gesture, Moved, Snap, Spot, gripped};
 pub use hit::{distance_to_segment, link_at};
 pub use icon::{Icon, icon_button};
 pub use lesson_text::lesson_text;

@@ -37,6 +37,8 @@ alg-cohen-sutherland = Cohen–Sutherland
 alg-liang-barsky = Liang–Barsky
 alg-cyrus-beck = Cyrus–Beck
 alg-nicholl-lee-nicholl = Nicholl–Lee–Nicholl
+alg-ear-clipping = Ear clipping
+alg-triangulate-and-clip = Triangulate, then clip
 
 ## Verdicts, said of a segment, a polygon, a triangle or an object
 
@@ -50,6 +52,8 @@ error-not-finite = Every coordinate must be a finite number.
 error-empty-window = The window is empty: its left edge must lie left of its right edge, and its bottom edge below its top edge.
 error-not-convex = The clip polygon must be convex: this algorithm keeps what is inside every one of its edges.
 error-self-intersecting = The polygon crosses itself.
+error-edges-meet = The outline must not meet itself: edges { $first } and { $second } cross, touch or overlap.
+error-misplaced-hole = Hole { $hole } must lie inside the outline, clear of its edges and of every other hole.
 error-degenerate = The shape is degenerate: it has no extent where it needs one.
 error-too-few-vertices = A polygon needs at least three vertices.
 error-at = { $place }: { $problem }

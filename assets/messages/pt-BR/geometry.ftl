@@ -37,6 +37,8 @@ alg-cohen-sutherland = Cohen–Sutherland
 alg-liang-barsky = Liang–Barsky
 alg-cyrus-beck = Cyrus–Beck
 alg-nicholl-lee-nicholl = Nicholl–Lee–Nicholl
+alg-ear-clipping = Corte de orelhas
+alg-triangulate-and-clip = Triangular e depois recortar
 
 ## Verdicts, said of a segment, a polygon, a triangle or an object
 
@@ -50,6 +52,8 @@ error-not-finite = Todas as coordenadas devem ser números finitos.
 error-empty-window = A janela está vazia: a borda esquerda deve ficar à esquerda da direita, e a inferior abaixo da superior.
 error-not-convex = O polígono de recorte deve ser convexo: este algoritmo conserva o que fica do lado interno de todas as arestas.
 error-self-intersecting = O polígono cruza a si mesmo.
+error-edges-meet = O contorno não pode encontrar a si mesmo: as arestas { $first } e { $second } se cruzam, se tocam ou se sobrepõem.
+error-misplaced-hole = O furo { $hole } deve ficar dentro do contorno, sem tocar suas arestas nem qualquer outro furo.
 error-degenerate = A figura é degenerada: não tem extensão onde precisa.
 error-too-few-vertices = Um polígono precisa de pelo menos três vértices.
 error-at = { $place }: { $problem }

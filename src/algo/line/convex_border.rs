@@ -86,7 +86,7 @@ pub fn plane_distances<R: Real>(segment: &Segment, plane: &HalfPlane) -> [R; 2] 
 /// [`plane_distances`] with the normal brought near length 1, and all coordinates divided by 8: no sum of four
 /// of them overflows.
 #[cold]
-fn scaled_distances(segment: &Segment, normal: [f64; 2], origin: [f64; 2]) -> [f64; 2] {
+pub fn scaled_distances(segment: &Segment, normal: [f64; 2], origin: [f64; 2]) -> [f64; 2] {
     let mut normal = normal;
     while normal[0].abs().max(normal[1].abs()) > 1.0 {
         normal = normal.map(|n| n * 0.5);

@@ -91,7 +91,9 @@ pub(super) const fn geometry(error: GeomError) -> &'static str {
         GeomError::EmptyWindow { .. } => "error-empty-window",
         GeomError::Degenerate { .. } => "problem-degenerate",
         GeomError::NotConvex { .. } => "problem-not-convex",
-        GeomError::SelfIntersecting { .. } => "error-self-intersecting",
+        GeomError::SelfIntersecting { .. }
+        | GeomError::EdgesMeet { .. }
+        | GeomError::MisplacedHole { .. } => "error-self-intersecting",
     }
 }
 

@@ -1,0 +1,427 @@
+//! The border of a clip region, edge by edge: how far inside a vertex lies, and where an edge crosses.
+//!
+//! ```text
+//!   inside end ●                 d = n·(V − E): positive inside, 0 on the border
+//!            d₁│ ╲
+//!   ───────────┴──×──┬────────  border line through E, normal n pointing inside
+//!                  ╲ │d₂         crossing: (V₁·|d₂| + V₂·|d₁|) / (|d₁| + |d₂|)
+//!                    ● outside end
+//! ```
+//!
+//! - A distance is one vertex's own: the same for every edge and every polygon that it belongs to.
+//! - A crossing is computed from the inside end to the outside end, whichever way the edge is walked, so that
+//!   two polygons which share the edge get the same bits.
+//! - Along an axis the border coordinate is assigned and the sign of a distance is exact. On an oblique border
+//!   the distance is rounded, and so is the crossing: it may come to lie outside by an ulp, of this border or of
+//!   one before it. Then it is moved towards the middle of the region, by ulps, until its own distances
+//!   say that it is inside ([`Borders::settle`]). This is why clipping again changes nothing.
+
+use crate::{
+    geom::{Axis, ConvexPolygon, Edge, HalfPlane, Point, Segment, Window},
+    trace::Real,
+};
+
+use super::{
+    super::line::{
+        Ratio,
+        convex_border::{plane_distances, scaled_distances},
+        crossing::{join, split},
+    },
+    Share, Vertex,
+    step::Rules,
+};
+
+/// What a polygon is clipped against: closed and convex.
+#[derive(Clone, PartialEq, Debug)]
+pub enum ClipRegion {
+    /// Its edges are numbered as [`Edge::ALL`]: left, right, bottom, top.
+    Window(Window),
+    /// Its edges are numbered from vertex 0, counter-clockwise.
+    Convex(ConvexPolygon),
+}
+
+impl ClipRegion {
+    /// How many edges it has.
+    #[must_use]
+    pub fn n_edges(&self) -> usize {
+        match self {
+            Self::Window(_) => Edge::ALL.len(),
+            Self::Convex(polygon) => polygon.vertices().len(),
+        }
+    }
+
+    /// One half-plane an edge, in the order in which they clip.
+    #[must_use]
+    pub fn half_planes(&self) -> Vec<HalfPlane> {
+        match self {
+            Self::Window(window) => Edge::ALL.map(|edge| window.half_plane(edge)).to_vec(),
+            Self::Convex(polygon) => polygon.half_planes().collect(),
+        }
+    }
+}
+
+impl From<Window> for ClipRegion {
+    fn from(window: Window) -> Self {
+        Self::Window(window)
+    }
+}
+
+impl From<ConvexPolygon> for ClipRegion {
+    fn from(polygon: ConvexPolygon) -> Self {
+        Self::Convex(polygon)
+    }
+}
+
+/// A clip edge: the line that it runs along, and its inside.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Border {
+    edge_idx: usize,
+    /// As the region has it.
+    plane: HalfPlane,
+    line: Line,
+}
+
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) enum Line {
+    /// Along an axis: inside is where the `axis` coordinate is at least `c`, or at most `c` if `is_max`.
+    Upright { axis: Axis, c: f64, is_max: bool },
+    /// Any other: inside is where `normal·(p − origin) ≥ 0`. The normal is of moderate length.
+    Oblique { normal: [f64; 2], origin: Point },
+}
+
+impl Border {
+    fn new((edge_idx, plane): (usize, HalfPlane)) -> Self {
+        let origin = plane.origin();
+        let upright = |axis, c, n| Line::Upright {
+            axis,
+            c,
+            is_max: n < 0.0,
+        };
+        let line = match plane.normal() {
+            [n, 0.0] => upright(Axis::X, origin.x(), n),
+            [0.0, n] => upright(Axis::Y, origin.y(), n),
+            normal => Line::Oblique {
+                normal: moderate(normal),
+                origin,
+            },
+        };
+        Self {
+            edge_idx,
+            plane,
+            line,
+        }
+    }
+
+    /// The same line with its other side for inside.
+    fn flipped(self) -> Self {
+        let line = match self.line {
+            Line::Upright { axis, c, is_max } => Line::Upright {
+                axis,
+                c,
+                is_max: !is_max,
+            },
+            Line::Oblique { normal, origin } => Line::Oblique {
+                normal: normal.map(|n| -n),
+                origin,
+            },
+        };
+        Self { line, ..self }
+    }
+
+    /// As the region numbers its edges.
+    pub const fn edge_idx(&self) -> usize {
+        self.edge_idx
+    }
+
+    /// Where it runs.
+    #[inline]
+    pub const fn line(&self) -> Line {
+        self.line
+    }
+
+    /// n, pointing inside; of length 1 along an axis only.
+    pub fn normal(&self) -> [f64; 2] {
+        match self.line {
+            Line::Upright { axis, is_max, .. } => {
+                let n = if is_max { -1.0 } else { 1.0 };
+                match axis {
+                    Axis::X => [n, 0.0],
+                    Axis::Y => [0.0, n],
+                }
+            }
+            Line::Oblique { normal, .. } => normal,
+        }
+    }
+
+    /// E, a point of the border.
+    pub const fn origin(&self) -> Point {
+        self.plane.origin()
+    }
+
+    /// Signed distance of `p` in lengths of n, inside positive. Too large for f64, it is the largest number.
+    #[inline]
+    pub fn distance<R: Real>(&self, p: Point) -> R {
+        let d = match self.line {
+            Line::Upright { axis, c, is_max } => {
+                let [a, _] = split::<R>(p, axis);
+                let c = R::new(c);
+                if is_max { c - a } else { a - c }
+            }
+            Line::Oblique { normal, origin } => {
+                let ([px, py], [ex, ey]) = (p.to_array(), origin.to_array());
+                R::new(normal[0]) * (R::new(px) - R::new(ex))
+                    + R::new(normal[1]) * (R::new(py) - R::new(ey))
+            }
+        };
+        if d.get().is_finite() {
+            d
+        } else {
+            R::new(self.huge_distance(p, d.get()))
+        }
+    }
+
+    /// How many vertices from the first are inside, if `inside`; else how many are not.
+    #[inline]
+    pub fn run<V: Vertex>(&self, vertices: &[V], inside: bool) -> usize {
+        match self.line {
+            Line::Upright {
+                axis: Axis::X,
+                c,
+                is_max: false,
+            } => run(vertices, inside, |p| p.x() >= c),
+            Line::Upright {
+                axis: Axis::X,
+                c,
+                is_max: true,
+            } => run(vertices, inside, |p| p.x() <= c),
+            Line::Upright {
+                axis: Axis::Y,
+                c,
+                is_max: false,
+            } => run(vertices, inside, |p| p.y() >= c),
+            Line::Upright {
+                axis: Axis::Y,
+                c,
+                is_max: true,
+            } => run(vertices, inside, |p| p.y() <= c),
+            Line::Oblique { .. } => run(vertices, inside, |p| self.distance::<f64>(p) >= 0.0),
+        }
+    }
+
+    #[cold]
+    fn huge_distance(&self, p: Point, overflown: f64) -> f64 {
+        let sign = match self.line {
+            Line::Upright { .. } => overflown,
+            Line::Oblique { normal, origin } => {
+                let here = Segment { p1: p, p2: p };
+                scaled_distances(&here, normal, origin.to_array())[0]
+            }
+        };
+        if sign == 0.0 {
+            0.0
+        } else {
+            f64::MAX.copysign(sign)
+        }
+    }
+
+    /// How the ends of an edge share in its crossing. `d1` and `d2` are their distances, of which one is
+    /// positive and one negative.
+    #[inline]
+    fn share<R: Real>(&self, [p1, p2]: [Point; 2], [d1, d2]: [R; 2]) -> Share<R> {
+        match self.line {
+            Line::Upright { axis, c, .. } => {
+                let [[a1, _], [a2, _]] = [p1, p2].map(|p| split::<R>(p, axis));
+                let border = R::new(c);
+                Share {
+                    weights: [border - a1, a2 - border],
+                    whole: a2 - a1,
+                    raw: [a1.get(), a2.get(), c],
+                }
+            }
+            Line::Oblique { normal, .. } => {
+                let whole = d1 - d2;
+                let [d1, d2, whole] = if whole.get().is_finite() {
+                    [d1, d2, whole]
+                } else {
+                    // Both to one scale: only their ratio counts. A flipped border's plane is not.
+                    let is_flipped = normal[0].signum() != self.plane.normal()[0].signum();
+                    let distances = plane_distances::<R>(&Segment { p1, p2 }, &self.plane);
+                    let [d1, d2] = distances.map(|d| if is_flipped { -d } else { d });
+                    [d1, d2, d1 - d2]
+                };
+                Share {
+                    weights: [d1, -d2],
+                    whole,
+                    raw: [-d1.get(), -d2.get(), 0.0],
+                }
+            }
+        }
+    }
+}
+
+#[inline]
+fn run<V: Vertex>(vertices: &[V], inside: bool, is_inside: impl Fn(Point) -> bool) -> usize {
+    let turns = |v: &V| is_inside(v.at()) != inside;
+    vertices.iter().position(turns).unwrap_or(vertices.len())
+}
+
+/// A normal whose products with ordinary numbers neither overflow nor vanish: divided by a power of two where
+/// its length is far from 1. Only its direction counts.
+fn moderate(mut normal: [f64; 2]) -> [f64; 2] {
+    let largest = |n: [f64; 2]| n[0].abs().max(n[1].abs());
+    if (2f64.powi(-100)..=2f64.powi(100)).contains(&largest(normal)) {
+        return normal;
+    }
+    while largest(normal) > 1.0 {
+        normal = normal.map(|n| n * 0.5);
+    }
+    while largest(normal) < 0.5 {
+        normal = normal.map(|n| n * 2.0);
+    }
+    normal
+}
+
+/// Where an edge crosses a border.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Crossing<V> {
+    /// On the border.
+    pub at: V,
+    /// The parameter, from the edge's first end to its second.
+    pub t: Ratio,
+}
+
+/// All borders of a region, in the order in which they clip.
+#[derive(Clone, Debug)]
+pub(super) struct Borders {
+    all: Vec<Border>,
+    /// Index of the first oblique one; that of the end where there is none.
+    first_oblique: usize,
+    /// A point well inside all of them.
+    middle: Point,
+}
+
+impl Borders {
+    /// As the rules of `L` walk around the region.
+    pub fn by<L: Rules>(region: &ClipRegion) -> Self {
+        let mut all: Vec<Border> = (0..).zip(region.half_planes()).map(Border::new).collect();
+        if L::CLOCKWISE {
+            all.reverse();
+            all = all.into_iter().map(Border::flipped).collect();
+        }
+        Self::new(all)
+    }
+
+    fn new(all: Vec<Border>) -> Self {
+        let middle = middle(&all);
+        let is_oblique = |border: &Border| matches!(border.line, Line::Oblique { .. });
+        let first_oblique = all.iter().position(is_oblique).unwrap_or(all.len());
+        Self {
+            all,
+            first_oblique,
+            middle,
+        }
+    }
+
+    pub fn all(&self) -> &[Border] {
+        &self.all
+    }
+
+    pub fn has_oblique(&self) -> bool {
+        self.first_oblique < self.all.len()
+    }
+
+    /// Where the edge from `ends[0]` to `ends[1]`, one of them strictly inside border `idx` and the other
+    /// outside, crosses it; `None` where rounding puts the crossing on the inside end itself.
+    #[inline]
+    pub fn crossing<R: Real, V: Vertex>(
+        &self,
+        idx: usize,
+        ends: [&V; 2],
+        distances: [R; 2],
+    ) -> Option<Crossing<V>> {
+        let border = &self.all[idx];
+        let is_leaving = distances[0].get() > 0.0;
+        let ([inside, outside], along) = if is_leaving {
+            (ends, distances)
+        } else {
+            ([ends[1], ends[0]], [distances[1], distances[0]])
+        };
+        let [p1, p2] = [inside.at(), outside.at()];
+        let share = border.share([p1, p2], along);
+        let at = match border.line {
+            Line::Upright { axis, c, .. } => {
+                let [[_, o1], [_, o2]] = [p1, p2].map(|p| split::<f64>(p, axis));
+                join(axis, c, share.mean(o1, o2))
+            }
+            Line::Oblique { .. } => {
+                let [x, y] = [0, 1].map(|i| share.mean(p1.to_array()[i], p2.to_array()[i]));
+                Point::from_finite(x, y)
+            }
+        };
+        let at = if idx < self.first_oblique {
+            at
+        } else {
+            self.settle(idx, at, p1)
+        };
+        let t = share.ratio(is_leaving);
+        (at != p1).then(|| Crossing {
+            at: inside.crossing(outside, at, &share),
+            t,
+        })
+    }
+
+    /// Moves a crossing with border `idx` towards the middle of the region until it is inside this border and
+    /// all before it, in steps that start below a unit in the last place and double. Of a region so thin that
+    /// its middle is not inside by its own distances, the inside end does.
+    fn settle(&self, idx: usize, at: Point, inside: Point) -> Point {
+        let is_inside = |p: Point| {
+            let borders = &self.all[..=idx];
+            borders.iter().all(|b| b.distance::<f64>(p) >= 0.0)
+        };
+        if is_inside(at) {
+            return at;
+        }
+        let moved = |by: f64| {
+            let [x, y] = [0, 1].map(|i| {
+                let (from, to) = (at.to_array()[i], self.middle.to_array()[i]);
+                let mean = from * (1.0 - by) + to * by;
+                mean.clamp(from.min(to), from.max(to))
+            });
+            Point::from_finite(x, y)
+        };
+        let mut steps = (0..=53).rev().map(|k| moved(2f64.powi(-k)));
+        steps.find(|&p| is_inside(p)).unwrap_or(inside)
+    }
+}
+
+/// The mean of the points that the borders start from.
+fn middle(borders: &[Border]) -> Point {
+    let n = borders.len() as f64;
+    let mean = |i: usize| borders.iter().map(|b| b.origin().to_array()[i] / n).sum();
+    Point::from_finite(mean(0), mean(1))
+}
+
+impl<R: Real> Share<R> {
+    /// The parameter of the crossing, as the two numbers of its quotient, from the end that is inside if
+    /// `is_leaving`, else from the other.
+    fn ratio(&self, is_leaving: bool) -> Ratio {
+        let [w1, w2] = self.weights.map(R::get);
+        let (w1, w2, whole) = if self.whole.get().is_finite() {
+            (w1, w2, self.whole.get())
+        } else {
+            let [a1, a2, c] = self.raw.map(|x| 0.5 * x);
+            (c - a1, a2 - c, a2 - a1)
+        };
+        if is_leaving {
+            Ratio {
+                num: w1,
+                den: whole,
+            }
+        } else {
+            Ratio {
+                num: -w2,
+                den: -whole,
+            }
+        }
+    }
+}

@@ -1,0 +1,232 @@
+//! Sutherland–Hodgman as a renderer would call it: many polygons, one after the other, against one region.
+//!
+//! ```text
+//!   polygon ──► extent ──► beyond a border: Outside        no vertex is moved
+//!                    ├───► within all:      Inside         nor here
+//!                    └───► the borders that it crosses, one pass each, between two buffers
+//! ```
+//!
+//! 1. Against a window, the polygon's extent tells which borders it crosses. At any other border every
+//!    edge would be in → in: the pass would copy the list, and is left out. So is everything where the
+//!    polygon is beyond one border, as all edges would be out → out there.
+//! 2. The passes are those of [`SutherlandHodgman`], with the same step. A crossing lies between the ends of its edge,
+//!    so a border that the polygon does not cross is not crossed by anything that is cut from it either: the
+//!    vertices are the same, bit for bit.
+//! 3. The two lists stay where they are: after the first few polygons nothing is allocated.
+//!
+//! Against a convex polygon with oblique edges, a rounded crossing may need a pass that its polygon did not: there
+//! all passes are run, unless every vertex is inside.
+//!
+//! *Conventions*, *source*: as in [`SutherlandHodgman`]. *Degenerate*: whether what is left has an area is not
+//! asked here: [`Clipped::has_area`] does, for those who need to know.
+//!
+//! ```
+//! use clipscope::{algo::polygon::{Clipped, Clipper}, geom::{Polygon, Window}};
+//! let mut clipper = Clipper::new(&Window::new(-1.0, -1.0, 1.0, 1.0)?.into());
+//! let polygon = Polygon::new(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]])?;
+//! let clipped = clipper.clip(polygon.vertices());
+//! assert!(matches!(clipped, Clipped::Cut(_)) && clipped.has_area());
+//! assert_eq!(clipped.vertices().len(), 4);
+//! let corner = Polygon::new(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])?;
+//! assert_eq!(clipper.clip(corner.vertices()), Clipped::Inside(corner.vertices()));
+//! # Ok::<(), clipscope::geom::GeomError>(())
+//! ```
+
+use crate::geom::{Axis, Point};
+
+#[cfg(doc)]
+use super::SutherlandHodgman;
+use super::{
+    ClipRegion, Vertex,
+    border::{Border, Borders, Line},
+    ring,
+    step::{Clip, Happening, Right},
+};
+
+/// Clips polygons against one region.
+#[derive(Clone, Debug)]
+pub struct Clipper<V = Point> {
+    borders: Borders,
+    lists: [Vec<V>; 2],
+}
+
+/// What is left of a polygon, borrowed from it or from the clipper.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Clipped<'a, V = Point> {
+    /// Every vertex is inside or on the border: the polygon as it was given.
+    Inside(&'a [V]),
+    /// Some are, or edges pass through: one ring, not empty. It may have bridges without an area; or no area at
+    /// all, where the polygon only touches the region: in a point, along an edge, or around a corner.
+    Cut(&'a [V]),
+    /// Nothing of the polygon is in the region, not even on its border.
+    Outside,
+}
+
+impl<'a, V: Vertex> Clipped<'a, V> {
+    /// The ring; empty where nothing is left.
+    #[must_use]
+    pub const fn vertices(&self) -> &'a [V] {
+        match self {
+            Self::Inside(vertices) | Self::Cut(vertices) => vertices,
+            Self::Outside => &[],
+        }
+    }
+
+    /// Is there anything to fill? One more look at every vertex.
+    #[must_use]
+    pub fn has_area(&self) -> bool {
+        ring::has_area(self.vertices())
+    }
+}
+
+impl<V: Vertex> Clipper<V> {
+    /// With empty lists.
+    #[must_use]
+    pub fn new(region: &ClipRegion) -> Self {
+        Self {
+            borders: Borders::by::<Right>(region),
+            lists: [Vec::new(), Vec::new()],
+        }
+    }
+
+    /// What of `polygon` lies in the region. A ring of any shape; the last vertex is joined to the first.
+    #[inline]
+    pub fn clip<'a>(&'a mut self, polygon: &'a [V]) -> Clipped<'a, V> {
+        if self.borders.has_oblique() {
+            return self.clip_obliquely(polygon);
+        }
+        let extent = Extent::of(polygon);
+        let sides = || {
+            self.borders
+                .all()
+                .iter()
+                .map(|border| extent.side_of(border))
+        };
+        if sides().any(|side| side == Side::Outside) {
+            return Clipped::Outside;
+        }
+        if sides().all(|side| side == Side::Inside) {
+            return Clipped::Inside(polygon);
+        }
+        self.pass_all(polygon, |border| extent.side_of(border) == Side::Inside)
+    }
+
+    fn clip_obliquely<'a>(&'a mut self, polygon: &'a [V]) -> Clipped<'a, V> {
+        let is_inside = |border: &Border| {
+            let mut distances = polygon.iter().map(|v| border.distance::<f64>(v.at()));
+            distances.all(|d| d >= 0.0)
+        };
+        if polygon.is_empty() {
+            Clipped::Outside
+        } else if self.borders.all().iter().all(is_inside) {
+            Clipped::Inside(polygon)
+        } else {
+            self.pass_all(polygon, |_| false)
+        }
+    }
+
+    /// Clips against every border but those to be left out.
+    fn pass_all<'a>(
+        &'a mut self,
+        polygon: &[V],
+        is_left_out: impl Fn(&Border) -> bool,
+    ) -> Clipped<'a, V> {
+        let [list, output] = &mut self.lists;
+        let mut is_first = true;
+        for (idx, border) in self.borders.all().iter().enumerate() {
+            if is_left_out(border) {
+                continue;
+            }
+            let input = if is_first { polygon } else { &list[..] };
+            pass(&self.borders, idx, input, output);
+            std::mem::swap(list, output);
+            is_first = false;
+            if list.is_empty() {
+                return Clipped::Outside;
+            }
+        }
+        Clipped::Cut(list)
+    }
+}
+
+/// What is left of `input` behind one border. Only where the side changes is there a step to do: a run of vertices on
+/// one side is copied, or left out, as a whole.
+fn pass<V: Vertex>(borders: &Borders, idx: usize, input: &[V], output: &mut Vec<V>) {
+    let Some((&first, mut following)) = input.split_first() else {
+        return;
+    };
+    output.clear();
+    let mut clip = Clip::<V, f64>::begin::<Right>(borders, idx, first, &mut put_in(output));
+    loop {
+        let is_inside = clip.is_inside();
+        let (run, behind) = following.split_at(clip.run(following));
+        if is_inside {
+            output.extend_from_slice(run);
+        }
+        let Some((&vertex, rest)) = behind.split_first() else {
+            break;
+        };
+        clip.vertex::<Right>(vertex, &mut put_in(output));
+        following = rest;
+    }
+    clip.close::<Right>(&mut put_in(output));
+}
+
+#[inline]
+fn put_in<V>(output: &mut Vec<V>) -> impl FnMut(Happening<V>) {
+    |happening| {
+        if let Happening::Output(vertex) = happening {
+            output.push(vertex);
+        }
+    }
+}
+
+/// Where all of a polygon lies.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Side {
+    Inside,
+    Outside,
+    Both,
+}
+
+/// The smallest rectangle around a polygon.
+struct Extent {
+    min: [f64; 2],
+    max: [f64; 2],
+}
+
+impl Extent {
+    #[inline]
+    fn of<V: Vertex>(polygon: &[V]) -> Self {
+        let (mut min, mut max) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        for vertex in polygon {
+            let p = vertex.at().to_array();
+            for i in 0..2 {
+                min[i] = if p[i] < min[i] { p[i] } else { min[i] };
+                max[i] = if p[i] > max[i] { p[i] } else { max[i] };
+            }
+        }
+        Self { min, max }
+    }
+
+    /// Of an upright border. What has no vertex is outside.
+    #[inline]
+    fn side_of(&self, border: &Border) -> Side {
+        let Line::Upright { axis, c, is_max } = border.line() else {
+            return Side::Both;
+        };
+        let i = usize::from(axis == Axis::Y);
+        let (is_inside, is_outside) = if is_max {
+            (self.max[i] <= c, self.min[i] > c)
+        } else {
+            (self.min[i] >= c, self.max[i] < c)
+        };
+        if is_outside {
+            Side::Outside
+        } else if is_inside {
+            Side::Inside
+        } else {
+            Side::Both
+        }
+    }
+}

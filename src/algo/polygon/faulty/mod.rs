@@ -1,0 +1,129 @@
+//! **Wrong on purpose.** Sutherland–Hodgman with one mistake each, as they are found in lecture notes and in
+//! programs that students hand in: to be stepped beside the right one, on the student's own input.
+//!
+//! They run through the very same step with one rule changed ([`Rules`] says which can be), and report the same
+//! events, so that the first differing step is the first differing event. Only the lab's "what is wrong here?"
+//! knows this room: `tests/architecture.rs` holds the rest of the house to that.
+//!
+//! ```
+//! use clipscope::{algo::polygon::{faulty::{DropsOnBorder, Faulty}, SutherlandHodgman, SutherlandHodgmanInput}, geom::{Polygon, Window}, trace::silent};
+//! // One vertex on the left border: the mistake loses it.
+//! let region = Window::new(-1.0, -1.0, 1.0, 1.0)?.into();
+//! let polygon = Polygon::new(&[[0.0, 0.0], [-1.0, 0.5], [0.0, 0.5]])?;
+//! let input = SutherlandHodgmanInput::new(region, &polygon);
+//! assert_eq!(silent::<SutherlandHodgman>(&input).vertices.len(), 3);
+//! assert_eq!(silent::<Faulty<DropsOnBorder>>(&input).vertices.len(), 2);
+//! # Ok::<(), clipscope::geom::GeomError>(())
+//! ```
+
+use std::marker::PhantomData;
+
+use serde::{Deserialize, Serialize};
+
+use crate::{
+    geom::Point,
+    trace::{Algorithm, Real},
+};
+
+use super::{
+    ClippedRing, Share, SutherlandHodgmanEvent, SutherlandHodgmanInput, SutherlandHodgmanState,
+    Vertex,
+    step::Rules,
+    sutherland_hodgman::{clip_by, max_events},
+};
+
+/// Erratum E6: "inside" means a distance *greater* than 0, and an edge is cut only where the product of both
+/// distances is *less* than 0. A vertex on the border is neither: it is lost, and nothing stands in for it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct DropsOnBorder;
+
+impl Rules for DropsOnBorder {
+    const BORDER_IS_INSIDE: bool = false;
+}
+
+/// The edge from the last vertex to the first is forgotten: where it crosses the border, a crossing is missing,
+/// and a corner is cut off.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct LeavesOpen;
+
+impl Rules for LeavesOpen {
+    const CLOSES: bool = false;
+}
+
+/// The clip edges are walked clockwise, while what lies to their left is still taken for the inside: every
+/// half-plane is the wrong one, and of most polygons nothing is left.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct WalksClockwise;
+
+impl Rules for WalksClockwise {
+    const CLOCKWISE: bool = true;
+}
+
+/// A crossing is put out twice: as the end of one edge and again as the start of the next. The picture stays the
+/// same; the list grows at every clip edge, and its edges without length have no direction.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct CutsTwice;
+
+impl Rules for CutsTwice {
+    const COPIES: usize = 2;
+}
+
+/// Where an edge comes in, its end is put out before the crossing: the outline goes back and forth, and
+/// crosses itself.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct EndFirst;
+
+impl Rules for EndFirst {
+    const END_FIRST: bool = true;
+}
+
+/// Sutherland–Hodgman by the rules of `L`.
+#[derive(Clone, Copy, Debug)]
+pub struct Faulty<L, V = Point>(PhantomData<(L, V)>);
+
+impl<L: Rules, V: Vertex> Algorithm for Faulty<L, V> {
+    type Input = SutherlandHodgmanInput<V>;
+    type Output = ClippedRing<V>;
+    type Event = SutherlandHodgmanEvent<V>;
+    type State = SutherlandHodgmanState<V>;
+
+    fn run<R: Real>(input: &Self::Input, emit: impl FnMut(Self::Event)) -> Self::Output {
+        clip_by::<L, V, R>(input, emit)
+    }
+
+    fn start(input: &Self::Input) -> Self::State {
+        SutherlandHodgmanState::start(input)
+    }
+
+    fn apply(state: &mut Self::State, event: Self::Event) {
+        state.apply(event);
+    }
+
+    fn finish(state: &Self::State) -> Self::Output {
+        state.finish()
+    }
+
+    fn max_events(input: &Self::Input) -> usize {
+        max_events::<L>(input.vertices.len(), input.region.n_edges())
+    }
+}
+
+/// A textured vertex that is moved to the border and keeps its place in the texture, instead of a new vertex with
+/// a place of its own: the picture shifts and stretches as the polygon is cut.
+#[derive(Clone, Copy, PartialEq, Debug, Default, Serialize, Deserialize)]
+pub struct KeepsUv {
+    /// Where it is.
+    pub at: Point,
+    /// The place in the texture that is to appear there.
+    pub uv: [f64; 2],
+}
+
+impl Vertex for KeepsUv {
+    fn at(&self) -> Point {
+        self.at
+    }
+
+    fn crossing<R: Real>(&self, outside: &Self, at: Point, _: &Share<R>) -> Self {
+        Self { at, uv: outside.uv }
+    }
+}

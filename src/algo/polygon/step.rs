@@ -1,0 +1,256 @@
+//! One clipper against one border, vertex by vertex: what every form of Sutherland–Hodgman here is made of.
+//!
+//! ```text
+//!            border
+//!   outside    ┊    inside          from S, the vertex before, to P, this one:
+//!              ┊  S ──► P           in → in    P
+//!          P ◄─I─── S               in → out   I
+//!          S ──I──► P               out → in   I, then P
+//!   S ──► P    ┊                    out → out  nothing
+//! ```
+//!
+//! A clipper holds two vertices, the first one and the one before; nothing else. The first vertex follows no
+//! edge: it is put out if it is inside. When the last one has come, the edge that closes the ring leads back to
+//! the first: of it only a crossing is put out, for the first vertex already stands at the head of the list.
+//!
+//! An edge that only touches the border, with its inside end on it, has no crossing: that would be this end
+//! again, which the other rules put out already. So a crossing needs one end strictly inside.
+
+use serde::Serialize;
+
+use crate::trace::Real;
+
+use super::{
+    Vertex,
+    border::{Border, Borders, Crossing},
+};
+
+/// What becomes of the edge from S to P.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Rule {
+    /// Both inside: P is put out.
+    InIn,
+    /// It leaves: the crossing is put out.
+    InOut,
+    /// It comes in: the crossing, then P.
+    OutIn,
+    /// Both outside: nothing.
+    OutOut,
+}
+
+impl Rule {
+    /// All four, in the order of the paper's table.
+    pub const ALL: [Self; 4] = [Self::InIn, Self::InOut, Self::OutIn, Self::OutOut];
+
+    /// The rule for an edge between such ends.
+    #[inline]
+    const fn of(is_from_inside: bool, is_to_inside: bool) -> Self {
+        match (is_from_inside, is_to_inside) {
+            (true, true) => Self::InIn,
+            (true, false) => Self::InOut,
+            (false, true) => Self::OutIn,
+            (false, false) => Self::OutOut,
+        }
+    }
+
+    /// Does the edge end inside?
+    #[must_use]
+    pub const fn ends_inside(self) -> bool {
+        matches!(self, Self::InIn | Self::OutIn)
+    }
+
+    /// Has the edge one end on either side?
+    #[must_use]
+    pub const fn changes_side(self) -> bool {
+        matches!(self, Self::InOut | Self::OutIn)
+    }
+}
+
+/// What may be got wrong. The values given here are right; [`super::faulty`] has the others. Known at compile
+/// time, so that the right clipper pays nothing for them.
+pub trait Rules: Copy {
+    /// Is a vertex on the border inside?
+    const BORDER_IS_INSIDE: bool = true;
+    /// Is the edge from the last vertex to the first one clipped too?
+    const CLOSES: bool = true;
+    /// How many times a crossing is put out.
+    const COPIES: usize = 1;
+    /// Does P come before the crossing where an edge comes in?
+    const END_FIRST: bool = false;
+    /// Are the clip edges walked clockwise, with the inside still to their left?
+    const CLOCKWISE: bool = false;
+}
+
+/// As Sutherland and Hodgman have it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Right;
+
+impl Rules for Right {}
+
+/// What a clipper does, in order.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Happening<V> {
+    First {
+        at: V,
+        distance: f64,
+        inside: bool,
+    },
+    Test {
+        ends: [V; 2],
+        distances: [f64; 2],
+        rule: Rule,
+    },
+    Cross(Crossing<V>),
+    Output(V),
+}
+
+/// A vertex whose distance from the border has been found.
+#[derive(Clone, Copy, Debug)]
+struct Known<V, R> {
+    vertex: V,
+    distance: R,
+    inside: bool,
+}
+
+impl<V: Vertex, R: Real> Known<V, R> {
+    #[inline]
+    fn find<L: Rules>(border: &Border, vertex: V) -> Self {
+        let distance = border.distance::<R>(vertex.at());
+        let zero = R::new(0.0);
+        let inside = if L::BORDER_IS_INSIDE {
+            distance >= zero
+        } else {
+            distance > zero
+        };
+        Self {
+            vertex,
+            distance,
+            inside,
+        }
+    }
+}
+
+/// A clipper against border `idx`, with what it remembers.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Clip<'a, V, R> {
+    borders: &'a Borders,
+    idx: usize,
+    first: Known<V, R>,
+    previous: Known<V, R>,
+}
+
+impl<'a, V: Vertex, R: Real> Clip<'a, V, R> {
+    /// Takes the first vertex.
+    #[inline]
+    pub fn begin<L: Rules>(
+        borders: &'a Borders,
+        idx: usize,
+        vertex: V,
+        tell: &mut impl FnMut(Happening<V>),
+    ) -> Self {
+        let first = Known::<V, R>::find::<L>(&borders.all()[idx], vertex);
+        tell(Happening::First {
+            at: vertex,
+            distance: first.distance.get(),
+            inside: first.inside,
+        });
+        if first.inside {
+            tell(Happening::Output(vertex));
+        }
+        Self {
+            borders,
+            idx,
+            first,
+            previous: first,
+        }
+    }
+
+    /// Takes the next vertex.
+    #[inline]
+    pub fn vertex<L: Rules>(&mut self, vertex: V, tell: &mut impl FnMut(Happening<V>)) {
+        let p = Known::find::<L>(&self.borders.all()[self.idx], vertex);
+        let (rule, crossing) = self.edge([self.previous, p], tell);
+        let end = rule.ends_inside().then_some(vertex);
+        if L::END_FIRST {
+            put_out(end, 1, tell);
+            put_out(crossing, L::COPIES, tell);
+        } else {
+            put_out(crossing, L::COPIES, tell);
+            put_out(end, 1, tell);
+        }
+        self.previous = p;
+    }
+
+    /// Takes all vertices up to the first on the other side, and returns how many: to a clipper they are all the
+    /// same rule, in → in or out → out. By the right rules only.
+    #[inline]
+    pub fn run(&mut self, vertices: &[V]) -> usize {
+        let n = self.borders.all()[self.idx].run(vertices, self.previous.inside);
+        if let Some(i) = n.checked_sub(1) {
+            self.previous = Known::find::<Right>(&self.borders.all()[self.idx], vertices[i]);
+        }
+        n
+    }
+
+    /// Is the vertex before the next one inside?
+    #[inline]
+    pub const fn is_inside(&self) -> bool {
+        self.previous.inside
+    }
+
+    /// Closes the ring.
+    #[inline]
+    pub fn close<L: Rules>(&self, tell: &mut impl FnMut(Happening<V>)) {
+        if L::CLOSES {
+            let (_, crossing) = self.edge([self.previous, self.first], tell);
+            put_out(crossing, L::COPIES, tell);
+        }
+    }
+
+    /// Which rule the edge from S to P falls under, and where it crosses.
+    #[inline]
+    fn edge(
+        &self,
+        [s, p]: [Known<V, R>; 2],
+        tell: &mut impl FnMut(Happening<V>),
+    ) -> (Rule, Option<V>) {
+        let rule = Rule::of(s.inside, p.inside);
+        let distances = [s.distance, p.distance];
+        tell(Happening::Test {
+            ends: [s.vertex, p.vertex],
+            distances: distances.map(R::get),
+            rule,
+        });
+        let crossing = if rule.changes_side() && crosses(distances) {
+            let ends = [&s.vertex, &p.vertex];
+            self.borders.crossing(self.idx, ends, distances)
+        } else {
+            None
+        };
+        if let Some(crossing) = crossing {
+            tell(Happening::Cross(crossing));
+        }
+        (rule, crossing.map(|crossing| crossing.at))
+    }
+}
+
+/// Has it an end strictly on either side? One of the ends is outside.
+#[inline]
+fn crosses<R: Real>([d1, d2]: [R; 2]) -> bool {
+    let zero = R::new(0.0);
+    if d1 > zero {
+        d2 < zero
+    } else {
+        d1 < zero && d2 > zero
+    }
+}
+
+#[inline]
+fn put_out<V: Copy>(vertex: Option<V>, copies: usize, tell: &mut impl FnMut(Happening<V>)) {
+    if let Some(vertex) = vertex {
+        for _ in 0..copies {
+            tell(Happening::Output(vertex));
+        }
+    }
+}

@@ -1,0 +1,74 @@
+//! What a polygon is made of: a point, and whatever travels with it.
+
+use serde::{Deserialize, Serialize};
+
+use crate::{geom::Point, trace::Real};
+
+use super::super::line::crossing::{clamp_between, weighted_mean};
+
+/// A corner of a polygon that can be cut: a position, and attributes that a crossing interpolates.
+pub trait Vertex: Copy + PartialEq {
+    /// Where it is.
+    fn at(&self) -> Point;
+
+    /// The vertex at `at`, where the edge from `self`, which is inside, to `outside` crosses a border.
+    /// Everything but the position is to be mixed by `share`.
+    #[must_use]
+    fn crossing<R: Real>(&self, outside: &Self, at: Point, share: &Share<R>) -> Self;
+}
+
+impl Vertex for Point {
+    #[inline]
+    fn at(&self) -> Point {
+        *self
+    }
+
+    #[inline]
+    fn crossing<R: Real>(&self, _: &Self, at: Point, _: &Share<R>) -> Self {
+        at
+    }
+}
+
+/// A point with texture coordinates.
+#[derive(Clone, Copy, PartialEq, Debug, Default, Serialize, Deserialize)]
+pub struct Textured {
+    /// Where it is.
+    pub at: Point,
+    /// The place in the texture that is to appear there. It need not be finite; it only travels along.
+    pub uv: [f64; 2],
+}
+
+impl Vertex for Textured {
+    #[inline]
+    fn at(&self) -> Point {
+        self.at
+    }
+
+    #[inline]
+    fn crossing<R: Real>(&self, outside: &Self, at: Point, share: &Share<R>) -> Self {
+        let [u, v] = [0, 1].map(|i| share.mean(self.uv[i], outside.uv[i]));
+        Self { at, uv: [u, v] }
+    }
+}
+
+/// How much each end of an edge has in its crossing with a border, as the distances that it follows from:
+/// the crossing is the mean of both ends, each weighted by the *other* end's distance.
+#[derive(Clone, Copy, Debug)]
+pub struct Share<R> {
+    /// Distances of inside and outside end along the edge's direction, and their sum.
+    pub(super) weights: [R; 2],
+    pub(super) whole: R,
+    /// Three numbers whose differences these are, in case they overflow.
+    pub(super) raw: [f64; 3],
+}
+
+impl<R: Real> Share<R> {
+    /// The value at the crossing of what is `inside` at the inside end and `outside` at the other, and
+    /// between the two, whatever rounding does.
+    #[inline]
+    pub fn mean(&self, inside: f64, outside: f64) -> f64 {
+        let ends = [inside, outside].map(R::new);
+        let mean = weighted_mean(ends, self.weights, self.whole, self.raw);
+        clamp_between(mean, ends[0], ends[1]).get()
+    }
+}

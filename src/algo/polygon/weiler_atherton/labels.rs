@@ -1,0 +1,167 @@
+//! Entering or leaving? What the subject does at each intersection, from the four edges that meet there.
+//!
+//! ```text
+//!     before ╲     ╱ after        The two edges of the subject as rays, by the corner of the clip polygon: each
+//!             ╲   ╱               goes inside, outside, along one of its edges in the same direction, or
+//!    clip ─────╲●╱───── clip      against it.
+//!
+//!    inside for the walk = inside, or along;   outside for the walk = outside, or against.
+//! ```
+//!
+//! Where both borders run the same way, both interiors lie to the left: there the shared edge bounds the result,
+//! and the subject's copy of it is walked. Where they run against each other the interiors lie on either side,
+//! and it bounds nothing. So the label of each intersection is decided on the spot; Foster, Hormann and Popa
+//! carry undecided ones along a shared chain to its end ("delayed crossing", "delayed bouncing").
+
+use serde::Serialize;
+
+use crate::{
+    geom::{Point, Rings},
+    trace::Real,
+};
+
+use super::{
+    WeilerAthertonEvent as Event,
+    lists::{Lists, Node},
+    meeting::Contact,
+    predicate::{Ray, ray},
+};
+
+/// Where an edge runs, by the other polygon, close to an intersection.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Side {
+    /// Through the interior.
+    Inside,
+    /// Through the outside.
+    Outside,
+    /// Along the other border in the same direction.
+    Along,
+    /// Along the other border in the opposite direction.
+    Against,
+}
+
+/// What happens to the walk at an intersection.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Label {
+    /// The subject goes from outside to inside: from here the result follows the subject.
+    Entering,
+    /// The subject goes from inside to outside: from here the result follows the clip polygon.
+    Leaving,
+    /// The subject stays inside, or outside: the walk goes on in its list.
+    Touching,
+    /// Both borders pass through the inside of the other and touch: two corners of the result meet here, and
+    /// the walk changes lists so that each piece keeps to its own.
+    Pinching,
+}
+
+/// An intersection's label and what it comes from.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Labelled {
+    /// For the walk.
+    pub label: Label,
+    /// The subject's edges before and after.
+    pub subject: [Side; 2],
+    /// The clip polygon's edges before and after.
+    pub clip: [Side; 2],
+}
+
+impl Labelled {
+    /// Does the subject run along an edge of the clip polygon here, in the same direction?
+    #[must_use]
+    pub fn shares_an_edge(&self) -> bool {
+        self.subject.contains(&Side::Along)
+    }
+}
+
+/// Labels every intersection, in the order of the subject's list.
+pub fn label<R: Real>(
+    subject: &Rings,
+    clip: &Rings,
+    lists: &Lists,
+    emit: &mut impl FnMut(Event),
+) -> Vec<Labelled> {
+    let nodes = lists.nodes.iter().enumerate();
+    nodes
+        .map(|(node_idx, node)| {
+            let labelled = of_node::<R>(subject, clip, node);
+            let Labelled {
+                label,
+                subject: [before, after],
+                ..
+            } = labelled;
+            emit(Event::Labelled {
+                node_idx: node_idx as u32,
+                label,
+                before,
+                after,
+            });
+            labelled
+        })
+        .collect()
+}
+
+fn of_node<R: Real>(subject: &Rings, clip: &Rings, node: &Node) -> Labelled {
+    if node.meeting.contact == Contact::Crossing {
+        let (inwards, outwards) = ([Side::Outside, Side::Inside], [Side::Inside, Side::Outside]);
+        // The subject comes from the right of the clip edge, so the clip polygon comes from its left.
+        return if node.meeting.from_right {
+            Labelled {
+                label: Label::Entering,
+                subject: inwards,
+                clip: outwards,
+            }
+        } else {
+            Labelled {
+                label: Label::Leaving,
+                subject: outwards,
+                clip: inwards,
+            }
+        };
+    }
+    let [at_subject_vertex, at_clip_vertex] = node.meeting.contact.at_vertex();
+    let [s, c] = [
+        corner(subject, node.edges[0], at_subject_vertex, node.meeting.at),
+        corner(clip, node.edges[1], at_clip_vertex, node.meeting.at),
+    ];
+    let [subject, clip] = [sides::<R>(s, c), sides::<R>(c, s)];
+    let label = match (subject.map(bounds_the_result), clip) {
+        ([false, true], _) => Label::Entering,
+        ([true, false], _) => Label::Leaving,
+        ([true, true], [Side::Inside, Side::Inside]) => Label::Pinching,
+        _ => Label::Touching,
+    };
+    Labelled {
+        label,
+        subject,
+        clip,
+    }
+}
+
+/// Of the subject's edges. Of the clip polygon's only those inside do.
+pub const fn bounds_the_result(side: Side) -> bool {
+    matches!(side, Side::Inside | Side::Along)
+}
+
+/// A point of a border, with the vertices before and after it.
+fn corner(rings: &Rings, edge_idx: u32, at_vertex: bool, at: Point) -> [Point; 3] {
+    let edge_idx = edge_idx as usize;
+    let [from, to] = rings.edge(edge_idx);
+    if at_vertex {
+        [rings.points()[rings.previous(edge_idx)], from, to]
+    } else {
+        [from, at, to]
+    }
+}
+
+/// Both edges of a border at a corner, by the other border's corner.
+fn sides<R: Real>([before, _, after]: [Point; 3], other: [Point; 3]) -> [Side; 2] {
+    let side = |to, back: bool| match (ray::<R>(other, to), back) {
+        (Ray::Inside, _) => Side::Inside,
+        (Ray::Outside, _) => Side::Outside,
+        (Ray::OnNext, false) | (Ray::OnPrevious, true) => Side::Along,
+        (Ray::OnNext, true) | (Ray::OnPrevious, false) => Side::Against,
+    };
+    [side(before, true), side(after, false)]
+}

@@ -1,0 +1,274 @@
+//! The two vertex lists: each polygon's vertices in order, with the intersections put in where they lie.
+//!
+//! ```text
+//!   subject   S₀ ─ I₀ ─ S₁ ─ S₂ ─ I₁ ─ I₂ ─ …        an intersection stands in both lists, once in each
+//!                  │              │    │
+//!   clip      C₀ ──┼──── C₁ ── I₂┄┼┄┄┄┄┘ …
+//! ```
+//!
+//! The order of several intersections along one edge is exact: it comes from the sides on which given vertices
+//! lie, never from computed parameters. Two edges of one simple polygon do not cross, so one of them lies on one
+//! side of the other's line; then so does its crossing, and the edge's own ends tell which side comes first.
+
+use std::cmp::Ordering;
+
+use crate::{
+    geom::{Point, Rings, lexicographic},
+    trace::Real,
+};
+
+use super::{
+    List, WeilerAthertonEvent as Event,
+    grid::Grid,
+    meeting::{Meeting, meetings},
+    predicate::side,
+};
+
+/// No vertex, or no intersection, here.
+pub const NONE: u32 = u32::MAX;
+
+/// A place in a list.
+#[derive(Clone, Copy, Debug)]
+pub struct Entry {
+    /// The polygon's own vertex.
+    pub vertex: u32,
+    /// An intersection.
+    pub node: u32,
+    /// The entry after this one, in its ring.
+    pub next: u32,
+}
+
+/// An intersection, which is an entry in each list.
+#[derive(Clone, Copy, Debug)]
+pub struct Node {
+    /// Where, and how both borders meet there.
+    pub meeting: Meeting,
+    /// The edges that own it, of the subject and of the clip polygon.
+    pub edges: [u32; 2],
+    /// Its places in the two lists.
+    pub places: [u32; 2],
+}
+
+/// Both lists and what links them.
+pub struct Lists {
+    /// In the order of the subject's border.
+    pub nodes: Vec<Node>,
+    /// The subject's entries, then the clip polygon's.
+    pub entries: [Vec<Entry>; 2],
+    /// Of each list and ring the first entry; and the number of entries at the end.
+    pub starts: [Vec<u32>; 2],
+}
+
+impl Lists {
+    /// Finds every intersection and builds both lists.
+    pub fn build<R: Real>(subject: &Rings, clip: &Rings, emit: &mut impl FnMut(Event)) -> Self {
+        let mut lists = Self {
+            nodes: Vec::new(),
+            entries: [subject, clip].map(|rings| Vec::with_capacity(2 * rings.points().len())),
+            starts: [vec![0], vec![0]],
+        };
+        lists.find::<R>(subject, clip, emit);
+        lists.insert::<R>(subject, clip, emit);
+        lists
+    }
+
+    /// The subject's list, edge by edge, with the intersections found on each.
+    fn find<R: Real>(&mut self, subject: &Rings, clip: &Rings, emit: &mut impl FnMut(Event)) {
+        let mut grid = Grid::new(subject, clip);
+        let mut found: Vec<(u32, Meeting)> = Vec::new();
+        for ring_idx in 0..subject.n_rings() {
+            let [start, end] = subject.bounds(ring_idx);
+            for edge_idx in start..end {
+                let edge = subject.edge(edge_idx);
+                self.push_vertex(List::Subject, edge_idx, edge[0], emit);
+                grid.candidates(edge_idx, edge, |clip_edge| {
+                    let both = meetings::<R>(edge, clip.edge(clip_edge));
+                    found.extend(both.into_iter().flatten().map(|m| (clip_edge as u32, m)));
+                });
+                sort_along::<R, _>(edge, &mut found, |&(clip_edge, meeting)| On {
+                    at_vertex: meeting.contact.at_vertex(),
+                    at: meeting.at,
+                    other: clip.edge(clip_edge as usize),
+                });
+                for (clip_edge, meeting) in found.drain(..) {
+                    let node_idx = self.nodes.len() as u32;
+                    let place =
+                        self.push_node(List::Subject, node_idx, meeting.contact.at_vertex()[0]);
+                    self.nodes.push(Node {
+                        meeting,
+                        edges: [edge_idx as u32, clip_edge],
+                        places: [place, NONE],
+                    });
+                    let Meeting {
+                        contact, at, t, u, ..
+                    } = meeting;
+                    emit(Event::Found {
+                        node_idx,
+                        edges: [edge_idx as u32, clip_edge],
+                        contact,
+                        at,
+                        t,
+                        u,
+                    });
+                }
+            }
+            self.close_ring(List::Subject);
+        }
+    }
+
+    /// The clip polygon's list, with the same intersections.
+    fn insert<R: Real>(&mut self, subject: &Rings, clip: &Rings, emit: &mut impl FnMut(Event)) {
+        // By clip edge: counted, then dealt out.
+        let n_edges = clip.points().len();
+        let mut starts = vec![0_u32; n_edges + 2];
+        for node in &self.nodes {
+            starts[node.edges[1] as usize + 2] += 1;
+        }
+        for edge_idx in 2..starts.len() {
+            starts[edge_idx] += starts[edge_idx - 1];
+        }
+        let mut by_edge = vec![0_u32; self.nodes.len()];
+        for (node_idx, node) in self.nodes.iter().enumerate() {
+            let place = &mut starts[node.edges[1] as usize + 1];
+            by_edge[*place as usize] = node_idx as u32;
+            *place += 1;
+        }
+        for edge_idx in 0..n_edges {
+            let edge = clip.edge(edge_idx);
+            self.push_vertex(List::Clip, edge_idx, edge[0], emit);
+            let [start, end] = [starts[edge_idx], starts[edge_idx + 1]].map(|i| i as usize);
+            let nodes = &self.nodes;
+            sort_along::<R, _>(edge, &mut by_edge[start..end], |&node_idx| {
+                let node = &nodes[node_idx as usize];
+                let [subject_vertex, clip_vertex] = node.meeting.contact.at_vertex();
+                On {
+                    at_vertex: [clip_vertex, subject_vertex],
+                    at: node.meeting.at,
+                    other: subject.edge(node.edges[0] as usize),
+                }
+            });
+            for &node_idx in &by_edge[start..end] {
+                let Meeting { contact, at, .. } = self.nodes[node_idx as usize].meeting;
+                let at_vertex = contact.at_vertex()[1];
+                let place = self.push_node(List::Clip, node_idx, at_vertex);
+                self.nodes[node_idx as usize].places[1] = place;
+                emit(Event::Inserted {
+                    node_idx,
+                    at,
+                    at_vertex,
+                });
+            }
+        }
+        self.close_ring(List::Clip);
+    }
+
+    fn push_vertex(
+        &mut self,
+        list: List,
+        vertex_idx: usize,
+        at: Point,
+        emit: &mut impl FnMut(Event),
+    ) {
+        let entries = &mut self.entries[list.idx()];
+        let (vertex, next) = (vertex_idx as u32, entries.len() as u32 + 1);
+        entries.push(Entry {
+            vertex,
+            node: NONE,
+            next,
+        });
+        emit(Event::Vertex {
+            list,
+            vertex_idx: vertex,
+            at,
+        });
+    }
+
+    /// An entry of its own, or the last vertex's.
+    fn push_node(&mut self, list: List, node: u32, at_vertex: bool) -> u32 {
+        let entries = &mut self.entries[list.idx()];
+        match entries.last_mut() {
+            Some(entry) if at_vertex => entry.node = node,
+            _ => {
+                let next = entries.len() as u32 + 1;
+                entries.push(Entry {
+                    vertex: NONE,
+                    node,
+                    next,
+                });
+            }
+        }
+        entries.len() as u32 - 1
+    }
+
+    /// The last entry leads back to the ring's first.
+    fn close_ring(&mut self, list: List) {
+        let (entries, starts) = (&mut self.entries[list.idx()], &mut self.starts[list.idx()]);
+        let first = starts.last().copied().unwrap_or(0);
+        if let Some(last) = entries.last_mut() {
+            last.next = first;
+        }
+        starts.push(entries.len() as u32);
+    }
+}
+
+/// An intersection as one of the two edges sees it.
+struct On {
+    /// Is it a vertex of this polygon, of the other one?
+    at_vertex: [bool; 2],
+    at: Point,
+    /// The other polygon's edge; where it is a vertex of that polygon, `other[0]` is it.
+    other: [Point; 2],
+}
+
+/// Sorts intersections of one edge from its first end to its last, exactly.
+#[inline]
+fn sort_along<R: Real, T>(edge: [Point; 2], items: &mut [T], on: impl Fn(&T) -> On) {
+    if items.len() > 1 {
+        items.sort_unstable_by(|x, y| compare::<R>(edge, &on(x), &on(y)));
+    }
+}
+
+fn compare<R: Real>([from, to]: [Point; 2], x: &On, y: &On) -> Ordering {
+    // Is `p` on the side of the line that the edge comes from? None on the line itself.
+    let is_before = |[a, b]: [Point; 2], p: Point| {
+        let [p, from]: [R; 2] = [p, from].map(|point| side(a, b, point));
+        let zero = R::new(0.0);
+        (p != zero).then(|| (p > zero) == (from > zero))
+    };
+    let order = |before: bool| {
+        if before {
+            Ordering::Less
+        } else {
+            Ordering::Greater
+        }
+    };
+    match (x.at_vertex, y.at_vertex) {
+        // The edge's own first end comes first.
+        ([true, _], _) => Ordering::Less,
+        (_, [true, _]) => Ordering::Greater,
+        // Both are given points of one line.
+        ([_, true], [_, true]) => {
+            let order = lexicographic(x.at, y.at);
+            if lexicographic(from, to) == Ordering::Less {
+                order
+            } else {
+                order.reverse()
+            }
+        }
+        ([_, true], _) => is_before(y.other, x.at).map_or(Ordering::Equal, order),
+        (_, [_, true]) => is_before(x.other, y.at).map_or(Ordering::Equal, |before| order(!before)),
+        // Where the edge of x lies on one side of that of y, its crossing lies there too; otherwise the other
+        // way round.
+        _ => {
+            let one_side = |a: &On, b: &On| {
+                let [p, q] = a.other.map(|p| is_before(b.other, p));
+                match (p, q) {
+                    (Some(p), Some(q)) => (p == q).then_some(p),
+                    (p, q) => p.or(q),
+                }
+            };
+            let before = one_side(x, y).or_else(|| one_side(y, x).map(|before| !before));
+            before.map_or(Ordering::Equal, order)
+        }
+    }
+}

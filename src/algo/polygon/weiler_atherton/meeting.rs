@@ -1,0 +1,220 @@
+//! Where an edge of the subject and an edge of the clip polygon meet.
+//!
+//! ```text
+//!        c₂              a₁, a₂   of both ends of the subject's edge from the clip edge's line
+//!         ╲ ← a₁ →  ● s₁ b₁, b₂   of both ends of the clip edge from the subject edge's line
+//!          ╲     ╱
+//!           × ─ ╱        crossing where a₁ and a₂ differ in sign, and b₁ and b₂ too:
+//!          ╱ ╲           t = a₁ / (a₁ − a₂) along the subject, u = b₁ / (b₁ − b₂) along the clip polygon
+//!      s₂ ●   ╲ c₁
+//! ```
+//!
+//! Edges are half open: an edge owns its first end and not its last. So every common point of the two borders
+//! that is a crossing or a vertex belongs to exactly one pair of edges.
+
+use std::cmp::Ordering;
+
+use serde::Serialize;
+
+use crate::{
+    algo::line::Ratio,
+    geom::{Point, lexicographic},
+    trace::Real,
+};
+
+use super::predicate::side;
+
+/// How two edges meet: Foster, Hormann and Popa's X, T and V.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Contact {
+    /// Both within (X).
+    Crossing,
+    /// A vertex of the subject within an edge of the clip polygon (T).
+    SubjectVertex,
+    /// A vertex of the clip polygon within an edge of the subject (T).
+    ClipVertex,
+    /// A vertex of both (V).
+    BothVertices,
+}
+
+impl Contact {
+    /// Is it a vertex of the subject, or of the clip polygon, in this order?
+    #[must_use]
+    pub const fn at_vertex(self) -> [bool; 2] {
+        match self {
+            Self::Crossing => [false, false],
+            Self::SubjectVertex => [true, false],
+            Self::ClipVertex => [false, true],
+            Self::BothVertices => [true, true],
+        }
+    }
+}
+
+/// A point that both edges own.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Meeting {
+    /// Vertex or crossing.
+    pub contact: Contact,
+    /// A vertex as given; a crossing rounded, within the boxes of both edges.
+    pub at: Point,
+    /// Along the subject's edge.
+    pub t: Ratio,
+    /// Along the edge of the clip polygon.
+    pub u: Ratio,
+    /// Does the subject come from the right of the clip edge? Of crossings only.
+    pub from_right: bool,
+}
+
+/// All that two edges own together: where they overlap the other way round it may be two points.
+#[inline]
+pub fn meetings<R: Real>(s: [Point; 2], c: [Point; 2]) -> [Option<Meeting>; 2] {
+    let zero = R::new(0.0);
+    let a: [R; 2] = s.map(|p| side(c[0], c[1], p));
+    if a[0] > zero && a[1] > zero || a[0] < zero && a[1] < zero {
+        return [None; 2];
+    }
+    let b: [R; 2] = c.map(|p| side(s[0], s[1], p));
+    if b[0] > zero && b[1] > zero || b[0] < zero && b[1] < zero {
+        return [None; 2];
+    }
+    if a == [zero; 2] {
+        return overlap(s, c);
+    }
+    // Not parallel from here on: one common point at most.
+    let contact = match (a.map(|d| d == zero), b.map(|d| d == zero)) {
+        // The last end belongs to the next edge.
+        ([_, true], _) | (_, [_, true]) => return [None; 2],
+        ([true, _], [true, _]) => Contact::BothVertices,
+        ([true, _], _) => Contact::SubjectVertex,
+        (_, [true, _]) => Contact::ClipVertex,
+        _ => Contact::Crossing,
+    };
+    let ratio = |[d1, d2]: [R; 2]| Ratio {
+        num: d1.get() + 0.0,
+        den: (d1 - d2).get(),
+    };
+    let at = match contact {
+        Contact::Crossing => crossing(s, a, c, b),
+        Contact::ClipVertex => c[0],
+        Contact::SubjectVertex | Contact::BothVertices => s[0],
+    };
+    let meeting = Meeting {
+        contact,
+        at,
+        t: ratio(a),
+        u: ratio(b),
+        from_right: a[0] < zero,
+    };
+    [Some(meeting), None]
+}
+
+/// Edges on one line: the first end of either may lie on the other.
+#[cold]
+fn overlap(s: [Point; 2], c: [Point; 2]) -> [Option<Meeting>; 2] {
+    let meeting = |contact, at| {
+        let [t, u] = [s, c].map(|edge| along(edge, at));
+        Meeting {
+            contact,
+            at,
+            t,
+            u,
+            from_right: false,
+        }
+    };
+    let within = |p: Point, [from, to]: [Point; 2]| {
+        let [a, b] = [lexicographic(from, p), lexicographic(p, to)];
+        a == b && a != Ordering::Equal
+    };
+    if s[0] == c[0] {
+        return [Some(meeting(Contact::BothVertices, s[0])), None];
+    }
+    let at_subject = within(s[0], c).then(|| meeting(Contact::SubjectVertex, s[0]));
+    let at_clip = within(c[0], s).then(|| meeting(Contact::ClipVertex, c[0]));
+    [at_subject, at_clip]
+}
+
+/// The parameter of a point of an edge, by the axis along which the edge is longer.
+fn along([from, to]: [Point; 2], at: Point) -> Ratio {
+    let [from, to, at] = [from, to, at].map(|p| p.to_array().map(|x| 0.5 * x));
+    let [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+    let axis = usize::from(dy.abs() > dx.abs());
+    Ratio {
+        num: 2.0 * (at[axis] - from[axis]),
+        den: 2.0 * [dx, dy][axis],
+    }
+}
+
+/// The common point of two edges that cross: the weighted mean of the ends of one of them.
+///
+/// ```text
+///   (s₁·|a₂| + s₂·|a₁|) / (|a₁| + |a₂|)
+/// ```
+///
+/// The first of both edges, in lexicographic order, is the one: so neither the direction of either nor which
+/// polygon is called the subject changes a bit. Where products and sums are exact, the division's one rounding
+/// makes it the correctly rounded true point. It is kept within the boxes of both.
+fn crossing<R: Real>(s: [Point; 2], a: [R; 2], c: [Point; 2], b: [R; 2]) -> Point {
+    let ordered = |[p, q]: [Point; 2]| {
+        if lexicographic(p, q) == Ordering::Less {
+            [p.to_array(), q.to_array()]
+        } else {
+            [q.to_array(), p.to_array()]
+        }
+    };
+    let (ends, sides) = if ordered(s) <= ordered(c) {
+        (s, a)
+    } else {
+        (c, b)
+    };
+    let negative = sides[0].get() < 0.0;
+    let [w1, w2] = sides.map(|d| if (d.get() < 0.0) == negative { d } else { -d });
+    let [w1, w2] = if negative { [-w1, -w2] } else { [w1, w2] };
+    debug_assert!(
+        w1.get() > 0.0 && w2.get() > 0.0,
+        "{w1:?} {w2:?}",
+        w1 = w1.get(),
+        w2 = w2.get()
+    );
+    let whole = w1 + w2;
+    let mean = |axis: fn(Point) -> f64| {
+        let [o1, o2] = ends.map(|p| R::new(axis(p)));
+        let largest = o1.get().abs().max(o2.get().abs());
+        let mean = if largest == 0.0 {
+            0.0
+        } else if PLAIN.contains(&whole.get()) && PLAIN.contains(&(largest * whole.get())) {
+            ((o1 * w2 + o2 * w1) / whole).get()
+        } else {
+            scaled_mean(ends, if ends == s { c } else { s }, axis)
+        };
+        // Rounding may have put it beyond an end.
+        let [s, c] = [s, c].map(|edge| edge.map(axis));
+        let low = s[0].min(s[1]).max(c[0].min(c[1]));
+        let high = s[0].max(s[1]).min(c[0].max(c[1]));
+        mean.max(low).min(high)
+    };
+    Point::from_finite(mean(Point::x), mean(Point::y))
+}
+
+/// Weights and products in this range keep all their bits.
+const PLAIN: std::ops::RangeInclusive<f64> = 1e-270..=1e270;
+
+/// [`crossing`]'s mean where its weights leave the range of f64: once more, with all coordinates scaled by a power
+/// of two. NaN where even that does not help.
+#[cold]
+fn scaled_mean(ends: [Point; 2], other: [Point; 2], axis: fn(Point) -> f64) -> f64 {
+    let all = [ends, other].map(|edge| edge.map(Point::to_array));
+    let numbers = all.as_flattened().as_flattened();
+    let largest = numbers.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+    let exponent = (largest.to_bits() >> 52) as i32 - 1023;
+    // In two steps, as 2^1074 is no f64.
+    let down = |x: f64| x * 2f64.powi(-exponent / 2) * 2f64.powi(-exponent - -exponent / 2);
+    let coord = |p: Point| robust::Coord {
+        x: down(p.x()),
+        y: down(p.y()),
+    };
+    let [c1, c2] = other.map(coord);
+    let [w1, w2] = ends.map(|p| robust::orient2d(c1, c2, coord(p)).abs());
+    let [t1, t2] = [w1, w2].map(|w| w / (w1 + w2));
+    axis(ends[0]) * t2 + axis(ends[1]) * t1
+}

@@ -1,0 +1,126 @@
+//! What the walks leave: rings, and the pieces that they make.
+
+use serde::Serialize;
+
+use crate::geom::{Location, Point, locate};
+
+use super::Piece;
+
+/// What a closed ring is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum RingKind {
+    /// Around a piece, counter-clockwise.
+    Outer,
+    /// Around a hole in one, clockwise: a whole ring of the subject, as the clip polygon has no holes.
+    Hole,
+    /// Around a piece so thin that its corners, rounded, have no area left. Not a polygon; left out.
+    Sliver,
+}
+
+/// A closed ring. Consecutive corners may have been rounded to the same point.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Ring {
+    /// Its corners.
+    pub points: Vec<Point>,
+    /// What it is.
+    pub kind: RingKind,
+}
+
+/// Is the area of a ring, as its corners are, positive?
+pub fn has_area(ring: &[Point]) -> bool {
+    let Some(&origin) = ring.first() else {
+        return false;
+    };
+    let doubled = |scale: f64| {
+        let at = |p: Point| {
+            [
+                p.x() * scale - origin.x() * scale,
+                p.y() * scale - origin.y() * scale,
+            ]
+        };
+        let pairs = ring.iter().zip(ring.iter().skip(1));
+        pairs
+            .map(|(&p, &q)| {
+                let ([px, py], [qx, qy]) = (at(p), at(q));
+                px * qy - py * qx
+            })
+            .sum::<f64>()
+    };
+    let area = doubled(1.0);
+    if area.is_finite() && area.abs() > 2f64.powi(-900) {
+        return area > 0.0;
+    }
+    // Where products overflow or vanish, all is scaled by a power of two.
+    let largest = ring
+        .iter()
+        .flat_map(|p| p.to_array())
+        .fold(0.0, |m: f64, x| m.max(x.abs()));
+    doubled(if largest > 1.0 {
+        2f64.powi(-530)
+    } else {
+        2f64.powi(520)
+    }) > 0.0
+}
+
+/// The outer ring that each hole lies in, by their numbers.
+pub fn owners(rings: &[Ring]) -> Vec<[u32; 2]> {
+    let outers = || {
+        rings
+            .iter()
+            .enumerate()
+            .filter(|(_, ring)| ring.kind == RingKind::Outer)
+    };
+    let holes = rings
+        .iter()
+        .enumerate()
+        .filter(|(_, ring)| ring.kind == RingKind::Hole);
+    holes
+        .filter_map(|(hole_idx, hole)| {
+            // A hole touches its piece's border in one point at most; and where a crossing was rounded past a
+            // vertex of it, another vertex tells.
+            let around = hole.points.iter().find_map(|&p| {
+                let mut around =
+                    outers().filter(|(_, ring)| locate(&ring.points, p) == Location::Inside);
+                around.next()
+            });
+            around.map(|(outer_idx, _)| [hole_idx as u32, outer_idx as u32])
+        })
+        .collect()
+}
+
+/// Outer rings in order, each with its holes; without repeated corners.
+pub fn pieces<'a>(
+    rings: impl Iterator<Item = (&'a [Point], RingKind)>,
+    owners: impl IntoIterator<Item = [u32; 2]>,
+) -> Vec<Piece> {
+    let mut pieces = Vec::new();
+    let mut holes: Vec<Option<Vec<Point>>> = Vec::new();
+    let mut piece_of = Vec::new();
+    for (points, kind) in rings {
+        piece_of.push(pieces.len());
+        let is_hole = kind == RingKind::Hole;
+        holes.push(is_hole.then(|| without_repeats(points)));
+        if kind == RingKind::Outer {
+            pieces.push(Piece {
+                outer: without_repeats(points),
+                holes: Vec::new(),
+            });
+        }
+    }
+    for [hole_idx, outer_idx] in owners {
+        if let Some(hole) = holes[hole_idx as usize].take() {
+            pieces[piece_of[outer_idx as usize]].holes.push(hole);
+        }
+    }
+    pieces
+}
+
+fn without_repeats(ring: &[Point]) -> Vec<Point> {
+    let mut points = ring.to_vec();
+    points.dedup();
+    while points.len() > 1 && points.first() == points.last() {
+        points.pop();
+    }
+    points
+}
