@@ -37,6 +37,8 @@ alg-cohen-sutherland = Cohen–Sutherland
 alg-liang-barsky = Liang–Barsky
 alg-cyrus-beck = Cyrus–Beck
 alg-nicholl-lee-nicholl = Nicholl–Lee–Nicholl
+alg-ear-clipping = Ear clipping
+alg-triangulate-and-clip = Triangulate, then clip
 
 ## Verdicts, said of a segment, a polygon, a triangle or an object
 

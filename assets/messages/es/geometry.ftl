@@ -37,6 +37,8 @@ alg-cohen-sutherland = Cohen–Sutherland
 alg-liang-barsky = Liang–Barsky
 alg-cyrus-beck = Cyrus–Beck
 alg-nicholl-lee-nicholl = Nicholl–Lee–Nicholl
+alg-ear-clipping = Recorte de orejas
+alg-triangulate-and-clip = Triangular y después recortar
 
 ## Verdicts, said of a segment, a polygon, a triangle or an object
 

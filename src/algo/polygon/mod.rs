@@ -2,21 +2,30 @@
 
 mod border;
 mod clipper;
+mod ear_clipping;
 pub mod faulty;
 mod pipeline;
 mod ring;
 mod step;
 mod sutherland_hodgman;
+mod triangulate_and_clip;
 mod vertex;
 pub mod weiler_atherton;
 
 pub use border::ClipRegion;
 pub use clipper::{Clipped, Clipper};
+pub use ear_clipping::{
+    Corner, EarClipping, EarClippingEvent, EarClippingState, Ring, Triangle, Triangulation,
+};
 pub use pipeline::{Pipeline, PipelineEvent, PipelineStage, PipelineState};
 pub use ring::{ClippedRing, RingOutcome};
 pub use step::Rule;
 pub use sutherland_hodgman::{
     EdgeTest, SutherlandHodgman, SutherlandHodgmanEvent, SutherlandHodgmanInput,
     SutherlandHodgmanState,
+};
+pub use triangulate_and_clip::{
+    EachTriangleEvent, Pieces, TriangulateAndClip, TriangulateAndClipEvent,
+    TriangulateAndClipInput, TriangulateAndClipState,
 };
 pub use vertex::{Share, Textured, Vertex};

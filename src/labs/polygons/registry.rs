@@ -4,6 +4,7 @@
 use std::fmt;
 
 use crate::{
+    algo::polygon,
     figure::Run,
     labs::{self, MethodCard},
 };
@@ -37,7 +38,7 @@ const fn info<A: PolygonDemo>() -> MethodInfo {
 }
 
 /// Every method, in the order in which they are taught.
-pub static METHODS: [MethodInfo; 0] = [];
+pub static METHODS: [MethodInfo; 1] = [info::<polygon::EarClipping>()];
 
 /// One of [`METHODS`].
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -1,1 +1,4 @@
 //! One file a method: its sentences, marks and watched values.
+
+mod ear_clipping;
+mod triangles;
