@@ -13,9 +13,38 @@ const TOLERANCE_PTS: f32 = 0.1;
 /// Everything that an odd number of `outlines` goes round. Soft edges are left to the stroke over them.
 #[must_use]
 pub fn filled(outlines: &[Vec<Pos2>], colour: Color32) -> Shape {
+    let outlines = outlines.iter().map(|outline| outline.iter().copied());
+    triangles(outlines).mesh(colour, |at| at)
+}
+
+/// Where the inside is, as triangles.
+#[derive(Default)]
+pub(super) struct Triangles(VertexBuffers<Pos2, u32>);
+
+impl Triangles {
+    /// With the corners at `place` of where they are.
+    pub(super) fn mesh(&self, colour: Color32, place: impl Fn(Pos2) -> Pos2) -> Shape {
+        let Self(buffers) = self;
+        if buffers.indices.is_empty() {
+            return Shape::Noop;
+        }
+        let mut mesh = Mesh::default();
+        mesh.reserve_vertices(buffers.vertices.len());
+        for &at in &buffers.vertices {
+            mesh.colored_vertex(place(at), colour);
+        }
+        mesh.indices.clone_from(&buffers.indices);
+        Shape::mesh(mesh)
+    }
+}
+
+/// None where nothing can be filled: a stroke is drawn all the same.
+pub(super) fn triangles<O: Iterator<Item = Pos2>>(
+    outlines: impl IntoIterator<Item = O>,
+) -> Triangles {
     let mut path = Path::builder();
     for outline in outlines {
-        let mut points = outline.iter().filter(|p| p.is_finite());
+        let mut points = outline.filter(|p| p.is_finite());
         let Some(first) = points.next() else { continue };
         path.begin(point(first.x, first.y));
         for p in points {
@@ -30,17 +59,7 @@ pub fn filled(outlines: &[Vec<Pos2>], colour: Color32) -> Shape {
         &options,
         &mut BuffersBuilder::new(&mut buffers, Place),
     );
-    if done.is_err() {
-        // Nothing that could be filled: its stroke is drawn all the same.
-        return Shape::Noop;
-    }
-    let mut mesh = Mesh::default();
-    mesh.reserve_vertices(buffers.vertices.len());
-    for &at in &buffers.vertices {
-        mesh.colored_vertex(at, colour);
-    }
-    mesh.indices = buffers.indices;
-    Shape::mesh(mesh)
+    done.map_or_else(|_| Triangles::default(), |()| Triangles(buffers))
 }
 
 struct Place;
@@ -98,6 +117,41 @@ mod tests {
     fn nothing_is_made_of_nothing() {
         for outlines in [vec![], vec![vec![]], vec![vec![pos2(f32::NAN, 0.0)]]] {
             assert_eq!(area(&filled(&outlines, Color32::RED)), 0.0);
+        }
+    }
+}
+#[cfg(test)]
+mod timing {
+    use super::*;
+    #[test]
+    fn time_lyon() {
+        use crate::geom::Window;
+        for n in [100, 1000, 10_000] {
+            let p = crate::lesson::random_polygon(&Window::new(-1., -1., 1., 1.).unwrap(), n, 1)
+                .unwrap();
+            let pts: Vec<Pos2> = p
+                .vertices()
+                .iter()
+                .map(|p| Pos2::new(400. + 200. * p.x() as f32, 300. - 200. * p.y() as f32))
+                .collect();
+            let t = std::time::Instant::now();
+            for _ in 0..5 {
+                std::hint::black_box(filled(&[pts.clone()], Color32::RED));
+            }
+            println!("lyon {n}: {:?}", t.elapsed() / 5);
+            let ctx = egui::Context::default();
+            let t = std::time::Instant::now();
+            for _ in 0..5 {
+                let s = Shape::closed_line(pts.clone(), egui::Stroke::new(2.0, Color32::RED));
+                std::hint::black_box(ctx.tessellate(
+                    vec![egui::epaint::ClippedShape {
+                        clip_rect: egui::Rect::EVERYTHING,
+                        shape: s,
+                    }],
+                    1.0,
+                ));
+            }
+            println!("stroke {n}: {:?}", t.elapsed() / 5);
         }
     }
 }
