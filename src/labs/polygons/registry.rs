@@ -38,7 +38,10 @@ const fn info<A: PolygonDemo>() -> MethodInfo {
 }
 
 /// Every method, in the order in which they are taught.
-pub static METHODS: [MethodInfo; 1] = [info::<polygon::EarClipping>()];
+pub static METHODS: [MethodInfo; 2] = [
+    info::<polygon::weiler_atherton::WeilerAtherton>(),
+    info::<polygon::EarClipping>(),
+];
 
 /// One of [`METHODS`].
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -2,3 +2,4 @@
 
 mod ear_clipping;
 mod triangles;
+mod weiler_atherton;
