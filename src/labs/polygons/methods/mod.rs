@@ -9,3 +9,4 @@ mod rules;
 mod skin;
 mod sutherland_hodgman;
 mod triangles;
+mod weiler_atherton;
