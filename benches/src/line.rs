@@ -77,7 +77,7 @@ pub fn run() {
 
 /// Seeded segments in the stated mix and in random order.
 fn sample(window: &Window) -> Vec<Segment> {
-    let mut random = Xorshift(88_172_645_463_325_252);
+    let mut random = Xorshift::seeded();
     let mut segments = Vec::with_capacity(N_SEGMENTS);
     let mut n_of_kind = [0; 3];
     while segments.len() < N_SEGMENTS {
@@ -102,11 +102,16 @@ fn sample(window: &Window) -> Vec<Segment> {
 }
 
 /// G. Marsaglia, "Xorshift RNGs", Journal of Statistical Software 8(14), 2003.
-struct Xorshift(u64);
+pub struct Xorshift(u64);
 
 impl Xorshift {
+    /// Always the same numbers.
+    pub const fn seeded() -> Self {
+        Self(88_172_645_463_325_252)
+    }
+
     /// In [0, 1).
-    fn next(&mut self) -> f64 {
+    pub fn next(&mut self) -> f64 {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
         self.0 ^= self.0 << 17;

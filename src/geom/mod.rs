@@ -5,6 +5,7 @@
 
 mod convex_polygon;
 mod error;
+mod exact;
 mod half_plane;
 mod orientation;
 mod point;

@@ -2,13 +2,14 @@
 
 use std::cmp::Ordering;
 
-use super::Point;
+use super::{Point, exact::exact_orientation};
 
-/// Sign of the area of abc: `Greater` where c lies to the left of the line from a to b, exact where no
-/// coordinate other than zero is 2⁵⁰⁰ times smaller than the largest one.
+/// Sign of the area of abc: `Greater` where c lies to the left of the line from a to b. Exact for any finite
+/// numbers.
 ///
-/// The determinant as computed decides where it is larger than its own rounding error; only then come the
-/// adaptive expansions (Shewchuk, Discrete & Computational Geometry 18, 1997, pp. 305–363).
+/// The determinant as computed decides where it is larger than its own rounding error; otherwise adaptive
+/// expansions do (Shewchuk, Discrete & Computational Geometry 18, 1997, pp. 305–363), and beyond their range long
+/// integers.
 #[inline]
 #[must_use]
 pub fn orientation(a: Point, b: Point, c: Point) -> Ordering {
@@ -40,23 +41,15 @@ pub fn is_certain(det: f64, left: f64, right: f64) -> bool {
 
 #[cold]
 fn adaptive(a: Point, b: Point, c: Point) -> Ordering {
-    let largest = [a, b, c]
-        .iter()
-        .flat_map(|p| p.to_array())
-        .fold(0.0, |m: f64, x| m.max(x.abs()));
-    // Scaled by a power of two so that no product overflows, or vanishes.
-    let scale = if largest > 2f64.powi(500) {
-        2f64.powi(-540)
-    } else if largest < 2f64.powi(-400) {
-        2f64.powi(600)
-    } else {
-        1.0
-    };
-    let coord = |p: Point| robust::Coord {
-        x: p.x() * scale,
-        y: p.y() * scale,
-    };
-    let area = robust::orient2d(coord(a), coord(b), coord(c));
+    let points = [a, b, c].map(Point::to_array);
+    // Between these, neither a product of differences nor any of its tails overflows or vanishes.
+    let plain = 2f64.powi(-300)..=2f64.powi(300);
+    let is_plain = |x: &f64| *x == 0.0 || plain.contains(&x.abs());
+    if !points.as_flattened().iter().all(is_plain) {
+        return exact_orientation(points);
+    }
+    let [a, b, c] = points.map(|[x, y]| robust::Coord { x, y });
+    let area = robust::orient2d(a, b, c);
     area.partial_cmp(&0.0).unwrap_or(Ordering::Equal)
 }
 

@@ -180,6 +180,34 @@ impl Border {
         }
     }
 
+    /// How many vertices from the first are inside, if `inside`; else how many are not.
+    #[inline]
+    pub fn run<V: Vertex>(&self, vertices: &[V], inside: bool) -> usize {
+        match self.line {
+            Line::Upright {
+                axis: Axis::X,
+                c,
+                is_max: false,
+            } => run(vertices, inside, |p| p.x() >= c),
+            Line::Upright {
+                axis: Axis::X,
+                c,
+                is_max: true,
+            } => run(vertices, inside, |p| p.x() <= c),
+            Line::Upright {
+                axis: Axis::Y,
+                c,
+                is_max: false,
+            } => run(vertices, inside, |p| p.y() >= c),
+            Line::Upright {
+                axis: Axis::Y,
+                c,
+                is_max: true,
+            } => run(vertices, inside, |p| p.y() <= c),
+            Line::Oblique { .. } => run(vertices, inside, |p| self.distance::<f64>(p) >= 0.0),
+        }
+    }
+
     #[cold]
     fn huge_distance(&self, p: Point, overflown: f64) -> f64 {
         let sign = match self.line {
@@ -229,6 +257,12 @@ impl Border {
             }
         }
     }
+}
+
+#[inline]
+fn run<V: Vertex>(vertices: &[V], inside: bool, is_inside: impl Fn(Point) -> bool) -> usize {
+    let turns = |v: &V| is_inside(v.at()) != inside;
+    vertices.iter().position(turns).unwrap_or(vertices.len())
 }
 
 /// A normal whose products with ordinary numbers neither overflow nor vanish: divided by a power of two where

@@ -149,20 +149,36 @@ impl<V: Vertex> Clipper<V> {
     }
 }
 
-/// What is left of `input` behind one border.
+/// What is left of `input` behind one border. Only where the side changes is there a step to do: a run of vertices on
+/// one side is copied, or left out, as a whole.
 fn pass<V: Vertex>(borders: &Borders, idx: usize, input: &[V], output: &mut Vec<V>) {
+    let Some((&first, mut following)) = input.split_first() else {
+        return;
+    };
     output.clear();
-    output.reserve(input.len() + input.len() / 2);
-    let mut put = |happening| {
+    let mut clip = Clip::<V, f64>::begin::<Right>(borders, idx, first, &mut put_in(output));
+    loop {
+        let is_inside = clip.is_inside();
+        let (run, behind) = following.split_at(clip.run(following));
+        if is_inside {
+            output.extend_from_slice(run);
+        }
+        let Some((&vertex, rest)) = behind.split_first() else {
+            break;
+        };
+        clip.vertex::<Right>(vertex, &mut put_in(output));
+        following = rest;
+    }
+    clip.close::<Right>(&mut put_in(output));
+}
+
+#[inline]
+fn put_in<V>(output: &mut Vec<V>) -> impl FnMut(Happening<V>) {
+    |happening| {
         if let Happening::Output(vertex) = happening {
             output.push(vertex);
         }
-    };
-    let mut clip = Clip::<V, f64>::new(borders, idx);
-    for &vertex in input {
-        clip.vertex::<Right>(vertex, &mut put);
     }
-    clip.close::<Right>(&mut put);
 }
 
 /// Where all of a polygon lies.

@@ -157,7 +157,8 @@ impl<V: Vertex> Algorithm for Pipeline<V> {
         let borders = Borders::by::<Right>(&input.region);
         let n_stages = borders.all().len();
         let mut line = Line::<V, R> {
-            stages: (0..n_stages).map(|i| Clip::new(&borders, i)).collect(),
+            borders: &borders,
+            stages: (0..n_stages).map(|_| None).collect(),
             waiting: Vec::new(),
             output: Vec::new(),
         };
@@ -219,7 +220,9 @@ impl<V: Vertex> Algorithm for Pipeline<V> {
 
 /// The clippers, and what has left one but not yet entered the next.
 struct Line<'a, V, R> {
-    stages: Vec<Clip<'a, V, R>>,
+    borders: &'a Borders,
+    /// None where no vertex has come yet.
+    stages: Vec<Option<Clip<'a, V, R>>>,
     /// Vertices with the clipper they go to. The last one is the next to move: a clipper's crossing flows
     /// through to the end before the vertex behind it does.
     waiting: Vec<(usize, V)>,
@@ -240,16 +243,20 @@ impl<V: Vertex, R: Real> Line<'_, V, R> {
             at,
         });
         let n_waiting = self.waiting.len();
-        self.stages[stage_idx].vertex::<Right>(at, &mut |happening| {
-            tell(stage_idx, happening, &mut self.waiting, emit);
-        });
+        let mut tell = |happening| tell(stage_idx, happening, &mut self.waiting, emit);
+        match &mut self.stages[stage_idx] {
+            Some(stage) => stage.vertex::<Right>(at, &mut tell),
+            empty => *empty = Some(Clip::begin::<Right>(self.borders, stage_idx, at, &mut tell)),
+        }
         self.waiting[n_waiting..].reverse();
     }
 
     fn close(&mut self, stage_idx: usize, emit: &mut impl FnMut(PipelineEvent<V>)) {
-        self.stages[stage_idx].close::<Right>(&mut |happening| {
-            tell(stage_idx, happening, &mut self.waiting, emit);
-        });
+        if let Some(stage) = &self.stages[stage_idx] {
+            stage.close::<Right>(&mut |happening| {
+                tell(stage_idx, happening, &mut self.waiting, emit);
+            });
+        }
     }
 
     /// Lets everything that waits flow on as far as it goes.

@@ -22,7 +22,7 @@ use crate::trace::Real;
 
 use super::{
     Vertex,
-    border::{Borders, Crossing},
+    border::{Border, Borders, Crossing},
 };
 
 /// What becomes of the edge from S to P.
@@ -113,79 +113,98 @@ struct Known<V, R> {
     inside: bool,
 }
 
-/// A clipper against border `idx`, with what it remembers.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Clip<'a, V, R> {
-    borders: &'a Borders,
-    idx: usize,
-    first: Option<Known<V, R>>,
-    previous: Option<Known<V, R>>,
-}
-
-impl<'a, V: Vertex, R: Real> Clip<'a, V, R> {
+impl<V: Vertex, R: Real> Known<V, R> {
     #[inline]
-    pub fn new(borders: &'a Borders, idx: usize) -> Self {
-        Self {
-            borders,
-            idx,
-            first: None,
-            previous: None,
-        }
-    }
-
-    /// Takes the next vertex.
-    #[inline]
-    pub fn vertex<L: Rules>(&mut self, vertex: V, tell: &mut impl FnMut(Happening<V>)) {
-        let p = self.know::<L>(vertex);
-        match self.previous {
-            None => {
-                tell(Happening::First {
-                    at: vertex,
-                    distance: p.distance.get(),
-                    inside: p.inside,
-                });
-                if p.inside {
-                    tell(Happening::Output(vertex));
-                }
-                self.first = Some(p);
-            }
-            Some(s) => {
-                let (rule, crossing) = self.edge([s, p], tell);
-                let end = rule.ends_inside().then_some(vertex);
-                if L::END_FIRST {
-                    put_out(end, 1, tell);
-                    put_out(crossing, L::COPIES, tell);
-                } else {
-                    put_out(crossing, L::COPIES, tell);
-                    put_out(end, 1, tell);
-                }
-            }
-        }
-        self.previous = Some(p);
-    }
-
-    /// Closes the ring.
-    #[inline]
-    pub fn close<L: Rules>(&self, tell: &mut impl FnMut(Happening<V>)) {
-        if let (Some(s), Some(f), true) = (self.previous, self.first, L::CLOSES) {
-            let (_, crossing) = self.edge([s, f], tell);
-            put_out(crossing, L::COPIES, tell);
-        }
-    }
-
-    #[inline]
-    fn know<L: Rules>(&self, vertex: V) -> Known<V, R> {
-        let distance = self.borders.all()[self.idx].distance::<R>(vertex.at());
+    fn find<L: Rules>(border: &Border, vertex: V) -> Self {
+        let distance = border.distance::<R>(vertex.at());
         let zero = R::new(0.0);
         let inside = if L::BORDER_IS_INSIDE {
             distance >= zero
         } else {
             distance > zero
         };
-        Known {
+        Self {
             vertex,
             distance,
             inside,
+        }
+    }
+}
+
+/// A clipper against border `idx`, with what it remembers.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Clip<'a, V, R> {
+    borders: &'a Borders,
+    idx: usize,
+    first: Known<V, R>,
+    previous: Known<V, R>,
+}
+
+impl<'a, V: Vertex, R: Real> Clip<'a, V, R> {
+    /// Takes the first vertex.
+    #[inline]
+    pub fn begin<L: Rules>(
+        borders: &'a Borders,
+        idx: usize,
+        vertex: V,
+        tell: &mut impl FnMut(Happening<V>),
+    ) -> Self {
+        let first = Known::<V, R>::find::<L>(&borders.all()[idx], vertex);
+        tell(Happening::First {
+            at: vertex,
+            distance: first.distance.get(),
+            inside: first.inside,
+        });
+        if first.inside {
+            tell(Happening::Output(vertex));
+        }
+        Self {
+            borders,
+            idx,
+            first,
+            previous: first,
+        }
+    }
+
+    /// Takes the next vertex.
+    #[inline]
+    pub fn vertex<L: Rules>(&mut self, vertex: V, tell: &mut impl FnMut(Happening<V>)) {
+        let p = Known::find::<L>(&self.borders.all()[self.idx], vertex);
+        let (rule, crossing) = self.edge([self.previous, p], tell);
+        let end = rule.ends_inside().then_some(vertex);
+        if L::END_FIRST {
+            put_out(end, 1, tell);
+            put_out(crossing, L::COPIES, tell);
+        } else {
+            put_out(crossing, L::COPIES, tell);
+            put_out(end, 1, tell);
+        }
+        self.previous = p;
+    }
+
+    /// Takes all vertices up to the first on the other side, and returns how many: to a clipper they are all the
+    /// same rule, in → in or out → out. By the right rules only.
+    #[inline]
+    pub fn run(&mut self, vertices: &[V]) -> usize {
+        let n = self.borders.all()[self.idx].run(vertices, self.previous.inside);
+        if let Some(i) = n.checked_sub(1) {
+            self.previous = Known::find::<Right>(&self.borders.all()[self.idx], vertices[i]);
+        }
+        n
+    }
+
+    /// Is the vertex before the next one inside?
+    #[inline]
+    pub const fn is_inside(&self) -> bool {
+        self.previous.inside
+    }
+
+    /// Closes the ring.
+    #[inline]
+    pub fn close<L: Rules>(&self, tell: &mut impl FnMut(Happening<V>)) {
+        if L::CLOSES {
+            let (_, crossing) = self.edge([self.previous, self.first], tell);
+            put_out(crossing, L::COPIES, tell);
         }
     }
 

@@ -242,7 +242,9 @@ fn clip_edge<L: Rules, V: Vertex, R: Real>(
     emit: &mut impl FnMut(SutherlandHodgmanEvent<V>),
 ) {
     use SutherlandHodgmanEvent as Event;
-    let mut clip = Clip::<V, R>::new(borders, idx);
+    let Some((&first, following)) = input.split_first() else {
+        return;
+    };
     let mut tell = |idx: [usize; 2], happening| match happening {
         Happening::First {
             at,
@@ -269,9 +271,11 @@ fn clip_edge<L: Rules, V: Vertex, R: Real>(
             emit(Event::Output { at });
         }
     };
-    for (i, &vertex) in input.iter().enumerate() {
-        let idx = [i.saturating_sub(1), i];
-        clip.vertex::<L>(vertex, &mut |happening| tell(idx, happening));
+    let mut clip = Clip::<V, R>::begin::<L>(borders, idx, first, &mut |happening| {
+        tell([0, 0], happening);
+    });
+    for (i, &vertex) in following.iter().enumerate() {
+        clip.vertex::<L>(vertex, &mut |happening| tell([i, i + 1], happening));
     }
     let idx = [input.len() - 1, 0];
     clip.close::<L>(&mut |happening| tell(idx, happening));

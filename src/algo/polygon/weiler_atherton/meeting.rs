@@ -179,13 +179,13 @@ fn crossing<R: Real>(s: [Point; 2], a: [R; 2], c: [Point; 2], b: [R; 2]) -> Poin
     let whole = w1 + w2;
     let mean = |axis: fn(Point) -> f64| {
         let [o1, o2] = ends.map(|p| R::new(axis(p)));
-        let sum = o1 * w2 + o2 * w1;
-        let mean = (sum / whole).get();
-        let plain = whole.get() > 2f64.powi(-900) && sum.get().is_finite();
-        let mean = if plain {
-            mean
+        let largest = o1.get().abs().max(o2.get().abs());
+        let mean = if largest == 0.0 {
+            0.0
+        } else if PLAIN.contains(&whole.get()) && PLAIN.contains(&(largest * whole.get())) {
+            ((o1 * w2 + o2 * w1) / whole).get()
         } else {
-            scaled_mean([o1.get(), o2.get()], [w1.get(), w2.get()])
+            scaled_mean(ends, if ends == s { c } else { s }, axis)
         };
         // Rounding may have put it beyond an end.
         let [s, c] = [s, c].map(|edge| edge.map(axis));
@@ -196,11 +196,25 @@ fn crossing<R: Real>(s: [Point; 2], a: [R; 2], c: [Point; 2], b: [R; 2]) -> Poin
     Point::from_finite(mean(Point::x), mean(Point::y))
 }
 
-/// [`crossing`]'s mean for numbers whose products leave the range of f64.
+/// Weights and products in this range keep all their bits.
+const PLAIN: std::ops::RangeInclusive<f64> = 1e-270..=1e270;
+
+/// [`crossing`]'s mean where its weights leave the range of f64: once more, with all coordinates scaled by a power
+/// of two. NaN where even that does not help.
 #[cold]
-fn scaled_mean([o1, o2]: [f64; 2], [w1, w2]: [f64; 2]) -> f64 {
-    let [w1, w2] = [w1, w2].map(|w| w.min(f64::MAX));
-    let largest = w1.max(w2);
-    let [w1, w2] = [w1 / largest, w2 / largest];
-    o1 * (w2 / (w1 + w2)) + o2 * (w1 / (w1 + w2))
+fn scaled_mean(ends: [Point; 2], other: [Point; 2], axis: fn(Point) -> f64) -> f64 {
+    let all = [ends, other].map(|edge| edge.map(Point::to_array));
+    let numbers = all.as_flattened().as_flattened();
+    let largest = numbers.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+    let exponent = (largest.to_bits() >> 52) as i32 - 1023;
+    // In two steps, as 2^1074 is no f64.
+    let down = |x: f64| x * 2f64.powi(-exponent / 2) * 2f64.powi(-exponent - -exponent / 2);
+    let coord = |p: Point| robust::Coord {
+        x: down(p.x()),
+        y: down(p.y()),
+    };
+    let [c1, c2] = other.map(coord);
+    let [w1, w2] = ends.map(|p| robust::orient2d(c1, c2, coord(p)).abs());
+    let [t1, t2] = [w1, w2].map(|w| w / (w1 + w2));
+    axis(ends[0]) * t2 + axis(ends[1]) * t1
 }
