@@ -5,6 +5,7 @@
 object-segment = segment
 object-window = clip window
 object-clip-polygon = clip polygon
+object-polygon = polygon
 object-outcode = outcode
 
 ## The window’s edges, as nouns; the sides alone agree with “edge”

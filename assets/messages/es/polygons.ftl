@@ -99,6 +99,7 @@ words-ear-last = Lo que queda es un triángulo.
 
 tac-opening = Corta en triángulos el polígono de { $n } vértices; después recorta cada uno por separado.
 tac-triangle = Triángulo { $number } de { $total }: { $triangle }.
+tac-triangle = Triángulo { $number } de { $total }: { $triangle }. Mientras se recorta, sus vértices se llaman V₁, V₂ y V₃.
 tac-whole = { $triangle } está dentro de la región: es un trozo tal como está.
 tac-piece = { $triangle } deja un trozo convexo de { $n } vértices.
 tac-none = { $triangle } no deja nada en la región.

@@ -99,6 +99,7 @@ words-ear-last = O que resta é um triângulo.
 
 tac-opening = Corte em triângulos o polígono de { $n } vértices; depois recorte cada um por si.
 tac-triangle = Triângulo { $number } de { $total }: { $triangle }.
+tac-triangle = Triângulo { $number } de { $total }: { $triangle }. Enquanto é recortado, seus vértices se chamam V₁, V₂ e V₃.
 tac-whole = { $triangle } está dentro da região: é um pedaço tal como está.
 tac-piece = { $triangle } deixa um pedaço convexo de { $n } vértices.
 tac-none = { $triangle } não deixa nada na região.

@@ -99,6 +99,7 @@ words-ear-last = 剩下的就是一个三角形。
 
 tac-opening = 先把这个有 { $n } 个顶点的多边形切成三角形，再逐个裁剪。
 tac-triangle = 第 { $number } 个三角形（共 { $total } 个）：{ $triangle }。
+tac-triangle = 第 { $number } 个三角形（共 { $total } 个）：{ $triangle }。裁剪时，它的三个角称为 V₁、V₂、V₃。
 tac-whole = { $triangle } 全部在区域内：原样就是一块。
 tac-piece = { $triangle } 留下一块有 { $n } 个顶点的凸多边形。
 tac-none = { $triangle } 在区域内什么也没留下。
