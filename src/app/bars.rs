@@ -284,12 +284,28 @@ fn timeline(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
     let transport = model.playback.transport();
     let catalog = model.look.catalog;
     let run = model.playback.main();
+    let difference = model.playback.difference();
+    let note = difference.map(|difference| catalog.message(&difference.message()));
+    let first = difference.and_then(|difference| difference.step);
+    let tip = |step: usize| {
+        let said = caption_text(catalog, &run.caption(step));
+        match &note {
+            Some(note) if first == Some(step) => format!("≠ {note}\n{said}"),
+            _ => said,
+        }
+    };
+    let name = model.look.say("panel-timeline");
     let asked = Timeline {
         n_steps: transport.n_steps(),
         position: transport.position(),
         tick: &|step| run.tick(step),
-        tip: &|step| caption_text(catalog, &run.frame(step).caption),
-        name: model.look.say("panel-timeline"),
+        phases: model.playback.phases(),
+        difference: first,
+        tip: &tip,
+        name: match &note {
+            Some(note) => format!("{name}: {note}"),
+            None => name,
+        },
         look: model.look,
     }
     .show(ui);

@@ -215,6 +215,8 @@ impl App {
         #[cfg(not(target_arch = "wasm32"))]
         self.take_changed_course(now);
         self.pass_time(&ctx, now);
+        let is_dragging = self.document.is_in_gesture();
+        self.playback.compare(self.document.now(), is_dragging);
         self.playback.prepare();
 
         self.install_theme(ui);

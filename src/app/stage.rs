@@ -1,16 +1,16 @@
 //! The stage: the figure, a second view below it where the method has one, and the caption. Two of each
 //! where two methods stand side by side.
 
-use egui::{Context, Id, Rect, Stroke, Ui, UiBuilder, pos2, vec2};
+use egui::{Align2, Context, Id, Rect, Stroke, Ui, UiBuilder, pos2, vec2};
 
 use crate::{
     figure::{Caption, Frame, Link, Mark},
     labs::{Handle, Lock, MethodCard, Scene},
-    paint::{Viewport, theme},
+    paint::Viewport,
     panels::{Reach, polygons::Sketch, spots},
     widgets::{
-        Canvas, CanvasShown, Spot, View, caption, caption_height, caption_text, gripped,
-        number_line, number_line_height,
+        Canvas, CanvasShown, Spot, View, caption, caption_height, caption_text, column_title,
+        gripped, number_line, number_line_height,
     },
 };
 
@@ -274,12 +274,17 @@ impl Column<'_> {
         let height = (36.0 * look.theme.text_scale).round();
         let strip = self.rect.with_max_y(self.rect.top() + height);
         ui.painter().rect_filled(strip, 0.0, look.theme.background);
-        ui.painter().text(
-            strip.left_center() + vec2(24.0, 0.0),
-            egui::Align2::LEFT_CENTER,
-            look.say(self.method.name_key),
-            theme::strong().resolve(ui.style()),
-            look.theme.ink,
+        let difference = model.playback.difference();
+        let note = difference
+            .filter(|difference| difference.column == self.index)
+            .map(|difference| look.catalog.message(&difference.message()));
+        column_title(
+            &ui.painter_at(strip),
+            look,
+            (strip.left_center() + vec2(24.0, 0.0), Align2::LEFT_CENTER),
+            strip.width() - 32.0,
+            &look.say(self.method.name_key),
+            note.as_deref(),
         );
         self.rect.with_min_y(strip.bottom())
     }

@@ -118,6 +118,14 @@ impl<A: Demo> Run for Recorded<A> {
         }
     }
 
+    fn caption(&self, step: usize) -> Caption {
+        let trace = &self.0;
+        trace.event_at(step).map_or_else(
+            || A::opening(trace.input()),
+            |event| A::caption(&event, &trace.state_at(step - 1), trace.input()),
+        )
+    }
+
     fn output_json(&self) -> Json {
         self.0.output().json()
     }

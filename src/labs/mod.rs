@@ -3,6 +3,7 @@
 
 mod card;
 mod demo;
+mod difference;
 mod document;
 mod handle;
 pub mod lines;
@@ -11,6 +12,7 @@ mod words;
 
 pub use card::{CodeLine, MethodCard};
 pub use demo::{Answer, Demo, Step};
+pub use difference::Difference;
 pub use document::{Document, Lab, Scene};
 pub use handle::{Corner, Handle, Lock};
 

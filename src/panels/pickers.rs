@@ -47,7 +47,7 @@ pub fn compare_picker(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<Edit
                 asked = Some(Edit::Compare(None));
             }
             // The ones that are wrong on purpose come last, under their question.
-            let (faulty, right): (Vec<&MethodCard>, Vec<&MethodCard>) = scene
+            let (faulty, right): (Vec<&MethodCard>, Vec<_>) = scene
                 .lab()
                 .methods()
                 .into_iter()

@@ -15,6 +15,7 @@ mod pseudocode;
 mod section;
 mod tick;
 mod timeline;
+mod title;
 mod transport;
 mod watch;
 
@@ -30,6 +31,7 @@ pub use picker::{language_menu, theme_menu};
 pub use pseudocode::{CodeLine, code_view_switch, pseudocode};
 pub use section::{rule, section};
 pub use timeline::Timeline;
+pub use title::column_title;
 pub use transport::{Press, speed_menu, transport_buttons, transport_width};
 pub use watch::watch;
 

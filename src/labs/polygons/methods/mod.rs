@@ -1,5 +1,12 @@
 //! One file a method: its sentences, marks and watched values.
 
+mod clip_edge;
 mod ear_clipping;
+pub mod faulty;
+mod lists;
+mod pipeline;
+mod rules;
+mod skin;
+mod sutherland_hodgman;
 mod triangles;
 mod weiler_atherton;
