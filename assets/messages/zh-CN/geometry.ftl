@@ -39,6 +39,7 @@ alg-cohen-sutherland = Cohen–Sutherland
 alg-liang-barsky = 梁友栋–Barsky
 alg-cyrus-beck = Cyrus–Beck
 alg-nicholl-lee-nicholl = Nicholl–Lee–Nicholl
+alg-weiler-atherton = Weiler–Atherton
 alg-ear-clipping = 耳切法
 alg-triangulate-and-clip = 先三角剖分，再裁剪
 

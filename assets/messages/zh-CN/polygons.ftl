@@ -12,6 +12,8 @@ part-hole = 内孔
 part-clip = 裁剪多边形
 refused-not-convex = 该算法要求裁剪区域是凸的：{ $part }在 { $vertex } 处拐向了错误的一侧。
 refused-winds-twice = 该算法要求简单多边形：到 { $vertex } 为止，{ $part }已绕行不止一圈。
+refused-edges-meet = 该算法要求简单多边形：{ $part }的边 { $first } 与边 { $second } 相交或相接。
+refused-misplaced-hole = 该算法要求每个内孔都在多边形内部，且不与边界或其他内孔相接：{ $part }不满足。
 refused-degenerate = 没有可裁剪的内容：{ $part }的面积为零。
 
 ## 逐点单击绘制轮廓
@@ -96,6 +98,7 @@ words-ear-last = 剩下的就是一个三角形。
 ## Triangulate, then clip
 
 tac-opening = 先把这个有 { $n } 个顶点的多边形切成三角形，再逐个裁剪。
+tac-triangle = 第 { $number } 个三角形（共 { $total } 个）：{ $triangle }。
 tac-triangle = 第 { $number } 个三角形（共 { $total } 个）：{ $triangle }。裁剪时，它的三个角称为 V₁、V₂、V₃。
 tac-whole = { $triangle } 全部在区域内：原样就是一块。
 tac-piece = { $triangle } 留下一块有 { $n } 个顶点的凸多边形。
@@ -210,3 +213,76 @@ faulty-open-differs = 第 { $step } 步最先出现差别：从最后一个顶�
 faulty-clockwise-differs = 第 { $step } 步最先出现差别：顺时针走裁剪边，于是每条边的错误一侧被当作内侧。
 faulty-twice-differs = 第 { $step } 步最先出现差别：同一个交点又输出了一次。
 faulty-end-first-differs = 第 { $step } 步最先出现差别：边进入内侧，却先输出终点，后输出交点。
+
+## Weiler–Atherton
+
+wa-opening = 用有 { $m } 个顶点的多边形裁剪有 { $n } 个顶点的多边形：两者都写成逆时针的顶点表。
+wa-vertex-subject = { $vertex } 进入被裁剪多边形的顶点表。接下来：边 { $edge } 与裁剪多边形在哪里相交？
+wa-vertex-clip = { $vertex } 进入裁剪多边形的顶点表。接下来：边 { $edge } 上的交点，按顺序。
+wa-found-crossing = { $node }：{ $subject } 与 { $clip } 相交。
+wa-found-on-edge = { $node }：顶点 { $vertex } 落在边 { $edge } 上。
+wa-found-both = { $node }：顶点 { $subject } 与 { $clip } 是同一个点。
+wa-inserted = { $node } 也进入裁剪多边形的顶点表，位于边 { $edge } 上。
+wa-inserted-vertex = 在裁剪多边形的顶点表中，{ $node } 就是顶点 { $vertex }。
+wa-entering = { $node } 是入点：被裁剪多边形由{ $before }转到{ $after }。
+wa-leaving = { $node } 是出点：被裁剪多边形由{ $before }转到{ $after }。
+wa-touching = { $node } 只是相接：被裁剪多边形由{ $before }转到{ $after }，仍在同一侧。
+wa-pinching = { $node } 是夹点：两条边界各自穿过对方内部，结果的两个角在此相接。
+wa-inside = 内部
+wa-outside = 外部
+wa-along = 同向的公共边（算内部）
+wa-against = 反向的公共边（算外部）
+wa-in = 入
+wa-out = 出
+wa-touches = 接
+wa-pinches = 夹
+wa-start = 从 { $node } 开始行走，沿被裁剪多边形的顶点表。
+wa-visit-subject = 沿被裁剪多边形：{ $entry } 成为路径的第 { $n } 个角点。
+wa-visit-clip = 沿裁剪多边形：{ $entry } 成为路径的第 { $n } 个角点。
+wa-past = { $entry } 不是角点：直接走过。
+wa-switch-clip = { $node } 是出点：转到裁剪多边形的顶点表。
+wa-switch-subject = { $node } 是入点：转到被裁剪多边形的顶点表。
+wa-switch-pinch-clip = { $node } 是夹点：转到裁剪多边形的顶点表，使每一块各走自己的角。
+wa-switch-pinch-subject = { $node } 是夹点：转到被裁剪多边形的顶点表，使每一块各走自己的角。
+wa-closed-outer = 回到路径经过的点：环 { $ring } 闭合，共 { $n } 个角点。
+wa-closed-hole = 回到路径经过的点：这是被裁剪多边形的整个环。{ $ring }（{ $n } 个角点）是内孔。
+wa-closed-sliver = 回到路径经过的点：{ $ring }（{ $n } 个角点）太窄，舍入后面积为零，舍去。
+wa-whole-subject-kept = 被裁剪多边形的外边界从不换表，位于{ $side }：整条边界就是环 { $ring }。
+wa-whole-subject-dropped = 被裁剪多边形的外边界从不换表，位于{ $side }：不围成任何部分。
+wa-whole-hole-kept = 被裁剪多边形的内孔 { $hole } 从不换表，位于{ $side }：它是内孔 { $ring }。
+wa-whole-hole-dropped = 被裁剪多边形的内孔 { $hole } 从不换表，位于{ $side }：不围成任何部分。
+wa-whole-clip-kept = 裁剪多边形从不换表，位于{ $side }：整条边界就是环 { $ring }。
+wa-whole-clip-dropped = 裁剪多边形从不换表，位于{ $side }：不围成任何部分。
+wa-hole = 内孔 { $hole } 位于环 { $ring } 之内。
+wa-done-disjoint = 完成：两个多边形没有公共点。
+wa-done-touching = 完成：两个多边形相接，但没有公共面积。
+wa-done-subject = 完成：被裁剪多边形在裁剪多边形之内，保持原样。
+wa-done-clip = 完成：裁剪多边形在被裁剪多边形之内，它就是答案。
+wa-done-equal = 完成：两个多边形相同，答案也相同。
+wa-done-crossing =
+    { $n ->
+       *[other] 完成：共 { $n } 块。
+    }
+wa-row-start = 起点
+wa-row-path = 路径角点数
+wa-row-rings = 已闭合的环
+code-wa-find = 对 S 的每条边：表 S ← 顶点、与 C 的交点
+code-wa-insert = 对 C 的每条边：表 C ← 顶点、其上的交点
+code-wa-label = 标记每个交点：入、出、接、夹
+code-wa-start = 当还有入点时：从它开始，沿表 S
+code-wa-follow = 沿表前进，输出顶点
+code-wa-enter = 遇到入点：转到表 S
+code-wa-leave = 遇到出点：转到表 C
+code-wa-close = 回到已输出的顶点：环闭合
+code-wa-whole = 没有入点和出点的边界：在内部 ⇒ 一个环
+code-wa-holes = 把每个内孔归给包围它的环
+words-wa-find = 把被裁剪多边形 S 的顶点逐个抄入表中，每个顶点之后按顺序放入其边上的交点。
+words-wa-insert = 用同样方法抄写裁剪多边形 C：交点相同，但按它自己边界的顺序。
+words-wa-label = 按被裁剪多边形在交点处的走向标记。公共边上，两条边界同向时算内部，反向时算外部。
+words-wa-start = 取一个还没有走过的入点，从被裁剪多边形的顶点表开始。
+words-wa-follow = 沿顶点表逐点前进，并输出每个顶点。
+words-wa-enter = 在入点和夹点处，转到被裁剪多边形的顶点表。
+words-wa-leave = 在出点和夹点处，转到裁剪多边形的顶点表。
+words-wa-close = 回到已经输出过的顶点：其间就是一个环。回到起点时，行走结束。
+words-wa-whole = 从不换表的边界，整条位于内部或外部。
+words-wa-holes = 内孔归包围它的环所有。

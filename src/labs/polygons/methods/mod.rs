@@ -10,3 +10,4 @@ mod skin;
 mod sutherland_hodgman;
 mod triangles;
 mod triangulate_and_clip;
+mod weiler_atherton;
