@@ -6,6 +6,7 @@ object-segment = segmento
 object-window = ventana de recorte
 object-clip-polygon = polígono de recorte
 object-polygon = polígono
+object-uv = coordenadas de textura
 object-outcode = código de región
 
 ## The window’s edges, as nouns; the sides alone agree with “edge”
