@@ -5,10 +5,11 @@
 )]
 
 use clipscope::{
-    geom::{Segment, Window},
+    geom::{Polygon, Segment, Window},
     labs::{
         Lab, Scene,
         lines::{self, Method},
+        polygons,
     },
     lesson::Course,
     text::{Catalog, Lang},
@@ -32,6 +33,61 @@ const SEGMENTS: [[f64; 4]; 14] = [
     [1.0, 3.0, 1.0, 1.0],
 ];
 
+/// Polygons that make every method say everything it can say.
+const OUTLINES: [&[[f64; 2]]; 9] = [
+    &[[-2.0, -0.5], [0.5, -1.5], [1.5, 0.5], [0.0, 2.0]],
+    &[[-0.5, -0.5], [0.5, -0.5], [0.0, 0.25]],
+    &[[2.0, 2.0], [3.0, 2.0], [2.0, 3.0]],
+    // Touching with a vertex, along an edge, around a corner.
+    &[[-1.0, 0.5], [-2.0, 1.0], [-2.0, 0.0]],
+    &[[-1.0, 0.0], [-1.0, 0.5], [-2.0, 0.0]],
+    &[
+        [-2.0, -2.0],
+        [1.0, -2.0],
+        [1.0, -1.0],
+        [-1.0, -1.0],
+        [-1.0, 1.0],
+        [-2.0, 1.0],
+    ],
+    // Leaving from a vertex on the border, and coming in at one.
+    &[[0.0, 0.0], [-1.0, 0.0], [-2.0, 0.5], [0.0, 0.5]],
+    &[[0.0, 0.5], [-2.0, 0.5], [-1.0, 0.0], [0.0, 0.0]],
+    // Concave: two pieces, and a bridge.
+    &[
+        [-0.5, -2.0],
+        [0.5, -2.0],
+        [0.5, 0.0],
+        [0.25, 0.0],
+        [0.0, -1.5],
+        [-0.25, 0.0],
+        [-0.5, 0.0],
+    ],
+];
+
+fn polygon_scenes() -> Vec<Scene> {
+    let window = Window::new(-1.0, -1.0, 1.0, 1.0).unwrap();
+    let triangle = Polygon::new(&[[0.0, -1.0], [1.0, 1.0], [-1.0, 0.5]]).unwrap();
+    let mut scenes = Vec::new();
+    for method in polygons::Method::all() {
+        for outline in OUTLINES {
+            let subject = Polygon::new(outline).unwrap();
+            let scene = polygons::Scene::new(method, window, subject);
+            for texture in polygons::Texture::ALL {
+                scenes.push(
+                    polygons::Scene {
+                        texture,
+                        ..scene.clone()
+                    }
+                    .into(),
+                );
+            }
+            let clip = Some(triangle.clone());
+            scenes.push(polygons::Scene { clip, ..scene }.into());
+        }
+    }
+    scenes
+}
+
 fn scenes() -> Vec<Scene> {
     let window = Window::new(-1.0, -1.0, 1.0, 1.0).unwrap();
     let mut scenes: Vec<Scene> = Method::all()
@@ -44,6 +100,7 @@ fn scenes() -> Vec<Scene> {
             })
         })
         .collect();
+    scenes.extend(polygon_scenes());
     let course = Course::embedded();
     for step in course.lessons.iter().flat_map(|lesson| &lesson.steps) {
         scenes.push((*step.scene).clone());

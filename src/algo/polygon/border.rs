@@ -17,7 +17,7 @@
 //!   say that it is inside ([`Borders::settle`]). This is why clipping again changes nothing.
 
 use crate::{
-    geom::{Axis, ConvexPolygon, Edge, HalfPlane, Point, Segment, Window},
+    geom::{Axis, HalfPlane, Point, Segment},
     trace::Real,
 };
 
@@ -27,50 +27,9 @@ use super::{
         convex_border::{plane_distances, scaled_distances},
         crossing::{join, split},
     },
-    Share, Vertex,
+    ClipRegion, Share, Vertex,
     step::Rules,
 };
-
-/// What a polygon is clipped against: closed and convex.
-#[derive(Clone, PartialEq, Debug)]
-pub enum ClipRegion {
-    /// Its edges are numbered as [`Edge::ALL`]: left, right, bottom, top.
-    Window(Window),
-    /// Its edges are numbered from vertex 0, counter-clockwise.
-    Convex(ConvexPolygon),
-}
-
-impl ClipRegion {
-    /// How many edges it has.
-    #[must_use]
-    pub fn n_edges(&self) -> usize {
-        match self {
-            Self::Window(_) => Edge::ALL.len(),
-            Self::Convex(polygon) => polygon.vertices().len(),
-        }
-    }
-
-    /// One half-plane an edge, in the order in which they clip.
-    #[must_use]
-    pub fn half_planes(&self) -> Vec<HalfPlane> {
-        match self {
-            Self::Window(window) => Edge::ALL.map(|edge| window.half_plane(edge)).to_vec(),
-            Self::Convex(polygon) => polygon.half_planes().collect(),
-        }
-    }
-}
-
-impl From<Window> for ClipRegion {
-    fn from(window: Window) -> Self {
-        Self::Window(window)
-    }
-}
-
-impl From<ConvexPolygon> for ClipRegion {
-    fn from(polygon: ConvexPolygon) -> Self {
-        Self::Convex(polygon)
-    }
-}
 
 /// A clip edge: the line that it runs along, and its inside.
 #[derive(Clone, Copy, PartialEq, Debug)]

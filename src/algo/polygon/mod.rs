@@ -5,6 +5,7 @@ mod clipper;
 mod ear_clipping;
 pub mod faulty;
 mod pipeline;
+mod region;
 mod ring;
 mod step;
 mod sutherland_hodgman;
@@ -12,12 +13,12 @@ mod triangulate_and_clip;
 mod vertex;
 pub mod weiler_atherton;
 
-pub use border::ClipRegion;
 pub use clipper::{Clipped, Clipper};
 pub use ear_clipping::{
     Corner, EarClipping, EarClippingEvent, EarClippingState, Ring, Triangle, Triangulation,
 };
 pub use pipeline::{Pipeline, PipelineEvent, PipelineStage, PipelineState};
+pub use region::ClipRegion;
 pub use ring::{ClippedRing, RingOutcome};
 pub use step::Rule;
 pub use sutherland_hodgman::{

@@ -1,6 +1,9 @@
 //! What a polygon clipper that can be shown has beyond any other algorithm.
 
-use crate::labs::Demo;
+use crate::{
+    figure::Run,
+    labs::{self, Demo},
+};
 
 use super::{Refusal, Scene};
 
@@ -18,4 +21,12 @@ pub trait PolygonDemo: Demo {
     /// # Errors
     /// What in the scene it cannot take.
     fn input(scene: &Scene) -> Result<Self::Input, Refusal>;
+
+    /// Runs it on the scene.
+    ///
+    /// # Errors
+    /// What in the scene it cannot take.
+    fn record(scene: &Scene) -> Result<Box<dyn Run>, Refusal> {
+        Self::input(scene).map(labs::record::<Self>)
+    }
 }

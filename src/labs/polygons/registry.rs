@@ -3,13 +3,9 @@
 
 use std::fmt;
 
-use crate::{
-    algo::polygon,
-    figure::Run,
-    labs::{self, MethodCard},
-};
+use crate::{algo::polygon, figure::Run, labs::MethodCard};
 
-use super::{PolygonDemo, Scene};
+use super::{PolygonDemo, Scene, methods::faulty};
 
 /// What is known of a method without running it.
 pub struct MethodInfo {
@@ -30,15 +26,21 @@ const fn info<A: PolygonDemo>() -> MethodInfo {
         takes_polygon: A::TAKES_POLYGON,
         carries_texture: A::CARRIES_TEXTURE,
         knows_holes: A::KNOWS_HOLES,
-        record: |scene| match A::input(scene) {
-            Ok(input) => labs::record::<A>(input),
-            Err(refusal) => refusal.run(scene),
-        },
+        record: |scene| A::record(scene).unwrap_or_else(|refusal| refusal.run(scene)),
     }
 }
 
 /// Every method, in the order in which they are taught.
-pub static METHODS: [MethodInfo; 1] = [info::<polygon::EarClipping>()];
+pub static METHODS: [MethodInfo; 8] = [
+    info::<polygon::SutherlandHodgman>(),
+    info::<polygon::Pipeline>(),
+    info::<polygon::EarClipping>(),
+    info::<faulty::OnBorder>(),
+    info::<faulty::Open>(),
+    info::<faulty::Clockwise>(),
+    info::<faulty::Twice>(),
+    info::<faulty::EndBeforeCrossing>(),
+];
 
 /// One of [`METHODS`].
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

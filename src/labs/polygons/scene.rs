@@ -126,20 +126,20 @@ impl Scene {
         }
     }
 
-    /// The vertex coordinates of the texture: the subject's box is the unit square. A box without width or
+    /// What gives a place its texture coordinates: the subject's box is the unit square. A box without width or
     /// height is taken to be as wide as high.
-    #[must_use]
-    pub fn texel(&self, at: Point) -> [f64; 2] {
-        let [[xmin, ymin], [xmax, ymax]] =
-            crate::geom::extent(self.subject.vertices().iter().copied());
-        let along = |x: f64, min: f64, max: f64| {
-            if max > min {
-                (x - min) / (max - min)
-            } else {
-                0.0
-            }
-        };
-        [along(at.x(), xmin, xmax), along(at.y(), ymin, ymax)]
+    pub fn texels(&self) -> impl Fn(Point) -> [f64; 2] + use<> {
+        let [min, max] = crate::geom::extent(self.subject.vertices().iter().copied());
+        move |at: Point| {
+            let at = at.to_array();
+            [0, 1].map(|i| {
+                if max[i] > min[i] {
+                    (at[i] - min[i]) / (max[i] - min[i])
+                } else {
+                    0.0
+                }
+            })
+        }
     }
 
     /// Every outline of the subject: the polygon itself, then its holes.

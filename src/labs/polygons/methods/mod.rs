@@ -1,4 +1,11 @@
 //! One file a method: its sentences, marks and watched values.
 
+mod clip_edge;
 mod ear_clipping;
+pub mod faulty;
+mod lists;
+mod pipeline;
+mod rules;
+mod skin;
+mod sutherland_hodgman;
 mod triangles;

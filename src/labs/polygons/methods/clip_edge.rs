@@ -1,0 +1,246 @@
+//! A clip edge in words, formulas and marks: half of every sentence about Sutherland–Hodgman.
+
+use crate::{
+    algo::{line::Ratio, polygon::ClipRegion},
+    figure::{Link, Mark, Role, Shape},
+    geom::{Edge, Point, Segment, Window},
+    labs::words::{
+        along, axis_symbol, border_equation, edge_link, edge_name, free_formula, name,
+        parameter_formula, subscript,
+    },
+    text::{Formula, Message, Value},
+};
+
+/// How a variant looks at its clip edges. The right one's is the default.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Look {
+    /// Takes the wrong side of every edge for its inside.
+    pub is_flipped: bool,
+    /// Takes what lies on an edge for outside.
+    pub is_strict: bool,
+}
+
+/// An edge of the clip region, as a variant looks at it.
+#[derive(Clone, Copy)]
+pub struct ClipEdge<'a> {
+    region: &'a ClipRegion,
+    idx: usize,
+    look: Look,
+}
+
+/// A vertex: how it is called, and where it is.
+pub type Named = (String, Point);
+
+impl<'a> ClipEdge<'a> {
+    pub const fn new(region: &'a ClipRegion, idx: usize, look: Look) -> Self {
+        Self { region, idx, look }
+    }
+
+    /// The side of the window that it is.
+    fn side(&self) -> Option<(&'a Window, Edge)> {
+        match self.region {
+            ClipRegion::Window(window) => Some((window, Edge::ALL[self.idx])),
+            ClipRegion::Convex(_) => None,
+        }
+    }
+
+    /// Its two ends, the region to its left; as a flipped variant walks it, the other way.
+    fn ends(&self) -> [[f64; 2]; 2] {
+        let [a, b] = match self.region {
+            ClipRegion::Window(window) => {
+                let [low_left, low_right, high_right, high_left] = window.corners();
+                match Edge::ALL[self.idx] {
+                    Edge::Left => [high_left, low_left],
+                    Edge::Right => [low_right, high_right],
+                    Edge::Bottom => [low_left, low_right],
+                    Edge::Top => [high_right, high_left],
+                }
+            }
+            ClipRegion::Convex(polygon) => {
+                let vertices = polygon.vertices();
+                [0, 1].map(|k| vertices[(self.idx + k) % vertices.len()])
+            }
+        };
+        let ends = [a, b].map(Point::to_array);
+        if self.look.is_flipped {
+            [ends[1], ends[0]]
+        } else {
+            ends
+        }
+    }
+
+    /// `left edge`, or `e₃`.
+    pub fn name(&self) -> Value {
+        match self.side() {
+            Some((_, edge)) => edge_name(edge),
+            None => name(format!("e{}", subscript(self.idx + 1))),
+        }
+    }
+
+    /// What marks and rows about it have in common.
+    pub fn link(&self) -> Link {
+        match self.side() {
+            Some((_, edge)) => edge_link(edge),
+            None => Link::nth("edge", self.idx),
+        }
+    }
+
+    /// `x = −1`, or `e₃`.
+    pub fn border(&self) -> Value {
+        match self.side() {
+            Some((window, edge)) => border_equation(window, edge).into(),
+            None => self.name(),
+        }
+    }
+
+    /// Is the inside where the coordinate is smaller?
+    fn is_upper(&self, edge: Edge) -> bool {
+        edge.is_max() != self.look.is_flipped
+    }
+
+    /// `≥`, `<` and so on: how a coordinate, or a distance, of the inside or the outside stands to the border.
+    const fn relation(&self, is_inside: bool, is_upper: bool) -> &'static str {
+        match (is_inside != is_upper, is_inside != self.look.is_strict) {
+            (true, true) => " ≥ ",
+            (true, false) => " > ",
+            (false, true) => " ≤ ",
+            (false, false) => " < ",
+        }
+    }
+
+    /// `x ≥ −1`, or `n·(P − E) ≥ 0`.
+    pub fn inside(&self) -> Formula {
+        match self.side() {
+            Some((window, edge)) => Formula::default()
+                .sym(axis_symbol(edge.axis()))
+                .sym(self.relation(true, self.is_upper(edge)))
+                .num(window.border(edge)),
+            None => Formula::default()
+                .sym("n·(P − E)")
+                .sym(self.relation(true, false))
+                .sym("0"),
+        }
+    }
+
+    /// The clip edge's turn has come.
+    pub fn message(&self) -> Message {
+        let key = match self.side() {
+            Some(_) => "sh-edge-side",
+            None => "sh-edge",
+        };
+        Message::new(key)
+            .with("edge", self.name())
+            .with("inside", self.inside())
+    }
+
+    /// `V₄: x = −2 < −1`, or `V₄: n·(V₄ − E) = 1 · (3 − 1) + 2 · (0 − 2) = −2 < 0`.
+    pub fn position(&self, (symbol, at): &Named, distance: f64, is_inside: bool) -> Formula {
+        let formula = Formula::default().sym(format!("{symbol}: "));
+        match self.side() {
+            Some((window, edge)) => formula
+                .sym(axis_symbol(edge.axis()))
+                .sym(" = ")
+                .num(along(*at, edge.axis())[0])
+                .sym(self.relation(is_inside, self.is_upper(edge)))
+                .num(window.border(edge)),
+            None => self
+                .dot_product(formula.sym(format!("n·({symbol} − E) = ")), *at)
+                .equals(distance)
+                .sym(self.relation(is_inside, false))
+                .sym("0"),
+        }
+    }
+
+    fn dot_product(&self, formula: Formula, at: Point) -> Formula {
+        let plane = self.region.half_planes()[self.idx];
+        let sign = if self.look.is_flipped { -1.0 } else { 1.0 };
+        let (normal, at, origin) = (plane.normal(), at.to_array(), plane.origin().to_array());
+        let terms = (0..2).filter(|&i| normal[i] != 0.0);
+        terms.enumerate().fold(formula, |formula, (nth, i)| {
+            let formula = if nth == 0 {
+                formula.num(sign * normal[i])
+            } else {
+                formula.sym(" + ").operand(sign * normal[i])
+            };
+            let difference = formula.sym(" · (").num(at[i]).sym(" − ");
+            difference.operand(origin[i]).sym(")")
+        })
+    }
+
+    /// Where the edge from S to P crosses it, worked out: the parameter, then the point.
+    pub fn crossing(
+        &self,
+        ends: [Point; 2],
+        distances: [f64; 2],
+        t: Ratio,
+        at: Point,
+    ) -> [Formula; 2] {
+        let [p1, p2] = ends;
+        if let Some((window, edge)) = self.side() {
+            let segment = Segment { p1, p2 };
+            let [_, free] = along(at, edge.axis());
+            return [
+                parameter_formula("t", &segment, window, edge, t),
+                free_formula(&segment, window, edge, free),
+            ];
+        }
+        let [d1, d2] = distances;
+        let t = Formula::default()
+            .sym("t = ")
+            .dividend(d1)
+            .sym(" / (")
+            .num(d1)
+            .sym(" − ")
+            .operand(d2)
+            .sym(")")
+            .equals_ratio(t.num, t.den);
+        let point = Formula::default()
+            .sym("(")
+            .point(p1.to_array())
+            .sym(" · ")
+            .operand(d2)
+            .sym(" − ")
+            .point(p2.to_array())
+            .sym(" · ")
+            .operand(d1)
+            .sym(") / ")
+            .divisor(d2 - d1)
+            .sym(" = ")
+            .point(at.to_array());
+        [t, point]
+    }
+
+    /// Its half-plane, shaded.
+    pub fn mark(&self, role: Role) -> Mark {
+        let label: Value = match self.side() {
+            Some(_) => self.inside().into(),
+            None => self.name(),
+        };
+        Mark::new(role, Shape::HalfPlane(self.ends()))
+            .labelled(label)
+            .linked(self.link())
+    }
+
+    /// Does this edge of a ring run along it? Up to a rounding, where the clip edge is oblique.
+    pub fn carries(&self, ends: [Point; 2]) -> bool {
+        if let Some((window, edge)) = self.side() {
+            return ends
+                .iter()
+                .all(|&p| along(p, edge.axis())[0] == window.border(edge));
+        }
+        let [a, b] = self.ends();
+        let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+        let is_near = |p: &Point| {
+            let [x, y] = [p.x() - a[0], p.y() - a[1]];
+            (dx * y - dy * x).abs() <= 1e-12 * (dx * dx + dy * dy + x * x + y * y)
+        };
+        ends.iter().all(is_near)
+    }
+
+    /// Which way along it do `ends` run: with the region to the left?
+    pub fn runs_forward(&self, ends: [Point; 2]) -> bool {
+        let [a, b] = self.ends();
+        let [p, q] = ends.map(Point::to_array);
+        (b[0] - a[0]) * (q[0] - p[0]) + (b[1] - a[1]) * (q[1] - p[1]) > 0.0
+    }
+}

@@ -1,0 +1,221 @@
+//! "What is wrong here?": the mistakes of [`crate::algo::polygon::faulty`], shown on the reader's own input. Each is stepped like the right
+//! one, says what it does and not that it is wrong, up to the first step at which it differs.
+
+use serde_json::Value as Json;
+
+use crate::{
+    algo::polygon::{
+        ClippedRing, SutherlandHodgman, SutherlandHodgmanEvent as Event,
+        SutherlandHodgmanInput as Input, SutherlandHodgmanState as State,
+        faulty::{CutsTwice, DropsOnBorder, EndFirst, Faulty, KeepsUv, LeavesOpen, WalksClockwise},
+    },
+    figure::{Caption, Frame, Mark, Run, Tick, Watch},
+    geom::Point,
+    labs::{
+        self, CodeLine, Demo, Step,
+        polygons::{PolygonDemo, Refusal, Scene},
+    },
+    text::Message,
+    trace::{Algorithm, Counts},
+};
+
+use super::{
+    clip_edge::Look,
+    skin::Corner,
+    sutherland_hodgman::{
+        CODE, SOURCE, caption, input, line_of, marks, opening, textured, tick, watch,
+    },
+};
+
+/// Takes a vertex on the border for outside.
+pub type OnBorder = Faulty<DropsOnBorder>;
+/// Leaves the closing edge out.
+pub type Open = Faulty<LeavesOpen>;
+/// Walks the clip edges the wrong way.
+pub type Clockwise = Faulty<WalksClockwise>;
+/// Puts crossings out twice.
+pub type Twice = Faulty<CutsTwice>;
+/// Puts the end of an edge out before its crossing.
+pub type EndBeforeCrossing = Faulty<EndFirst>;
+
+impl Corner for KeepsUv {
+    fn uv(&self) -> Option<[f64; 2]> {
+        Some(self.uv)
+    }
+}
+
+/// The right algorithm on vertices that keep their place in the texture when they are moved.
+pub fn with_kept_texture(scene: &Scene) -> Result<Box<dyn Run>, Refusal> {
+    let input = textured(scene, |at, uv| KeepsUv { at, uv })?;
+    Ok(labs::record::<SutherlandHodgman<KeepsUv>>(input))
+}
+
+/// How a mistake is called, and what gives it away.
+trait Mistake: 'static {
+    const ID: &'static str;
+    const NAME_KEY: &'static str;
+    const LOOK: Look = Look {
+        is_flipped: false,
+        is_strict: false,
+    };
+    /// Said at the first step that differs.
+    const DIFFERS_KEY: &'static str;
+}
+
+impl Mistake for DropsOnBorder {
+    const ID: &'static str = "faulty-on-border";
+    const NAME_KEY: &'static str = "alg-faulty-on-border";
+    const LOOK: Look = Look {
+        is_flipped: false,
+        is_strict: true,
+    };
+    const DIFFERS_KEY: &'static str = "faulty-on-border-differs";
+}
+
+impl Mistake for LeavesOpen {
+    const ID: &'static str = "faulty-open";
+    const NAME_KEY: &'static str = "alg-faulty-open";
+    const DIFFERS_KEY: &'static str = "faulty-open-differs";
+}
+
+impl Mistake for WalksClockwise {
+    const ID: &'static str = "faulty-clockwise";
+    const NAME_KEY: &'static str = "alg-faulty-clockwise";
+    const LOOK: Look = Look {
+        is_flipped: true,
+        is_strict: false,
+    };
+    const DIFFERS_KEY: &'static str = "faulty-clockwise-differs";
+}
+
+impl Mistake for CutsTwice {
+    const ID: &'static str = "faulty-twice";
+    const NAME_KEY: &'static str = "alg-faulty-twice";
+    const DIFFERS_KEY: &'static str = "faulty-twice-differs";
+}
+
+impl Mistake for EndFirst {
+    const ID: &'static str = "faulty-end-first";
+    const NAME_KEY: &'static str = "alg-faulty-end-first";
+    const DIFFERS_KEY: &'static str = "faulty-end-first-differs";
+}
+
+/// The right one's types.
+trait LikeTheRightOne:
+    Algorithm<Input = Input, Output = ClippedRing<Point>, Event = Event<Point>, State = State<Point>>
+{
+}
+
+impl<A> LikeTheRightOne for A where
+    A: Algorithm<
+            Input = Input,
+            Output = ClippedRing<Point>,
+            Event = Event<Point>,
+            State = State<Point>,
+        >
+{
+}
+
+impl<L: Mistake> Demo for Faulty<L>
+where
+    Self: LikeTheRightOne,
+{
+    const ID: &'static str = L::ID;
+    const NAME_KEY: &'static str = L::NAME_KEY;
+    const SOURCE: &'static str = SOURCE;
+    const CODE: &'static [CodeLine] = CODE;
+    const IS_FAULTY: bool = true;
+
+    fn tick(event: &Event<Point>) -> Tick {
+        tick(event)
+    }
+
+    fn code_line(event: &Event<Point>, before: &State<Point>) -> usize {
+        line_of(event, before)
+    }
+
+    fn opening(input: &Input) -> Caption {
+        opening(input)
+    }
+
+    fn caption(event: &Event<Point>, before: &State<Point>, input: &Input) -> Caption {
+        caption(event, before, &input.region, L::LOOK)
+    }
+
+    fn marks(step: &Step<'_, Self>) -> Vec<Mark> {
+        marks(step.input, step.state, step.event, L::LOOK)
+    }
+
+    fn watch(step: &Step<'_, Self>) -> Watch {
+        watch(step.state)
+    }
+}
+
+impl<L: Mistake> PolygonDemo for Faulty<L>
+where
+    Self: LikeTheRightOne,
+{
+    fn input(scene: &Scene) -> Result<Input, Refusal> {
+        input(scene)
+    }
+
+    fn record(scene: &Scene) -> Result<Box<dyn Run>, Refusal> {
+        let input = input(scene)?;
+        let (wrong, right) = (events::<Self>(&input), events::<SutherlandHodgman>(&input));
+        let differs = wrong.iter().zip(&right).position(|(w, r)| w != r);
+        Ok(Box::new(Marked {
+            run: labs::record::<Self>(input),
+            differs_at: differs.map(|event_idx| event_idx + 1),
+            key: L::DIFFERS_KEY,
+        }))
+    }
+}
+
+fn events<A: Algorithm>(input: &A::Input) -> Vec<A::Event> {
+    let mut events = Vec::new();
+    A::run::<f64>(input, |event| events.push(event));
+    events
+}
+
+/// A run whose first step that differs from the right one's says so.
+struct Marked {
+    run: Box<dyn Run>,
+    /// None where the mistake does not show on this input.
+    differs_at: Option<usize>,
+    key: &'static str,
+}
+
+impl Run for Marked {
+    fn n_steps(&self) -> usize {
+        self.run.n_steps()
+    }
+
+    fn tick(&self, step: usize) -> Tick {
+        if self.differs_at == Some(step) {
+            Tick::Reject
+        } else {
+            self.run.tick(step)
+        }
+    }
+
+    fn event_json(&self, step: usize) -> Json {
+        self.run.event_json(step)
+    }
+
+    fn counts_at(&self, step: usize) -> Counts {
+        self.run.counts_at(step)
+    }
+
+    fn frame(&self, step: usize) -> Frame {
+        let mut frame = self.run.frame(step);
+        if self.differs_at == Some(step) {
+            let caption = &mut frame.caption;
+            caption.decision = Message::new(self.key).with("step", step);
+        }
+        frame
+    }
+
+    fn output_json(&self) -> Json {
+        self.run.output_json()
+    }
+}

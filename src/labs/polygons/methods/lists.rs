@@ -1,0 +1,150 @@
+//! The two lists of Sutherland–Hodgman, as rows of the watch table; and what their last one amounts to.
+
+use crate::{
+    algo::polygon::{ClipRegion, ClippedRing, RingOutcome, Vertex},
+    figure::{Link, Mark, Role, Shape, WatchRow, WatchSection},
+    geom::Point,
+    labs::{
+        Answer,
+        words::{name, subscript},
+    },
+    text::Value,
+};
+
+use super::clip_edge::{ClipEdge, Look};
+
+use serde_json::{Value as Json, json};
+
+/// Lists up to this length are shown whole, side by side.
+const FEW: usize = 12;
+/// Of longer ones this many rows.
+const ROWS: usize = 6;
+/// Up to this many vertices get their names on stage.
+const NAMED: usize = 24;
+
+impl<V: Vertex> Answer for ClippedRing<V> {
+    fn json(&self) -> Json {
+        json!({ "polygons": Vec::from_iter(self.polygon()), "outcome": self.outcome })
+    }
+}
+
+/// `V₃`: in the input list.
+pub fn input_symbol(idx: usize) -> String {
+    format!("V{}", subscript(idx + 1))
+}
+
+/// `V₃′`: in the output list.
+pub fn output_symbol(idx: usize) -> String {
+    format!("{}′", input_symbol(idx))
+}
+
+/// What marks and rows about a vertex of the input list have in common.
+pub const fn vertex_link(idx: usize) -> Link {
+    Link::nth("vertex", idx)
+}
+
+fn point<V: Vertex>(vertex: &V) -> Value {
+    Value::Point(vertex.at().to_array())
+}
+
+/// Input list and output list. Where they are long: the input about `current`, and the output's end.
+pub fn rows<V: Vertex>(input: &[V], output: &[V], current: usize) -> Vec<WatchSection> {
+    let n = input.len().max(output.len());
+    if n <= FEW {
+        let row = |i: usize| {
+            let cells = vec![input.get(i).map(point), output.get(i).map(point)];
+            WatchRow::table(name(subscript(i + 1)), cells).linked(vertex_link(i))
+        };
+        return vec![WatchSection::table(
+            vec!["V", "V′"],
+            (0..n).map(row).collect(),
+        )];
+    }
+    let start = current
+        .saturating_sub(ROWS / 2)
+        .min(input.len().saturating_sub(ROWS));
+    let shown = input.iter().enumerate().skip(start).take(ROWS);
+    let input = shown
+        .map(|(i, v)| WatchRow::new(name(input_symbol(i)), Some(point(v))).linked(vertex_link(i)));
+    let start = output.len().saturating_sub(ROWS);
+    let shown = output.iter().enumerate().skip(start);
+    let output = shown.map(|(i, v)| WatchRow::new(name(output_symbol(i)), Some(point(v))));
+    vec![
+        WatchSection::list(input.collect()),
+        WatchSection::list(output.collect()),
+    ]
+}
+
+/// The names of the vertices, where they are few.
+pub fn names<V: Vertex>(list: &[V]) -> Vec<Mark> {
+    if list.len() > NAMED {
+        return Vec::new();
+    }
+    let mark = |(i, v): (usize, &V)| {
+        Mark::new(Role::Soft, Shape::Dot(v.at().to_array()))
+            .labelled(name(input_symbol(i)))
+            .linked(vertex_link(i))
+    };
+    list.iter().enumerate().map(mark).collect()
+}
+
+pub fn outline<V: Vertex>(ring: &[V]) -> Vec<[f64; 2]> {
+    ring.iter().map(|v| v.at().to_array()).collect()
+}
+
+/// What is left, and its bridges.
+pub fn result<V: Vertex>(
+    ring: &[V],
+    outcome: RingOutcome,
+    region: &ClipRegion,
+    given: &[V],
+) -> Vec<Mark> {
+    let shape = |role, shape| Mark::new(role, shape).linked("result");
+    match outcome {
+        RingOutcome::Empty => vec![shape(Role::Discarded, Shape::Outline(outline(given)))],
+        RingOutcome::Degenerate => {
+            let mut path = outline(ring);
+            path.extend(path.first().copied());
+            let dots = ring.iter().take(NAMED);
+            let dots = dots.map(|v| shape(Role::Accepted, Shape::Dot(v.at().to_array())));
+            std::iter::once(shape(Role::Accepted, Shape::Path(path)))
+                .chain(dots)
+                .collect()
+        }
+        RingOutcome::Whole | RingOutcome::Cut => {
+            let mut marks = vec![shape(Role::Accepted, Shape::Area(vec![outline(ring)]))];
+            marks.extend(bridges(ring, region));
+            marks
+        }
+    }
+}
+
+/// Edges along the region's border that run against the ring's own winding: they are walked there and back, and
+/// have no area. Where they are many, the first few.
+fn bridges<V: Vertex>(ring: &[V], region: &ClipRegion) -> Vec<Mark> {
+    let n = ring.len();
+    let edge = |i: usize| [i, (i + 1) % n].map(|k| ring[k].at());
+    let is_counter_clockwise = (0..n).map(|i| cross(edge(i), ring[0].at())).sum::<f64>() > 0.0;
+    let is_bridge = |ends: &[Point; 2]| {
+        ends[0] != ends[1]
+            && (0..region.n_edges()).any(|idx| {
+                let edge = ClipEdge::new(region, idx, Look::default());
+                edge.carries(*ends) && edge.runs_forward(*ends) != is_counter_clockwise
+            })
+    };
+    let mark = |ends: [Point; 2]| {
+        let shape = Shape::Segment(ends.map(Point::to_array));
+        Mark::new(Role::Signal, shape).labelled(Value::Term("sh-bridge"))
+    };
+    (0..n)
+        .map(edge)
+        .filter(is_bridge)
+        .take(NAMED)
+        .map(mark)
+        .collect()
+}
+
+fn cross(ends: [Point; 2], origin: Point) -> f64 {
+    let [[x1, y1], [x2, y2]] = ends.map(|p| [p.x() - origin.x(), p.y() - origin.y()]);
+    x1 * y2 - x2 * y1
+}

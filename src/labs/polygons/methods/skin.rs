@@ -1,0 +1,129 @@
+//! A texture on a clipped ring.
+
+use std::cmp::Ordering;
+
+use serde::Serialize;
+
+use crate::{
+    algo::polygon::{Textured, Vertex},
+    figure::{Mark, Role, Shape, Texel},
+    geom::Point,
+};
+
+/// Rings with more vertices than this are shown without their texture: to cut them into triangles takes time
+/// that grows with the square.
+const MOST: usize = 400;
+
+/// A vertex as the lab clips it: with a place in a texture, or without.
+pub trait Corner: Vertex + Serialize + 'static {
+    /// Where in the texture.
+    fn uv(&self) -> Option<[f64; 2]>;
+}
+
+impl Corner for Point {
+    fn uv(&self) -> Option<[f64; 2]> {
+        None
+    }
+}
+
+impl Corner for Textured {
+    fn uv(&self) -> Option<[f64; 2]> {
+        Some(self.uv)
+    }
+}
+
+/// The texture on a ring, where its vertices have places in one.
+pub fn skin<V: Corner>(ring: &[V]) -> Option<Mark> {
+    let texels = ring.iter().map(|v| Some((v.at().to_array(), v.uv()?)));
+    let texels: Vec<Texel> = texels.collect::<Option<_>>()?;
+    (3..=MOST).contains(&texels.len()).then(|| {
+        let shape = Shape::Textured(triangles(texels));
+        Mark::new(Role::Accent, shape).linked("texture")
+    })
+}
+
+/// Cuts off one corner after the other: one that turns the ring's way and has no other vertex in it. Where bridges
+/// leave none that is clean, the first that turns; what a bridge adds has no area.
+fn triangles(mut ring: Vec<Texel>) -> Vec<[Texel; 3]> {
+    let winding = area(&ring);
+    if winding < 0.0 {
+        ring.reverse();
+    }
+    let mut triangles = Vec::with_capacity(ring.len());
+    while ring.len() >= 3 {
+        let n = ring.len();
+        let corner = |i: usize| [(i + n - 1) % n, i, (i + 1) % n].map(|k| ring[k]);
+        let turn = |i: usize| area(&corner(i)).partial_cmp(&0.0);
+        let is_flat = |&i: &usize| turn(i) == Some(Ordering::Equal);
+        let is_ear = |&i: &usize| {
+            let ear = corner(i);
+            turn(i) == Some(Ordering::Greater) && !ring.iter().any(|p| is_in(*p, &ear))
+        };
+        let turns = |&i: &usize| turn(i) == Some(Ordering::Greater);
+        let Some(i) = (0..n)
+            .find(is_flat)
+            .or_else(|| (0..n).find(is_ear))
+            .or_else(|| (0..n).find(turns))
+        else {
+            break;
+        };
+        if !is_flat(&i) {
+            triangles.push(corner(i));
+        }
+        ring.remove(i);
+    }
+    triangles
+}
+
+/// Strictly inside a counter-clockwise triangle.
+fn is_in(p: Texel, triangle: &[Texel; 3]) -> bool {
+    (0..3).all(|i| area(&[triangle[i], triangle[(i + 1) % 3], p]) > 0.0)
+}
+
+/// Twice the signed area.
+fn area(ring: &[Texel]) -> f64 {
+    let n = ring.len();
+    let [x0, y0] = ring[0].0;
+    let cross = |i: usize| {
+        let [[x1, y1], [x2, y2]] = [ring[i].0, ring[(i + 1) % n].0];
+        (x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0)
+    };
+    (0..n).map(cross).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn texels(outline: &[[f64; 2]]) -> Vec<Texel> {
+        outline.iter().map(|&p| (p, p)).collect()
+    }
+
+    #[test]
+    fn triangles_fill_the_ring_bridges_and_all() {
+        let cases: [&[[f64; 2]]; 4] = [
+            &[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]],
+            &[[0.0, 2.0], [2.0, 2.0], [2.0, 0.0], [0.0, 0.0]],
+            &[[0.0, 0.0], [4.0, 0.0], [2.0, 1.0], [0.0, 4.0]],
+            // Two legs on one base line, joined by a bridge.
+            &[
+                [0.0, 0.0],
+                [5.0, 0.0],
+                [5.0, 2.0],
+                [4.0, 2.0],
+                [3.0, 0.0],
+                [2.0, 0.0],
+                [1.0, 2.0],
+                [0.0, 2.0],
+            ],
+        ];
+        for outline in cases {
+            let ring = texels(outline);
+            let sum: f64 = triangles(ring.clone()).iter().map(|t| area(t)).sum();
+            assert!(
+                (sum - area(&ring).abs()).abs() < 1e-12,
+                "{outline:?}: {sum}"
+            );
+        }
+    }
+}
