@@ -68,6 +68,20 @@ impl Desk {
         self.settle();
     }
 
+    /// Goes to a step of the run.
+    pub fn seek(&mut self, position: usize) {
+        self.app.seek(position);
+    }
+
+    /// How many steps the run has.
+    pub fn n_steps(&mut self) -> usize {
+        let before = self.app.position();
+        self.app.seek(usize::MAX);
+        let n_steps = self.app.position();
+        self.app.seek(before);
+        n_steps
+    }
+
     fn settle(&mut self) {
         for _ in 0..30 {
             self.frame(Vec::new());
@@ -99,10 +113,16 @@ impl Desk {
         }
     }
 
-    /// Where the first end of the segment in focus lies on the screen.
-    pub fn p1(&self) -> Pos2 {
-        let p1 = self.app.scene().focused().p1.to_array();
-        self.app.on_screen(p1).expect("a frame has been drawn")
+    /// Where the first handle lies on the screen: the first end of the segment in focus, the first vertex.
+    pub fn first_handle(&self) -> Pos2 {
+        self.app.on_screen(self.first_place()).expect("a frame has been drawn")
+    }
+
+    /// Where it lies in the world.
+    pub fn first_place(&self) -> [f64; 2] {
+        let scene = self.app.scene();
+        let first = scene.handles()[0];
+        scene.position(first).expect("a handle of the scene")
     }
 
     /// Takes hold of what lies at `at`.

@@ -4,7 +4,8 @@ use std::f32::consts::TAU;
 
 use clipscope::{
     app::Command,
-    panels::{Edit, lines::LinesEdit},
+    labs::Lab,
+    panels::{Edit, lines::LinesEdit, polygons::PolygonsEdit},
 };
 use egui::{Event, Key, vec2};
 
@@ -17,6 +18,10 @@ const N_FRAMES: usize = 600;
 /// A scene of 100,000 segments takes longer.
 const N_CROWDED_FRAMES: usize = 60;
 const N_CROWD: usize = 100_000;
+const N_VERTICES: usize = 10_000;
+const N_POLYGON_FRAMES: usize = 120;
+/// Milliseconds: what a screen with 60 pictures a second leaves.
+const POLYGON_TARGET: Target = Target::AtMost(16.0);
 /// Milliseconds, in a lesson.
 const TARGET: Target = Target::AtMost(2.0);
 /// A lesson and its step.
@@ -33,13 +38,18 @@ enum Doing {
     Stepping,
     /// The pointer goes round over the stage, and things light up.
     Hovering,
-    /// The first end of the segment follows the pointer, and all is clipped and recorded again.
+    /// The first handle follows the pointer, and all is clipped and recorded again.
     Dragging,
     /// The next step of the lesson, or the one before.
     Turning,
+    /// Another step of the run in every frame, far from the last.
+    Scrubbing,
+    /// Time passes: a step in some frames, nothing in the others.
+    Playing,
 }
 
 impl Doing {
+    /// In a lesson.
     const ALL: [Self; 5] = [
         Self::Nothing,
         Self::Stepping,
@@ -48,19 +58,31 @@ impl Doing {
         Self::Turning,
     ];
 
+    /// With a polygon of very many vertices.
+    const OF_A_POLYGON: [Self; 6] = [
+        Self::Nothing,
+        Self::Stepping,
+        Self::Scrubbing,
+        Self::Playing,
+        Self::Hovering,
+        Self::Dragging,
+    ];
+
     const fn name(self) -> &'static str {
         match self {
             Self::Nothing => "nothing",
             Self::Stepping => "a step a frame",
             Self::Hovering => "hovering",
-            Self::Dragging => "dragging P₁",
+            Self::Dragging => "dragging a handle",
             Self::Turning => "a lesson step a frame",
+            Self::Scrubbing => "scrubbing",
+            Self::Playing => "playing",
         }
     }
 
     /// Measures so many frames.
     fn frames(self, desk: &mut Desk, n: usize) -> Vec<Took> {
-        let start = desk.p1();
+        let start = desk.first_handle();
         if matches!(self, Self::Dragging) {
             desk.grip(start);
         }
@@ -75,6 +97,17 @@ impl Doing {
                         desk.frame(strike(Key::Home));
                     }
                     return took;
+                }
+                Self::Scrubbing => {
+                    let n_steps = desk.n_steps();
+                    desk.seek(i * 7919 % (n_steps + 1));
+                    Vec::new()
+                }
+                Self::Playing => {
+                    if i == 0 {
+                        desk.frame(strike(Key::Space));
+                    }
+                    Vec::new()
                 }
                 Self::Hovering => {
                     let at = start + vec2(round.cos() - 1.0, round.sin()) * 120.0;
@@ -91,16 +124,16 @@ impl Doing {
                     Vec::new()
                 }
             };
-            let before = desk.app.scene().as_lines().unwrap().focused().p1;
+            let before = desk.first_place();
             let took = desk.frame(events);
             if matches!(self, Self::Dragging) && i % ROUND == ROUND / 2 {
-                assert_ne!(desk.app.scene().as_lines().unwrap().focused().p1, before, "P₁ follows");
+                assert_ne!(desk.first_place(), before, "the handle follows");
             }
             took
         });
         let took = took.collect();
         if matches!(self, Self::Dragging) {
-            let at = desk.p1();
+            let at = desk.first_handle();
             desk.let_go(at);
         }
         took
@@ -112,7 +145,7 @@ pub fn run() {
     println!("## A frame of the interface\n");
     println!(
         "The lines lab at 1280 × 720, layout and tessellation, milliseconds; medians of {N_FRAMES} frames, of \
-         {N_CROWDED_FRAMES} with {N_CROWD} segments.\n"
+         {N_CROWDED_FRAMES} with {N_CROWD} segments, of {N_POLYGON_FRAMES} with {N_VERTICES} vertices.\n"
     );
     println!("| scene | doing | layout | tessellation | both | 95 % under | target | |");
     println!("|---|---|--:|--:|--:|--:|--:|---|");
@@ -143,6 +176,25 @@ pub fn run() {
             let took = doing.frames(&mut desk, N_CROWDED_FRAMES);
             row(name, doing, &took, Target::None);
         }
+    }
+    for doing in Doing::OF_A_POLYGON {
+        let mut desk = Desk::at(CUTTING[0], CUTTING[1]);
+        desk.apply(Command::Lab(Lab::Polygons));
+        desk.apply(Command::Edit(
+            Edit::Polygons(PolygonsEdit::Random {
+                count: N_VERTICES,
+                seed: 1,
+            }),
+            None,
+        ));
+        desk.seek(desk.n_steps() / 2);
+        let took = doing.frames(&mut desk, N_POLYGON_FRAMES);
+        row(
+            "a polygon of 10,000 vertices",
+            doing,
+            &took,
+            POLYGON_TARGET,
+        );
     }
     println!();
 }

@@ -20,7 +20,9 @@ mod harness;
 mod line;
 #[cfg(feature = "gui")]
 mod paint;
+mod plot;
 mod polygon;
+mod weiler_atherton;
 
 use std::process::ExitCode;
 
@@ -30,6 +32,7 @@ type Benchmark = (&'static str, fn());
 const BENCHMARKS: &[Benchmark] = &[
     ("line", line::run),
     ("polygon", polygon::run),
+    ("weiler-atherton", weiler_atherton::run),
     #[cfg(feature = "gui")]
     ("frame", frame::run),
     #[cfg(feature = "gui")]

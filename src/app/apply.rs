@@ -5,7 +5,7 @@ use egui::Context;
 use crate::{
     labs::Lab,
     lesson::scene_to_toml,
-    panels::Edit,
+    panels::{Edit, polygons::Sketch},
     text::{Catalog, Message},
 };
 
@@ -23,8 +23,19 @@ impl App {
         let now = ctx.input(|input| input.time);
         match command {
             Command::Edit(edit, gesture) => self.edit(edit, gesture, now),
-            Command::Add => self.edit(Edit::Add(self.stage.focused), None, now),
-            Command::Remove => self.edit(Edit::Remove(self.stage.focused), None, now),
+            Command::Add => self.edit(Edit::Add(self.stage.chosen()), None, now),
+            Command::Remove => {
+                self.edit(Edit::Remove(self.stage.chosen()), None, now);
+                self.stage.selected = None;
+            }
+            Command::Select(handle) => self.stage.selected = Some(handle),
+            Command::Draw(_) | Command::Place(_) | Command::TakeBack | Command::CloseOutline => {
+                self.sketch(ctx, &command, now);
+            }
+            // Half an outline has a past of its own.
+            Command::Undo if self.stage.sketch.is_some() => {
+                self.sketch(ctx, &Command::TakeBack, now);
+            }
             Command::EndGesture => self.document.end_gesture(),
             Command::Undo => self.travel(|app| app.document.undo()),
             Command::Redo => self.travel(|app| app.document.redo()),
@@ -66,15 +77,16 @@ impl App {
     }
 
     fn apply_transport(&mut self, command: &Command) {
-        let phase = |app: &Self, by| app.playback.phase(by);
-        let (before, after) = (phase(self, -1), phase(self, 1));
+        if let Command::Phase(by) = *command {
+            let to = self.playback.phase(by);
+            self.playback.transport_mut().seek(to);
+        }
         let transport = self.playback.transport_mut();
         match *command {
             Command::Step(by) => transport.step(by),
             Command::Seek(step) => transport.seek(step),
             Command::First => transport.seek(0),
             Command::Last => transport.seek(usize::MAX),
-            Command::Phase(by) => transport.seek(if by < 0 { before } else { after }),
             Command::Play => transport.toggle(),
             Command::Speed(speed) => {
                 transport.set_speed(speed);
@@ -101,7 +113,43 @@ impl App {
             Ok(false) => {}
             // A handle that cannot go there stays where it is: that is answer enough.
             Err(_) if is_drag => {}
-            Err(error) => self.notices.push(Notice::problem(error.to_string())),
+            Err(error) => {
+                let text = error.message().map_or_else(
+                    || error.to_string(),
+                    |message| self.catalog().message(&message),
+                );
+                self.notices.push(Notice::passing(text, now));
+            }
+        }
+    }
+
+    /// Draws an outline: the scene changes when it is closed.
+    fn sketch(&mut self, ctx: &Context, command: &Command, now: f64) {
+        if self.document.now().lab() != Lab::Polygons {
+            return;
+        }
+        if let Command::Draw(outline) = *command {
+            self.stage.sketch = Some(Sketch::new(outline));
+            self.stage.selected = None;
+            self.shown.room = Room::Stage;
+            self.playback.transport_mut().pause();
+            // Enter closes the outline: it must not press a button.
+            ctx.memory_mut(|memory| memory.stop_text_input());
+            return;
+        }
+        let Some(sketch) = &mut self.stage.sketch else {
+            return;
+        };
+        match *command {
+            Command::Place(at) => sketch.place(at),
+            Command::TakeBack if !sketch.take_back() => self.stage.sketch = None,
+            Command::CloseOutline => {
+                if let Some(edit) = sketch.edit() {
+                    self.stage.sketch = None;
+                    self.edit(Edit::Polygons(edit), None, now);
+                }
+            }
+            _ => {}
         }
     }
 
@@ -167,7 +215,7 @@ impl App {
     }
 
     fn cancel(&mut self) {
-        if self.shown.dialog.take().is_some() {
+        if self.shown.dialog.take().is_some() || self.stage.sketch.take().is_some() {
             return;
         }
         if std::mem::take(&mut self.lab.is_measuring) {
@@ -179,6 +227,7 @@ impl App {
         }
         self.shown.presenting = false;
         self.shown.room = Room::Stage;
+        self.stage.selected = None;
     }
 
     fn apply_dialog(&mut self, ctx: &Context, command: Command, now: f64) {

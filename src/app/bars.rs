@@ -5,7 +5,10 @@ use egui::{Align, Button, Layout, Rect, RichText, Ui, UiBuilder, pos2, vec2};
 use crate::{
     labs::{Lab, Scene},
     paint::theme,
-    panels::{Edit, compare_picker, lines, method_picker, polygons},
+    panels::{
+        Edit, compare_picker, lines, method_picker,
+        polygons::{self, PolygonsAsk},
+    },
     text::{Message, Value},
     widgets::{
         Icon, Press, Timeline, caption_text, icon_button, language_menu, speed_menu, theme_menu,
@@ -14,7 +17,7 @@ use crate::{
 };
 
 use super::{
-    Command,
+    Command, Fields,
     layout::{Room, SIDES, transport_has_room},
     model::Model,
 };
@@ -23,7 +26,7 @@ use super::{
 pub fn top(
     model: &Model<'_>,
     ui: &mut Ui,
-    batch: &mut lines::Batch,
+    fields: &mut Fields,
     room: Room,
     course_width: f32,
     commands: &mut Vec<Command>,
@@ -34,9 +37,9 @@ pub fn top(
         ui.spacing_mut().item_spacing.x = 4.0;
         if model.is_narrow {
             sides(model, ui, room, commands);
-            icon_menu(model, ui, batch, commands);
+            icon_menu(model, ui, fields, commands);
         } else {
-            menus(model, ui, batch, commands);
+            menus(model, ui, fields, commands);
         }
         let right = ui.available_rect_before_wrap().right();
         let left = Rect::from_min_max(bar.min, pos2(right - 8.0, bar.bottom()));
@@ -96,7 +99,7 @@ fn pickers(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
 }
 
 /// From right to left.
-fn menus(model: &Model<'_>, ui: &mut Ui, batch: &mut lines::Batch, commands: &mut Vec<Command>) {
+fn menus(model: &Model<'_>, ui: &mut Ui, fields: &mut Fields, commands: &mut Vec<Command>) {
     let look = model.look;
     if ui.button(look.say("action-present")).clicked() {
         commands.push(Command::Present);
@@ -108,7 +111,7 @@ fn menus(model: &Model<'_>, ui: &mut Ui, batch: &mut lines::Batch, commands: &mu
         commands.extend(language_menu(ui, model.settings.lang).map(Command::Language));
     });
     ui.menu_button(look.say("panel-scene"), |ui| {
-        scene(model, ui, batch, commands);
+        scene(model, ui, fields, commands);
     });
     if !(model.settings.course && model.settings.inspector) {
         sides(model, ui, Room::Stage, commands);
@@ -116,17 +119,20 @@ fn menus(model: &Model<'_>, ui: &mut Ui, batch: &mut lines::Batch, commands: &mu
 }
 
 /// Everything that the wide bar holds, behind one button.
-fn icon_menu(
-    model: &Model<'_>,
-    ui: &mut Ui,
-    batch: &mut lines::Batch,
-    commands: &mut Vec<Command>,
-) {
+fn icon_menu(model: &Model<'_>, ui: &mut Ui, fields: &mut Fields, commands: &mut Vec<Command>) {
     let look = model.look;
     let button = icon_button(ui, look, Icon::More, &look.say("menu-more"), true);
     egui::Popup::menu(&button).show(|ui| {
+        for lab in Lab::ALL {
+            let is_open = model.scene.lab() == lab;
+            if ui.radio(is_open, look.say(lab.name_key())).clicked() && !is_open {
+                commands.push(Command::Lab(lab));
+                ui.close();
+            }
+        }
+        ui.separator();
         ui.menu_button(look.say("panel-scene"), |ui| {
-            scene(model, ui, batch, commands);
+            scene(model, ui, fields, commands);
         });
         ui.menu_button(look.say("settings-theme"), |ui| {
             commands.extend(theme_menu(ui, look).map(Command::Theme));
@@ -159,13 +165,18 @@ fn sides(model: &Model<'_>, ui: &mut Ui, room: Room, commands: &mut Vec<Command>
     }
 }
 
-fn scene(model: &Model<'_>, ui: &mut Ui, batch: &mut lines::Batch, commands: &mut Vec<Command>) {
+fn scene(model: &Model<'_>, ui: &mut Ui, fields: &mut Fields, commands: &mut Vec<Command>) {
     let look = model.look;
-    let edit = match model.scene {
-        Scene::Lines(scene) => lines::scene_menu(ui, look, scene, batch).map(Edit::Lines),
-        Scene::Polygons(scene) => polygons::scene_menu(ui, look, scene).map(Edit::Polygons),
-    };
-    commands.extend(edit.map(|edit| Command::Edit(edit, None)));
+    commands.extend(match model.scene {
+        Scene::Lines(scene) => lines::scene_menu(ui, look, scene, &mut fields.batch)
+            .map(|edit| Command::Edit(Edit::Lines(edit), None)),
+        Scene::Polygons(scene) => {
+            polygons::scene_menu(ui, look, scene, &mut fields.random).map(|asked| match asked {
+                PolygonsAsk::Edit(edit) => Command::Edit(Edit::Polygons(edit), None),
+                PolygonsAsk::Draw(outline) => Command::Draw(outline),
+            })
+        }
+    });
     let mut snap = model.settings.snap;
     if ui.checkbox(&mut snap, look.say("settings-snap")).changed() {
         commands.push(Command::Snap(snap));
@@ -197,7 +208,15 @@ fn scene(model: &Model<'_>, ui: &mut Ui, batch: &mut lines::Batch, commands: &mu
     ui.separator();
     action(ui, "action-save", "Ctrl+S", true, Command::Save);
     action(ui, "action-export", "Ctrl+E", true, Command::Export);
-    action(ui, "cost-measure", "Ctrl+M", true, Command::Measure(true));
+    // Only the lines lab has methods that give the same answer to compare.
+    let measures = model.scene.lab() == Lab::Lines;
+    action(
+        ui,
+        "cost-measure",
+        "Ctrl+M",
+        measures,
+        Command::Measure(true),
+    );
     action(ui, "action-help", "?", true, Command::Help);
 }
 
@@ -265,12 +284,28 @@ fn timeline(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
     let transport = model.playback.transport();
     let catalog = model.look.catalog;
     let run = model.playback.main();
+    let difference = model.playback.difference();
+    let note = difference.map(|difference| catalog.message(&difference.message()));
+    let first = difference.and_then(|difference| difference.step);
+    let tip = |step: usize| {
+        let said = caption_text(catalog, &run.caption(step));
+        match &note {
+            Some(note) if first == Some(step) => format!("≠ {note}\n{said}"),
+            _ => said,
+        }
+    };
+    let name = model.look.say("panel-timeline");
     let asked = Timeline {
         n_steps: transport.n_steps(),
         position: transport.position(),
         tick: &|step| run.tick(step),
-        tip: &|step| caption_text(catalog, &run.frame(step).caption),
-        name: model.look.say("panel-timeline"),
+        phases: model.playback.phases(),
+        difference: first,
+        tip: &tip,
+        name: match &note {
+            Some(note) => format!("{name}: {note}"),
+            None => name,
+        },
         look: model.look,
     }
     .show(ui);

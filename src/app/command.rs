@@ -3,7 +3,12 @@
 use egui::{Key, Modifiers};
 
 use crate::{
-    labs::Lab, lesson::CodeView, paint::ThemeKind, panels::Edit, text::Lang, widgets::View,
+    labs::{Handle, Lab},
+    lesson::CodeView,
+    paint::ThemeKind,
+    panels::{Edit, polygons::Outline},
+    text::Lang,
+    widgets::View,
 };
 
 use super::{dialog::Dialog, document::Gesture};
@@ -42,6 +47,16 @@ pub enum Command {
     Add,
     /// One less.
     Remove,
+    /// Takes hold of a vertex: what Insert and Delete are about.
+    Select(Handle),
+    /// Begins an outline that is drawn by clicking.
+    Draw(Outline),
+    /// Places its next point.
+    Place([f64; 2]),
+    /// Takes its last point back.
+    TakeBack,
+    /// Closes it: the scene changes.
+    CloseOutline,
     /// The pointer has let go of what it dragged.
     EndGesture,
     /// Takes a change back.
@@ -86,6 +101,24 @@ pub enum Command {
     Dismiss,
 }
 
+impl Command {
+    /// May it be done while an outline is half drawn? The run does not move then, and nothing else is edited.
+    pub(super) const fn goes_with_a_sketch(&self) -> bool {
+        !matches!(
+            self,
+            Self::Step(_)
+                | Self::Seek(_)
+                | Self::First
+                | Self::Last
+                | Self::Phase(_)
+                | Self::Play
+                | Self::Add
+                | Self::Remove
+                | Self::Redo
+        )
+    }
+}
+
 /// One line of the table of keys.
 pub struct Binding {
     /// What is done.
@@ -124,7 +157,7 @@ const fn once(command: Command, keys: &'static [(Modifiers, Key)], help: &'stati
 }
 
 /// Every key, in the order of the help.
-pub static BINDINGS: [Binding; 27] = [
+pub static BINDINGS: [Binding; 32] = [
     held(Command::Step(-1), &[(NONE, Key::ArrowLeft)], "help-step"),
     held(Command::Step(1), &[(NONE, Key::ArrowRight)], "help-step"),
     held(
@@ -170,11 +203,32 @@ pub static BINDINGS: [Binding; 27] = [
         &[(CTRL_SHIFT, Key::Z), (CTRL, Key::Y)],
         "action-redo",
     ),
-    once(Command::Add, &[(NONE, Key::Insert)], "action-add-segment"),
+    once(Command::Add, &[(NONE, Key::Insert)], "help-add"),
+    once(Command::Remove, &[(NONE, Key::Delete)], "help-remove"),
     once(
-        Command::Remove,
-        &[(NONE, Key::Delete)],
-        "action-remove-segment",
+        Command::Draw(Outline::Subject),
+        &[(NONE, Key::D)],
+        "action-draw-subject",
+    ),
+    once(
+        Command::Draw(Outline::Clip),
+        &[(NONE, Key::C)],
+        "action-draw-clip",
+    ),
+    once(
+        Command::Draw(Outline::Hole),
+        &[(NONE, Key::H)],
+        "action-draw-hole",
+    ),
+    once(
+        Command::CloseOutline,
+        &[(NONE, Key::Enter)],
+        "help-draw-close",
+    ),
+    held(
+        Command::TakeBack,
+        &[(NONE, Key::Backspace)],
+        "help-draw-back",
     ),
     once(Command::Save, &[(CTRL, Key::S)], "action-save"),
     once(Command::Export, &[(CTRL, Key::E)], "action-export"),

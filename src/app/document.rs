@@ -88,6 +88,12 @@ impl<S: Clone + PartialEq> Document<S> {
         Ok(true)
     }
 
+    /// Is something being dragged?
+    #[must_use]
+    pub const fn is_in_gesture(&self) -> bool {
+        matches!(self.open, Some((Gesture::Drag(_), _)))
+    }
+
     /// The pointer has let go: what comes next is another change.
     pub const fn end_gesture(&mut self) {
         self.open = None;

@@ -4,7 +4,7 @@ use egui::{Align, Layout, RichText, ScrollArea, Ui};
 
 use crate::{
     figure::Role,
-    labs::MethodCard,
+    labs::{Lab, MethodCard},
     lesson::CodeView,
     trace::Counts,
     widgets::{CodeLine, Cost, code_view_switch, cost, pseudocode, rule, section, watch},
@@ -105,6 +105,9 @@ fn costs(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
         most: most(end).max(compared.map_or(0, |(_, end, _)| most(end))),
     };
     ui.scope(|ui| cost(ui, look, &shown));
+    if model.scene.lab() != Lab::Lines {
+        return;
+    }
     ui.add_space(4.0);
     let measure = RichText::new(look.say("cost-measure"))
         .small()

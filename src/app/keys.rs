@@ -11,7 +11,7 @@ pub enum Focus {
     Free,
     /// A handle has it: arrows move the handle.
     Handle,
-    /// A button or a menu has it: arrows and Space are egui's.
+    /// A button or a menu has it: arrows, Space and Enter are egui's.
     Widget,
     /// Text is being written: only keys that write nothing are commands.
     Text,
@@ -40,7 +40,9 @@ impl Focus {
         match self {
             Self::Free => false,
             Self::Handle => is_arrow && !modifiers.command,
-            Self::Widget => (is_arrow && !modifiers.command) || key == Key::Space,
+            Self::Widget => {
+                (is_arrow && !modifiers.command) || matches!(key, Key::Space | Key::Enter)
+            }
             // A text field undoes and saves nothing of the scene's.
             Self::Text => !matches!(key, Key::F1 | Key::F5 | Key::F6 | Key::F7 | Key::Escape),
         }

@@ -4,7 +4,7 @@ use egui::{CentralPanel, Frame, Margin, Panel, Ui, Vec2};
 
 use crate::widgets::{Icon, transport_width};
 
-use super::{App, Command, bars, course_panel, inspector, model::Model, overlays, stage};
+use super::{App, Command, Fields, bars, course_panel, inspector, model::Model, overlays, stage};
 
 /// In windows narrower than this, in points, the course and the inspector take the stage's place.
 const NARROW: f32 = 860.0;
@@ -45,7 +45,7 @@ pub fn show(app: &mut App, ui: &mut Ui, commands: &mut Vec<Command>) {
         stage_state.pointed_on_stage,
         stage_state.pointed_in_inspector,
     ) = (None, None);
-    let mut batch = app.lab.batch;
+    let mut fields = app.lab.fields;
     let model = app.model(size);
     let room = if model.is_narrow {
         app.shown.room
@@ -55,7 +55,7 @@ pub fn show(app: &mut App, ui: &mut Ui, commands: &mut Vec<Command>) {
     if app.shown.presenting {
         presentation(&model, ui, &mut stage_state, commands);
     } else {
-        top(&model, ui, &mut batch, room, commands);
+        top(&model, ui, &mut fields, room, commands);
         bottom(&model, ui, commands);
         if !model.is_narrow {
             sides(&model, ui, &mut stage_state, commands);
@@ -80,7 +80,7 @@ pub fn show(app: &mut App, ui: &mut Ui, commands: &mut Vec<Command>) {
         .or(stage_state.pointed_in_inspector);
     app.stage = stage_state;
     overlays::show(app, ui, commands);
-    app.lab.batch = batch;
+    app.lab.fields = fields;
 }
 
 fn centre(
@@ -114,7 +114,7 @@ fn presentation(
 fn top(
     model: &Model<'_>,
     ui: &mut Ui,
-    batch: &mut crate::panels::lines::Batch,
+    fields: &mut Fields,
     room: Room,
     commands: &mut Vec<Command>,
 ) {
@@ -128,7 +128,7 @@ fn top(
         .exact_size(height.round())
         .frame(frame)
         .show(ui, |ui| {
-            bars::top(model, ui, batch, room, COURSE, commands);
+            bars::top(model, ui, fields, room, COURSE, commands);
         });
 }
 

@@ -12,6 +12,7 @@
 
 mod apply;
 mod bars;
+mod clicks;
 mod command;
 mod course_panel;
 mod dialog;
@@ -31,6 +32,7 @@ mod playback;
 #[cfg(not(target_arch = "wasm32"))]
 mod reload;
 mod settings;
+mod sketch;
 mod stage;
 #[cfg(test)]
 mod tests;
@@ -55,7 +57,10 @@ use crate::{
     labs::{Lab, Scene},
     lesson::{CodeView, Course, Step},
     paint::ThemeKind,
-    panels::lines::{Batch, Measure},
+    panels::{
+        lines::{Batch, Measure},
+        polygons::Random,
+    },
 };
 
 use document::Document;
@@ -73,7 +78,7 @@ pub struct App {
     document: Document<Scene>,
     playback: Playback,
     stage: StageState,
-    lab: LinesLab,
+    lab: LabState,
     shown: Shown,
     notices: Notices,
     platform: Box<dyn Platform>,
@@ -81,13 +86,20 @@ pub struct App {
     reload: Option<reload::Reload>,
 }
 
-/// What the lines lab remembers that is not part of its document.
+/// What the labs remember that is not part of their documents.
 #[derive(Default)]
-struct LinesLab {
-    batch: Batch,
+struct LabState {
+    fields: Fields,
     measure: Option<Measure>,
     /// Is the window with the measured costs open?
     is_measuring: bool,
+}
+
+/// The fields of the labs' menus.
+#[derive(Clone, Copy, Default)]
+struct Fields {
+    batch: Batch,
+    random: Random,
 }
 
 /// What of the window is shown.
@@ -119,7 +131,7 @@ impl App {
             playback: Playback::record(&scene, 0),
             stage: StageState::new(&scene),
             document: Document::new(scene),
-            lab: LinesLab::default(),
+            lab: LabState::default(),
             shown: Shown {
                 code: CodeView::Full,
                 dialog: None,
@@ -203,6 +215,8 @@ impl App {
         #[cfg(not(target_arch = "wasm32"))]
         self.take_changed_course(now);
         self.pass_time(&ctx, now);
+        let is_dragging = self.document.is_in_gesture();
+        self.playback.compare(self.document.now(), is_dragging);
         self.playback.prepare();
 
         self.install_theme(ui);
@@ -226,6 +240,9 @@ impl App {
         if self.stage.focused.is_some() || egui::Popup::is_any_open(ctx) {
             // Escape gives the handle's focus back, or closes the menu: nothing more.
             commands.retain(|command| *command != Command::Cancel);
+        }
+        if self.stage.sketch.is_some() {
+            commands.retain(Command::goes_with_a_sketch);
         }
         if self.shown.dialog.is_some() || self.lab.is_measuring {
             commands.retain(|command| matches!(command, Command::Cancel | Command::Help));

@@ -123,7 +123,9 @@ fn help(ctx: &Context, look: Look<'_>, commands: &mut Vec<Command>) {
                         }
                     });
                 ui.add_space(8.0);
-                ui.label(RichText::new(look.say("help-drag")).color(look.theme.soft));
+                for note in ["help-drag", "help-edge"] {
+                    ui.label(RichText::new(look.say(note)).color(look.theme.soft));
+                }
             });
     });
     if response.should_close() {
@@ -234,7 +236,7 @@ fn measure(app: &mut App, ctx: &Context, look: Look<'_>, commands: &mut Vec<Comm
     match response.inner {
         Some(MeasureAsk::Start) => {
             if let Scene::Lines(scene) = app.document.now() {
-                app.lab.measure = Some(Measure::new(scene, app.lab.batch.seed));
+                app.lab.measure = Some(Measure::new(scene, app.lab.fields.batch.seed));
             }
             ctx.request_repaint();
         }

@@ -2,7 +2,7 @@
 
 use crate::{
     figure::{Frame, Run, Tick},
-    labs::{MethodCard, Scene},
+    labs::{Difference, MethodCard, Scene},
     trace::{Counts, Transport},
 };
 
@@ -11,6 +11,10 @@ pub struct Playback {
     transport: Transport,
     main: Box<dyn Run>,
     other: Option<Box<dyn Run>>,
+    /// Steps at which a phase begins, the first few hundred.
+    phases: Vec<usize>,
+    /// Where a method that is wrong on purpose first differs from the one beside it.
+    difference: Compared,
     /// What the plainest method does on the same input, in all; none where it is that method.
     baseline: Option<(&'static MethodCard, Counts)>,
     /// Frames of the step they were made for.
@@ -20,6 +24,20 @@ pub struct Playback {
     clock: Option<f64>,
 }
 
+/// How two runs compare, once that is known.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Compared {
+    /// They are long, and the scene is being dragged.
+    NotYet,
+    /// Where they differ first, if they do.
+    Known(Option<Difference>),
+}
+
+/// More phases than this are not marked on the timeline.
+const MOST_PHASES: usize = 400;
+/// Runs up to this length are compared while the scene is being dragged.
+const SHORT: usize = 1000;
+
 impl Playback {
     /// Records the scene's methods, with the cursor at `position`.
     #[must_use]
@@ -27,8 +45,10 @@ impl Playback {
         let (main, other) = runs(scene);
         let mut playback = Self {
             transport: Transport::new(main.n_steps()),
+            phases: phases(&*main),
             main,
             other,
+            difference: Compared::NotYet,
             baseline: scene.baseline(),
             frames: Vec::new(),
             framed_at: None,
@@ -44,7 +64,9 @@ impl Playback {
         let before = self.transport.position();
         let position = main.corresponding(&*self.main, before);
         self.transport.rebase(main.n_steps(), position);
+        self.phases = phases(&*main);
         (self.main, self.other) = (main, other);
+        self.difference = Compared::NotYet;
         self.baseline = scene.baseline();
         self.framed_at = None;
     }
@@ -64,6 +86,32 @@ impl Playback {
     #[must_use]
     pub fn main(&self) -> &dyn Run {
         &*self.main
+    }
+
+    /// Where the methods that stand side by side first differ, if one of them is wrong on purpose.
+    #[must_use]
+    pub const fn difference(&self) -> Option<Difference> {
+        match self.difference {
+            Compared::Known(difference) => difference,
+            Compared::NotYet => None,
+        }
+    }
+
+    /// Compares the methods, unless that is known. Long runs wait until nothing is being dragged.
+    pub fn compare(&mut self, scene: &Scene, is_dragging: bool) {
+        let is_long = self.transport.n_steps() > SHORT;
+        if self.difference == Compared::NotYet && !(is_dragging && is_long) {
+            let runs: Vec<&dyn Run> = std::iter::once(&*self.main)
+                .chain(self.other.as_deref())
+                .collect();
+            self.difference = Compared::Known(Difference::between(&scene.methods(), &runs));
+        }
+    }
+
+    /// Steps at which a phase begins: at most a few hundred.
+    #[must_use]
+    pub fn phases(&self) -> &[usize] {
+        &self.phases
     }
 
     /// The next step, in this direction, at which a phase begins; the end where there is none.
@@ -131,6 +179,13 @@ impl Playback {
         }
         wait
     }
+}
+
+fn phases(run: &dyn Run) -> Vec<usize> {
+    (1..=run.n_steps())
+        .filter(|&step| run.tick(step) == Tick::Phase)
+        .take(MOST_PHASES)
+        .collect()
 }
 
 fn runs(scene: &Scene) -> (Box<dyn Run>, Option<Box<dyn Run>>) {

@@ -1,23 +1,21 @@
 //! The stage: the figure, a second view below it where the method has one, and the caption. Two of each
 //! where two methods stand side by side.
 
-use egui::{Context, Id, Rect, Stroke, Ui, UiBuilder, pos2, vec2};
+use egui::{Align2, Context, Id, Rect, Stroke, Ui, UiBuilder, pos2, vec2};
 
 use crate::{
-    figure::{Frame, Link, Mark},
-    labs::{Handle, MethodCard, Scene, lines},
-    paint::{Viewport, theme},
-    panels::{Edit, lines::LinesEdit, spots},
+    figure::{Caption, Frame, Link, Mark},
+    labs::{Handle, Lock, MethodCard, Scene},
+    paint::Viewport,
+    panels::{Reach, polygons::Sketch, spots},
     widgets::{
-        Canvas, CanvasShown, Gesture as HandleGesture, Spot, View, caption, caption_height,
-        caption_text, number_line, number_line_height,
+        Canvas, CanvasShown, Spot, View, caption, caption_height, caption_text, column_title,
+        gripped, number_line, number_line_height,
     },
 };
 
-use super::{Command, document::Gesture, model::Model};
+use super::{Command, clicks, model::Model, sketch};
 
-/// A click this near to a segment, in points, puts it in focus.
-const CLICK_REACH: f32 = 8.0;
 /// The least height that a stage keeps when a second view wants room.
 const LEAST_STAGE: f32 = 140.0;
 
@@ -40,6 +38,10 @@ pub struct StageState {
     pub handle_ids: Vec<Id>,
     /// The handle that had the keyboard's focus in the last frame.
     pub focused: Option<Handle>,
+    /// The vertex that was clicked or dragged last: what Insert and Delete are about.
+    pub selected: Option<Handle>,
+    /// Half an outline, while one is drawn.
+    pub sketch: Option<Sketch>,
     /// Does the scene come from elsewhere than the lesson's step?
     pub is_foreign: bool,
     seen: Option<Viewport>,
@@ -67,6 +69,11 @@ impl StageState {
     /// Shows all of a scene.
     pub fn fit(&mut self, scene: &Scene) {
         (self.view, self.bounds) = (None, scene.bounds());
+    }
+
+    /// What keys are about.
+    pub fn chosen(&self) -> Option<Handle> {
+        self.focused.or(self.selected)
     }
 
     /// Looks elsewhere.
@@ -116,7 +123,11 @@ impl StageState {
                 marks,
             });
         }
+        let is_drawing = self.sketch.is_some();
         let layers = &mut self.layers[column];
+        if is_drawing {
+            return &layers.marks[..layers.n_under];
+        }
         if layers.step != step {
             layers.marks.truncate(layers.n_under);
             layers.marks.extend(frame.marks.iter().cloned());
@@ -126,19 +137,35 @@ impl StageState {
     }
 }
 
+/// What can be taken hold of.
+struct Hands<'a> {
+    handles: &'a [Handle],
+    locks: &'a [Lock],
+    /// The handle that had the focus in the last frame.
+    focused: Option<Handle>,
+}
+
 /// Draws the stage into all the room there is.
 pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &mut Vec<Command>) {
     let rect = ui.max_rect();
     let frames = model.playback.frames();
     let methods = model.scene.methods();
-    let handles = model.scene.handles();
+    // A place that is clicked while an outline is drawn is a point of it.
+    let is_drawing = state.sketch.is_some();
+    let handles = if is_drawing {
+        Vec::new()
+    } else {
+        model.scene.handles()
+    };
     // A scene from elsewhere is the reader's own: nothing of it is locked.
     let step = model.place.step().filter(|_| !state.is_foreign);
-    let locks = step.map_or(&[][..], |step| &step.locks);
-    let spots = spots(model.look, model.scene, &handles, locks);
+    let hands = Hands {
+        handles: &handles,
+        locks: step.map_or(&[][..], |step| &step.locks),
+        focused: state.focused.take(),
+    };
     state.canvas_ids.clear();
     state.handle_ids.clear();
-    state.focused = None;
     let width = rect.width() / frames.len().max(1) as f32;
     for (i, (frame, method)) in frames.iter().zip(methods).enumerate() {
         let left = (rect.left() + i as f32 * width).round();
@@ -150,17 +177,28 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
             second_view: frames.iter().any(|frame| frame.number_line.is_some()),
             rect: column,
             method,
+            hands: &hands,
         };
         let inner = UiBuilder::new()
             .max_rect(column.rect)
             .id_salt(("column", i));
         ui.scope_builder(inner, |ui| {
             ui.set_clip_rect(column.rect.intersect(ui.clip_rect()));
-            let shown = column.show(model, ui, state, frame, &spots);
+            let shown = column.show(model, ui, state, frame);
             state.focused = state
                 .focused
                 .or(shown.focused.and_then(|i| handles.get(i).copied()));
-            ask(model, &shown, &handles, state, commands);
+            match &state.sketch {
+                Some(drawn) => sketch::ask(model, ui, &shown, drawn, commands),
+                None => clicks::ask(
+                    model,
+                    ui,
+                    &shown,
+                    (hands.handles, hands.locks),
+                    state,
+                    commands,
+                ),
+            }
         });
         if i > 0 {
             let line = Stroke::new(1.0, model.look.theme.hairline);
@@ -170,25 +208,30 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
 }
 
 /// One method's part of the stage.
-struct Column {
+struct Column<'a> {
     index: usize,
     is_one_of_two: bool,
     /// Does any column have a second view?
     second_view: bool,
     rect: Rect,
     method: &'static MethodCard,
+    hands: &'a Hands<'a>,
 }
 
-impl Column {
+impl Column<'_> {
     fn show(
         &self,
         model: &Model<'_>,
         ui: &mut Ui,
         state: &mut StageState,
         frame: &Frame,
-        spots: &[Spot],
     ) -> CanvasShown {
         let look = model.look;
+        let hint = state
+            .sketch
+            .as_ref()
+            .map(|drawn| Caption::new(drawn.hint()));
+        let said = hint.as_ref().unwrap_or(&frame.caption);
         let n_rows = self.caption_rows(model);
         let whole = if self.is_one_of_two {
             self.title(model, ui)
@@ -213,7 +256,7 @@ impl Column {
             }
             _ => (stage, None),
         };
-        let shown = self.canvas(model, ui, state, frame, spots, stage);
+        let shown = self.canvas(model, ui, state, frame, said, stage);
         if let Some((line, below)) = below {
             let pointed = number_line(ui, look, below, line, state.lit);
             state.pointed_on_stage = state.pointed_on_stage.or(pointed);
@@ -221,7 +264,7 @@ impl Column {
         ui.painter().rect_filled(rest, 0.0, look.theme.background);
         let line = Stroke::new(1.0, look.theme.hairline);
         ui.painter().hline(rest.x_range(), rest.top() + 0.5, line);
-        caption(ui, look, rest, n_rows, &frame.caption);
+        caption(ui, look, rest, n_rows, said);
         shown
     }
 
@@ -231,12 +274,17 @@ impl Column {
         let height = (36.0 * look.theme.text_scale).round();
         let strip = self.rect.with_max_y(self.rect.top() + height);
         ui.painter().rect_filled(strip, 0.0, look.theme.background);
-        ui.painter().text(
-            strip.left_center() + vec2(24.0, 0.0),
-            egui::Align2::LEFT_CENTER,
-            look.say(self.method.name_key),
-            theme::strong().resolve(ui.style()),
-            look.theme.ink,
+        let difference = model.playback.difference();
+        let note = difference
+            .filter(|difference| difference.column == self.index)
+            .map(|difference| look.catalog.message(&difference.message()));
+        column_title(
+            &ui.painter_at(strip),
+            look,
+            (strip.left_center() + vec2(24.0, 0.0), Align2::LEFT_CENTER),
+            strip.width() - 32.0,
+            &look.say(self.method.name_key),
+            note.as_deref(),
         );
         self.rect.with_min_y(strip.bottom())
     }
@@ -251,19 +299,39 @@ impl Column {
         }
     }
 
+    fn spots(
+        &self,
+        model: &Model<'_>,
+        ui: &Ui,
+        state: &StageState,
+        id: Id,
+        viewport: &Viewport,
+    ) -> Vec<Spot> {
+        let reach = Reach {
+            viewport,
+            pointer: ui.ctx().pointer_latest_pos(),
+            focused: self.hands.focused,
+            selected: state.selected,
+            gripped: gripped(ui, id),
+        };
+        let Hands { handles, locks, .. } = self.hands;
+        spots(model.look, model.scene, handles, locks, &reach)
+    }
+
     fn canvas(
         &self,
         model: &Model<'_>,
         ui: &mut Ui,
         state: &mut StageState,
         frame: &Frame,
-        spots: &[Spot],
+        said: &Caption,
         rect: Rect,
     ) -> CanvasShown {
         let look = model.look;
         let viewport = state.viewport(rect);
         let lit = state.lit;
         let id = Id::unique(("stage", self.index));
+        let spots = self.spots(model, ui, state, id, &viewport);
         let shown = Canvas {
             id,
             viewport,
@@ -272,8 +340,8 @@ impl Column {
                 look.say("panel-stage"),
                 look.say(self.method.name_key)
             ),
-            text: caption_text(look.catalog, &frame.caption),
-            spots,
+            text: caption_text(look.catalog, said),
+            spots: &spots,
             snap: model.settings.snap,
             marks: state.marks(self.index, model, frame),
             lit,
@@ -281,9 +349,11 @@ impl Column {
         }
         .show(ui);
         state.canvas_ids.push(id);
-        state
-            .handle_ids
-            .extend((0..spots.len()).map(|i| id.with(i)));
+        let ids = spots.iter().map(|spot| id.with(spot.index));
+        state.handle_ids.extend(ids);
+        if let Some(drawn) = &state.sketch {
+            sketch::draw(model, ui, &viewport, drawn);
+        }
         state.pointed_on_stage = state.pointed_on_stage.or(shown.pointed);
         state.seen = Some(shown.viewport);
         shown
@@ -297,56 +367,4 @@ fn split(rect: Rect, height: f32) -> (Rect, Rect) {
         Rect::from_min_max(rect.min, pos2(rect.right(), y)),
         Rect::from_min_max(pos2(rect.left(), y), rect.max),
     )
-}
-
-/// What was done to a canvas, as commands.
-fn ask(
-    model: &Model<'_>,
-    shown: &CanvasShown,
-    handles: &[Handle],
-    state: &StageState,
-    commands: &mut Vec<Command>,
-) {
-    commands.extend(shown.view.map(Command::View));
-    if let Some(moved) = shown.moved {
-        let edit = Edit::Drag(handles[moved.spot], moved.to);
-        let gesture = match moved.by {
-            HandleGesture::Drag => Gesture::Drag(moved.spot),
-            HandleGesture::Nudge => Gesture::Nudge(moved.spot),
-        };
-        commands.push(Command::Edit(edit, Some(gesture)));
-    }
-    if shown.released {
-        commands.push(Command::EndGesture);
-    }
-    if let (Some(at), Some(seen), Scene::Lines(scene)) = (shown.clicked, state.seen, model.scene)
-        && let Some(segment_idx) = segment_at(
-            scene,
-            &Viewport {
-                rect: shown.viewport.rect,
-                ..seen
-            },
-            at,
-        )
-    {
-        commands.push(Command::Edit(
-            Edit::Lines(LinesEdit::Focus(segment_idx)),
-            None,
-        ));
-    }
-}
-
-/// The segment under a place on the screen, unless it is in focus already.
-fn segment_at(scene: &lines::Scene, viewport: &Viewport, at: egui::Pos2) -> Option<usize> {
-    let distance = |i: usize| {
-        let [a, b] = [scene.segments()[i].p1, scene.segments()[i].p2]
-            .map(|p| viewport.to_screen(p.to_array()));
-        crate::widgets::distance_to_segment(at, a, b)
-    };
-    (0..scene.segments().len())
-        .map(|i| (i, distance(i)))
-        .filter(|&(_, d)| d <= CLICK_REACH)
-        .min_by(|a, b| a.1.total_cmp(&b.1))
-        .map(|(i, _)| i)
-        .filter(|&i| i != scene.focus())
 }

@@ -1,14 +1,16 @@
 //! One figure: what the stage shows, and the caption under it.
 
-use egui::{Align2, FontId, Rect, Ui, pos2, vec2};
+use std::sync::Arc;
+
+use egui::{Align2, FontId, Galley, Rect, Ui, pos2, vec2};
 
 use crate::{
     figure::{Frame, Run},
-    labs::{MethodCard, Scene},
-    paint::{Headless, Image, Theme, ThemeKind, Viewport, fonts::semibold, stage},
+    labs::{Difference, MethodCard, Scene},
+    paint::{Headless, Image, Theme, ThemeKind, Viewport, stage},
     text::{Catalog, Lang},
     trace::Counts,
-    widgets::{Look, caption_job, number_line, number_line_height},
+    widgets::{Look, caption_job, column_title, number_line, number_line_height},
 };
 
 /// A figure is laid out on a page of this size in points, or larger along one side as its shape asks, and
@@ -44,6 +46,7 @@ pub fn draw(table: &mut Headless, picture: &Picture<'_>) -> Image {
     let pixels_per_point = (size.x / PAGE_PTS[0]).min(size.y / PAGE_PTS[1]);
     let scene = picture.scene;
     let runs = scene.record();
+    let all: Vec<&dyn Run> = runs.iter().map(|run| &**run).collect();
     let columns: Vec<Column> = scene
         .methods()
         .into_iter()
@@ -61,6 +64,7 @@ pub fn draw(table: &mut Headless, picture: &Picture<'_>) -> Image {
             catalog: Catalog::of(picture.lang),
         },
         is_comparison: columns.len() > 1,
+        difference: Difference::between(&scene.methods(), &all),
         line_height: if columns.iter().any(|c| c.frame.number_line.is_some()) {
             number_line_height(Theme::of(picture.theme))
         } else {
@@ -70,10 +74,16 @@ pub fn draw(table: &mut Headless, picture: &Picture<'_>) -> Image {
     table.draw(size / pixels_per_point, pixels_per_point, |ui| {
         let whole = ui.max_rect();
         let width = whole.width() / columns.len() as f32;
-        for (i, column) in columns.iter().enumerate() {
+        let captions: Vec<_> = columns
+            .iter()
+            .map(|column| page.caption(ui, width, &column.frame))
+            .collect();
+        // As much room under both stages, so that they show the same place at the same size.
+        let room = captions.iter().map(|c| c.size().y).fold(0.0, f32::max);
+        for (i, (column, caption)) in columns.iter().zip(captions).enumerate() {
             let left = whole.left() + width * i as f32;
             let rect = Rect::from_min_size(pos2(left, whole.top()), vec2(width, whole.height()));
-            page.column(ui, rect, i, column);
+            page.column(ui, rect, i, column, (caption, room));
             if i > 0 {
                 let hairline = page.look.theme.stroke(1.0, page.look.theme.hairline);
                 ui.painter().vline(left, whole.y_range(), hairline);
@@ -103,20 +113,31 @@ struct Page<'a> {
     scene: &'a Scene,
     look: Look<'static>,
     is_comparison: bool,
+    difference: Option<Difference>,
     /// Height of the second view: the same under both stages, so that they show the same place.
     line_height: f32,
 }
 
 impl Page<'_> {
-    fn column(&self, ui: &mut Ui, rect: Rect, index: usize, column: &Column) {
+    fn caption(&self, ui: &Ui, width: f32, frame: &Frame) -> Arc<Galley> {
+        let width = width - 2.0 * MARGIN_PTS[0];
+        let job = caption_job(ui, self.look, &frame.caption, width, MAX_ROWS);
+        ui.painter().layout_job(job)
+    }
+
+    fn column(
+        &self,
+        ui: &mut Ui,
+        rect: Rect,
+        index: usize,
+        column: &Column,
+        (caption, caption_height): (Arc<Galley>, f32),
+    ) {
         let frame = &column.frame;
         let [margin_x, margin_y] = MARGIN_PTS;
-        let width = rect.width() - 2.0 * margin_x;
-        let job = caption_job(ui, self.look, &frame.caption, width, MAX_ROWS);
-        let caption = ui.painter().layout_job(job);
         let cost_height = if self.is_comparison { 28.0 } else { 0.0 };
         let bottom = rect.bottom() - margin_y;
-        let caption_top = bottom - cost_height - caption.size().y;
+        let caption_top = bottom - cost_height - caption_height;
         let strip_top = caption_top - margin_y;
         let title_height = if self.is_comparison {
             TITLE_PTS * self.look.theme.text_scale
@@ -127,7 +148,7 @@ impl Page<'_> {
             .with_min_y(rect.top() + title_height)
             .with_max_y(strip_top - self.line_height);
         if self.is_comparison {
-            self.title(ui, rect.min, column.method);
+            self.title(ui, rect, index, column.method);
         }
         self.stage(ui, stage_rect, index, column);
         if let Some(line) = &frame.number_line {
@@ -161,13 +182,19 @@ impl Page<'_> {
         );
     }
 
-    fn title(&self, ui: &Ui, corner: egui::Pos2, method: &MethodCard) {
-        ui.painter().text(
-            corner + vec2(MARGIN_PTS[0], MARGIN_PTS[1]),
-            Align2::LEFT_TOP,
-            self.look.catalog.term(method.name_key),
-            FontId::new(13.0 * self.look.theme.text_scale, semibold()),
-            self.look.theme.ink,
+    fn title(&self, ui: &Ui, rect: Rect, index: usize, method: &MethodCard) {
+        let note = self
+            .difference
+            .filter(|difference| difference.column == index)
+            .map(|difference| self.look.catalog.message(&difference.message()));
+        let [margin_x, margin_y] = MARGIN_PTS;
+        column_title(
+            ui.painter(),
+            self.look,
+            (rect.min + vec2(margin_x, margin_y), Align2::LEFT_TOP),
+            rect.width() - 2.0 * margin_x,
+            &self.look.catalog.term(method.name_key),
+            note.as_deref(),
         );
     }
 

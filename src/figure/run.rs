@@ -7,7 +7,14 @@ use serde_json::Value as Json;
 
 use crate::trace::Counts;
 
-use super::Frame;
+use super::{Caption, Frame};
+
+/// Runs longer than this are not searched event by event when the scene is changed: a drag has no time for it.
+const LONG: usize = 4096;
+/// In such a run, an event of the same kind is looked for within so many steps.
+const NEARBY: usize = 64;
+/// Two runs are compared step by step up to here.
+const MOST_COMPARED: usize = 20_000;
 
 /// The kind of an event: the shape of its tick on the timeline.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -36,6 +43,10 @@ pub trait Run {
     fn counts_at(&self, step: usize) -> Counts;
     /// What the step shows.
     fn frame(&self, step: usize) -> Frame;
+    /// The sentence of the step alone.
+    fn caption(&self, step: usize) -> Caption {
+        self.frame(step).caption
+    }
     /// The answer as JSON: the fields of `output` in `interfaces.md`.
     fn output_json(&self) -> Json;
 
@@ -77,10 +88,13 @@ pub trait Run {
     }
 
     /// Where a cursor that stood at `step` of `before` belongs in this run: at the same moment where it
-    /// comes, else at the same kind of event, else as near as can be.
+    /// comes, else at the same kind of event, else as near as can be. In a very long run, as far along.
     fn corresponding(&self, before: &dyn Run, step: usize) -> usize {
         if step >= before.n_steps() {
             return self.n_steps();
+        }
+        if self.n_steps().max(before.n_steps()) > LONG {
+            return as_far_along(self, before, step);
         }
         let moment = before.moment(step);
         let kind = match &moment {
@@ -94,6 +108,35 @@ pub trait Run {
             .or_else(|| self.find(&kind))
             .unwrap_or_else(|| step.min(self.n_steps()))
     }
+
+    /// The first step at which this run and another differ, from 1; `None` where one event after the other is
+    /// the same, or the first so many that a reader would ever step through.
+    fn first_difference(&self, other: &dyn Run) -> Option<usize> {
+        let longer = self.n_steps().max(other.n_steps());
+        let shorter = self.n_steps().min(other.n_steps());
+        let differs = |&step: &usize| self.event_json(step) != other.event_json(step);
+        (1..=shorter.min(MOST_COMPARED))
+            .find(differs)
+            .or_else(|| (shorter < longer && shorter < MOST_COMPARED).then_some(shorter + 1))
+    }
+}
+
+/// The step as many steps in, where both runs are as long; else as large a part of the way, at the nearest
+/// event of the same kind.
+fn as_far_along(now: &(impl Run + ?Sized), before: &dyn Run, step: usize) -> usize {
+    let n_steps = now.n_steps();
+    if n_steps == before.n_steps() || step == 0 {
+        return step;
+    }
+    let part = step as f64 / before.n_steps() as f64;
+    let there = ((part * n_steps as f64).round() as usize).clamp(1.min(n_steps), n_steps);
+    let kind = before.tick(step);
+    (0..=NEARBY)
+        .flat_map(|by| [there.checked_sub(by), Some(there + by)])
+        .flatten()
+        .filter(|step| (1..=n_steps).contains(step))
+        .find(|&step| now.tick(step) == kind)
+        .unwrap_or(there)
 }
 
 /// The event's name, then its fields that are words: `["cut", "p1", "left"]`.

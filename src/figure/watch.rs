@@ -56,8 +56,8 @@ impl WatchRow {
 /// Rows that belong together.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct WatchSection {
-    /// Names of the columns; empty for a plain list of names and values.
-    pub header: Vec<&'static str>,
+    /// Titles of the columns, one of them for the names where there is one more; empty for a plain list of names and values.
+    pub header: Vec<Value>,
     /// Top to bottom.
     pub rows: Vec<WatchRow>,
 }
@@ -72,9 +72,16 @@ impl WatchSection {
         }
     }
 
-    /// A table with named columns.
+    /// A table whose columns are headed by symbols, the same in every language: `t`, `n·D`.
     #[must_use]
-    pub const fn table(header: Vec<&'static str>, rows: Vec<WatchRow>) -> Self {
+    pub fn table(header: Vec<&'static str>, rows: Vec<WatchRow>) -> Self {
+        let symbol = |symbol: &str| Value::Name(symbol.to_owned());
+        Self::titled(header.into_iter().map(symbol).collect(), rows)
+    }
+
+    /// A table whose columns are headed by words of the catalogue, or anything else that can be said.
+    #[must_use]
+    pub const fn titled(header: Vec<Value>, rows: Vec<WatchRow>) -> Self {
         Self { header, rows }
     }
 }

@@ -26,8 +26,16 @@ pub fn first_meeting(rings: &Rings) -> Option<[usize; 2]> {
         .map(|(i, p)| (p.x(), p.y(), i as u32))
         .collect();
     order.sort_unstable_by(|a, b| a.partial_cmp(b).unwrap_or(Ordering::Equal));
+    let ascending = |edge: usize| {
+        let [a, b] = rings.edge(edge);
+        match lexicographic(a, b) {
+            Ordering::Less => [a, b],
+            _ => [b, a],
+        }
+    };
     let mut sweep = Sweep {
         rings,
+        edges: (0..order.len()).map(ascending).collect(),
         cut: Vec::new(),
     };
     let mut before = None;
@@ -49,6 +57,8 @@ pub fn first_meeting(rings: &Rings) -> Option<[usize; 2]> {
 
 struct Sweep<'a> {
     rings: &'a Rings,
+    /// Each from the end that the line meets first.
+    edges: Vec<[Point; 2]>,
     /// The edges that the line cuts, from the lowest to the highest.
     cut: Vec<u32>,
 }
@@ -114,19 +124,15 @@ impl Sweep<'_> {
 
     /// `Greater` where a point lies above an edge.
     fn side(&self, edge: usize, p: Point) -> Ordering {
-        let [a, b] = self.rings.edge(edge);
-        if lexicographic(a, b) == Ordering::Less {
-            orientation(a, b, p)
-        } else {
-            orientation(b, a, p)
-        }
+        let [a, b] = self.edges[edge];
+        orientation(a, b, p)
     }
 
     /// Two that have become neighbours on the line, by their places in it.
     fn compare(&self, i: usize, j: usize) -> Option<[usize; 2]> {
         let [e, f] = [*self.cut.get(i)?, *self.cut.get(j)?].map(|edge| edge as usize);
         let share_a_vertex = self.rings.next(e) == f || self.rings.next(f) == e;
-        (!share_a_vertex && meet(self.rings.edge(e), self.rings.edge(f))).then_some([e, f])
+        (!share_a_vertex && meet(self.edges[e], self.edges[f])).then_some([e, f])
     }
 }
 

@@ -58,7 +58,7 @@ pub struct Step<'a, A: Algorithm> {
 }
 
 /// Records one run, with its type erased.
-pub(super) fn record<A: Demo>(input: A::Input) -> Box<dyn Run> {
+pub(crate) fn record<A: Demo>(input: A::Input) -> Box<dyn Run> {
     Box::new(Recorded::<A>(Trace::record(input)))
 }
 
@@ -116,6 +116,14 @@ impl<A: Demo> Run for Recorded<A> {
             number_line: A::number_line(&shown),
             counts: trace.counts_at(step),
         }
+    }
+
+    fn caption(&self, step: usize) -> Caption {
+        let trace = &self.0;
+        trace.event_at(step).map_or_else(
+            || A::opening(trace.input()),
+            |event| A::caption(&event, &trace.state_at(step - 1), trace.input()),
+        )
     }
 
     fn output_json(&self) -> Json {

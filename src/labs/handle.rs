@@ -107,6 +107,26 @@ impl Handle {
         matches!(self, Self::Segment | Self::Window | Self::Subject)
     }
 
+    /// Is it a vertex of an outline, so that it can be taken out and another put in after it?
+    #[must_use]
+    pub const fn is_vertex(self) -> bool {
+        matches!(
+            self,
+            Self::Vertex(_) | Self::HoleVertex(..) | Self::ClipVertex(_)
+        )
+    }
+
+    /// The handle of the vertex after this one's, where it is one; not wrapped round.
+    #[must_use]
+    pub const fn next(self) -> Self {
+        match self {
+            Self::Vertex(i) => Self::Vertex(i + 1),
+            Self::HoleVertex(hole, i) => Self::HoleVertex(hole, i + 1),
+            Self::ClipVertex(i) => Self::ClipVertex(i + 1),
+            other => other,
+        }
+    }
+
     /// Does the figure draw a mark where it lies, so that the handle needs none?
     #[must_use]
     pub const fn is_marked(self) -> bool {

@@ -3,6 +3,7 @@
 
 mod card;
 mod demo;
+mod difference;
 mod document;
 mod handle;
 pub mod lines;
@@ -11,8 +12,10 @@ mod words;
 
 pub use card::{CodeLine, MethodCard};
 pub use demo::{Answer, Demo, Step};
+pub use difference::Difference;
 pub use document::{Document, Lab, Scene};
 pub use handle::{Corner, Handle, Lock};
 
 use card::code_line;
-use demo::record;
+pub(crate) use demo::record;
+pub(crate) use words::vertex_symbol;

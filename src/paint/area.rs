@@ -13,9 +13,38 @@ const TOLERANCE_PTS: f32 = 0.1;
 /// Everything that an odd number of `outlines` goes round. Soft edges are left to the stroke over them.
 #[must_use]
 pub fn filled(outlines: &[Vec<Pos2>], colour: Color32) -> Shape {
+    let outlines = outlines.iter().map(|outline| outline.iter().copied());
+    triangles(outlines).mesh(colour, |at| at)
+}
+
+/// Where the inside is, as triangles.
+#[derive(Default)]
+pub(super) struct Triangles(VertexBuffers<Pos2, u32>);
+
+impl Triangles {
+    /// With the corners at `place` of where they are.
+    pub(super) fn mesh(&self, colour: Color32, place: impl Fn(Pos2) -> Pos2) -> Shape {
+        let Self(buffers) = self;
+        if buffers.indices.is_empty() {
+            return Shape::Noop;
+        }
+        let mut mesh = Mesh::default();
+        mesh.reserve_vertices(buffers.vertices.len());
+        for &at in &buffers.vertices {
+            mesh.colored_vertex(place(at), colour);
+        }
+        mesh.indices.clone_from(&buffers.indices);
+        Shape::mesh(mesh)
+    }
+}
+
+/// None where nothing can be filled: a stroke is drawn all the same.
+pub(super) fn triangles<O: Iterator<Item = Pos2>>(
+    outlines: impl IntoIterator<Item = O>,
+) -> Triangles {
     let mut path = Path::builder();
     for outline in outlines {
-        let mut points = outline.iter().filter(|p| p.is_finite());
+        let mut points = outline.filter(|p| p.is_finite());
         let Some(first) = points.next() else { continue };
         path.begin(point(first.x, first.y));
         for p in points {
@@ -30,17 +59,7 @@ pub fn filled(outlines: &[Vec<Pos2>], colour: Color32) -> Shape {
         &options,
         &mut BuffersBuilder::new(&mut buffers, Place),
     );
-    if done.is_err() {
-        // Nothing that could be filled: its stroke is drawn all the same.
-        return Shape::Noop;
-    }
-    let mut mesh = Mesh::default();
-    mesh.reserve_vertices(buffers.vertices.len());
-    for &at in &buffers.vertices {
-        mesh.colored_vertex(at, colour);
-    }
-    mesh.indices = buffers.indices;
-    Shape::mesh(mesh)
+    done.map_or_else(|_| Triangles::default(), |()| Triangles(buffers))
 }
 
 struct Place;

@@ -14,6 +14,11 @@ use crate::{
 
 use super::{Theme, fonts::semibold};
 
+/// More labels than this would cover the figure, and finding places for them would take longer than a frame.
+const MOST_LABELS: usize = 160;
+/// More lines than this are in the way of any place; nor do more points matter.
+const MOST_AVOIDED: usize = 1_000;
+
 /// What a label belongs to.
 #[derive(Clone, Copy, Debug)]
 pub enum Anchor {
@@ -46,12 +51,16 @@ impl<'a> Labels<'a> {
 
     /// Keeps labels off a line.
     pub fn avoid_line(&mut self, ends: [Pos2; 2]) {
-        self.lines.push(ends);
+        if self.lines.len() < MOST_AVOIDED {
+            self.lines.push(ends);
+        }
     }
 
     /// Keeps labels off a point mark.
     pub fn avoid_disc(&mut self, centre: Pos2, radius: f32) {
-        self.discs.push((centre, radius));
+        if self.discs.len() < MOST_AVOIDED {
+            self.discs.push((centre, radius));
+        }
     }
 
     /// Adds a label.
@@ -59,7 +68,7 @@ impl<'a> Labels<'a> {
         self.waiting.push((label, anchor, colour, role));
     }
 
-    /// Places and draws them all.
+    /// Places and draws them, this step's first.
     pub fn draw(mut self, painter: &Painter, theme: &Theme, catalog: &Catalog) {
         // This step's labels choose first, those that can stand anywhere choose last.
         self.waiting
@@ -70,7 +79,7 @@ impl<'a> Labels<'a> {
                 _ => 2,
             });
         let mut placed: Vec<Rect> = Vec::new();
-        for &(label, anchor, colour, _) in &self.waiting {
+        for &(label, anchor, colour, _) in self.waiting.iter().take(MOST_LABELS) {
             let text = catalog.value(&label.text);
             let galley = painter.layout_no_wrap(text, font(label, theme), colour);
             let place = self.best(&galley, anchor, &placed);

@@ -4,6 +4,7 @@ mod area;
 mod checker;
 mod cpu;
 mod crowd;
+mod fill_cache;
 pub mod fonts;
 mod headless;
 mod image;

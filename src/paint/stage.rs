@@ -13,6 +13,7 @@ use super::{
     area::filled,
     checker::textured,
     crowd::crowd,
+    fill_cache::{LARGE, filled_large},
     labels::{Anchor, Labels},
 };
 
@@ -24,6 +25,9 @@ const RING_RADIUS: f32 = 6.5;
 const FEW_ENOUGH: usize = 2_000;
 /// Labels keep off outlines with up to this many edges; no place is left between more.
 const FEW_ENOUGH_TO_AVOID: usize = 200;
+
+/// An outline that would take more dashes is drawn as a plain line: no dash could be told from the next.
+const MOST_DASHES: f32 = 4_000.0;
 
 /// Draws the marks in order, then their labels where they cover nothing. What is about `lit` stands out.
 pub fn stage(
@@ -78,9 +82,7 @@ impl<'a> Stage<'a> {
                 None
             }
             Shape::Path(points) => {
-                for ends in self.on_screen(points).windows(2) {
-                    self.line([ends[0], ends[1]], stroke, dashed);
-                }
+                self.path(&self.on_screen(points), stroke, dashed);
                 None
             }
             Shape::HalfPlane([a, b]) => {
@@ -230,13 +232,18 @@ impl<'a> Stage<'a> {
 
     /// A wash of the role's colour, and the outlines over it.
     fn area(&mut self, outlines: &[Vec<[f64; 2]>], role: Role, stroke: Stroke) {
-        let outlines: Vec<Vec<Pos2>> = outlines.iter().map(|o| self.on_screen(o)).collect();
         let wash = match role {
             Role::Ink | Role::Accent => self.theme.accent_wash,
             _ => self.colour(role).gamma_multiply(0.12),
         };
-        self.painter.add(filled(&outlines, wash));
-        for outline in &outlines {
+        let on_screen: Vec<Vec<Pos2>> = outlines.iter().map(|o| self.on_screen(o)).collect();
+        let is_large = outlines.iter().map(Vec::len).sum::<usize>() >= LARGE;
+        self.painter.add(if is_large {
+            filled_large(self.painter.ctx(), self.viewport, outlines, wash)
+        } else {
+            filled(&on_screen, wash)
+        });
+        for outline in &on_screen {
             self.ring_of(outline, stroke, role == Role::Discarded);
         }
     }
@@ -247,13 +254,23 @@ impl<'a> Stage<'a> {
                 self.labels.avoid_line([a, points[(i + 1) % points.len()]]);
             }
         }
-        if dashed {
-            let [dash, gap] = DASH.map(|length| length * self.theme.stroke_scale);
-            let ring: Vec<Pos2> = points.iter().chain(points.first()).copied().collect();
+        let [dash, gap] = DASH.map(|length| length * self.theme.stroke_scale);
+        let ring = || -> Vec<Pos2> { points.iter().chain(points.first()).copied().collect() };
+        if dashed && length_of(&ring()) <= MOST_DASHES * (dash + gap) {
             self.painter
-                .extend(Egui::dashed_line(&ring, stroke, dash, gap));
+                .extend(Egui::dashed_line(&ring(), stroke, dash, gap));
         } else {
             self.painter.add(Egui::closed_line(points.to_vec(), stroke));
+        }
+    }
+
+    fn path(&mut self, points: &[Pos2], stroke: Stroke, dashed: bool) {
+        if points.len() > FEW_ENOUGH_TO_AVOID {
+            self.painter.add(Egui::line(points.to_vec(), stroke));
+            return;
+        }
+        for ends in points.windows(2) {
+            self.line([ends[0], ends[1]], stroke, dashed);
         }
     }
 
@@ -352,6 +369,13 @@ impl<'a> Stage<'a> {
         let y = [b[1], a[1]].map(|v| along(1, v, rect.top(), rect.bottom()));
         egui::Rect::from_min_max(pos2(x[0], y[0]), pos2(x[1], y[1]))
     }
+}
+
+fn length_of(points: &[Pos2]) -> f32 {
+    points
+        .windows(2)
+        .map(|ends| ends[0].distance(ends[1]))
+        .sum()
 }
 
 /// The part of a line that is inside a rectangle on the screen, so that dashes of lines that reach far

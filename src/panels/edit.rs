@@ -5,6 +5,7 @@ use std::fmt;
 use crate::{
     geom::GeomError,
     labs::{Handle, Scene, lines, polygons},
+    text::{Message, Value},
 };
 
 use super::{lines::LinesEdit, polygons::PolygonsEdit};
@@ -53,6 +54,29 @@ impl fmt::Display for EditError {
 
 impl std::error::Error for EditError {}
 
+impl EditError {
+    /// For people; nothing where only the log's English says it.
+    #[must_use]
+    pub fn message(&self) -> Option<Message> {
+        let key = match self {
+            Self::Polygons(polygons::SceneError::TooFewVertices) => "refused-last-three",
+            Self::Polygons(polygons::SceneError::TooManyVertices(n)) => {
+                let most = Value::Count(polygons::MAX_VERTICES);
+                return Some(
+                    Message::new("refused-too-many")
+                        .with("count", *n)
+                        .with("most", most),
+                );
+            }
+            Self::Geom(GeomError::NotFinite { .. }) => "error-not-finite",
+            Self::Geom(GeomError::EmptyWindow { .. }) => "error-empty-window",
+            Self::Geom(GeomError::Degenerate { .. }) => "error-too-few-vertices",
+            Self::Geom(_) | Self::Lines(_) => return None,
+        };
+        Some(Message::new(key))
+    }
+}
+
 impl From<GeomError> for EditError {
     fn from(error: GeomError) -> Self {
         Self::Geom(error)
@@ -97,7 +121,7 @@ impl Edit {
             (Self::Remove(_), Scene::Lines(scene)) => LinesEdit::Remove.apply(scene)?,
             (Self::Lines(edit), Scene::Lines(scene)) => edit.apply(scene)?,
             (Self::Add(handle), Scene::Polygons(scene)) => {
-                PolygonsEdit::Insert(handle).apply(scene)?;
+                PolygonsEdit::Insert(handle, None).apply(scene)?;
             }
             (Self::Remove(handle), Scene::Polygons(scene)) => {
                 PolygonsEdit::Delete(handle).apply(scene)?;

@@ -10,4 +10,4 @@ mod spots;
 pub use clock::Stopwatch;
 pub use edit::{Edit, EditError};
 pub use pickers::{compare_picker, method_picker};
-pub use spots::spots;
+pub use spots::{Reach, spots};

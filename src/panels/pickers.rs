@@ -4,7 +4,7 @@ use egui::{ComboBox, Rect, Shape, Stroke, Ui, style::WidgetVisuals, vec2};
 
 use crate::{
     labs::{MethodCard, Scene},
-    widgets::Look,
+    widgets::{Look, section},
 };
 
 use super::Edit;
@@ -46,9 +46,18 @@ pub fn compare_picker(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<Edit
             if ui.selectable_label(beside.is_none(), none).clicked() {
                 asked = Some(Edit::Compare(None));
             }
-            for card in scene.lab().methods() {
-                if card.id == main.id {
-                    continue;
+            // The ones that are wrong on purpose come last, under their question.
+            let (faulty, right): (Vec<&MethodCard>, Vec<_>) = scene
+                .lab()
+                .methods()
+                .into_iter()
+                .filter(|card| card.id != main.id)
+                .partition(|card| card.is_faulty);
+            let first_faulty = faulty.first().map(|card| card.id);
+            for card in right.into_iter().chain(faulty) {
+                if first_faulty == Some(card.id) {
+                    ui.separator();
+                    section(ui, look, &look.say("faulty-title"));
                 }
                 let chosen = beside.is_some_and(|beside| beside.id == card.id);
                 if ui.selectable_label(chosen, name(card)).clicked() {

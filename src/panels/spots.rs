@@ -1,15 +1,50 @@
 //! A scene's handles as a canvas needs them: places and names.
 
+use egui::Pos2;
+
 use crate::{
     labs::{Handle, Lock, Scene},
+    paint::Viewport,
     widgets::{Look, Snap, Spot},
 };
 
-/// One spot for each of `handles` that the scene has, in their order.
+/// So many handles can all be shown, and visited with Tab.
+const FEW: usize = 200;
+/// Of more, those of the vertices within this distance of the pointer, in points,
+const NEAR_PTS: f32 = 48.0;
+/// and of these the nearest.
+const MOST_NEAR: usize = 64;
+
+/// What of a scene with very many handles is within reach.
+#[derive(Clone, Copy)]
+pub struct Reach<'a> {
+    /// The part of the world that is seen.
+    pub viewport: &'a Viewport,
+    /// Where the pointer is, if it is on the stage.
+    pub pointer: Option<Pos2>,
+    /// The handle that has the keyboard's focus: its neighbours are within reach of Tab.
+    pub focused: Option<Handle>,
+    /// The vertex that was clicked or dragged last.
+    pub selected: Option<Handle>,
+    /// The index of the handle that is being dragged.
+    pub gripped: Option<usize>,
+}
+
+/// Spots of the scene's handles, in their order. Of very many vertices only those within reach have one: the
+/// first, those near the pointer, the focused one and its neighbours, so that Tab walks along the outline.
+/// The handles that are no vertices come first then, where Tab finds them.
 #[must_use]
-pub fn spots(look: Look<'_>, scene: &Scene, handles: &[Handle], locks: &[Lock]) -> Vec<Spot> {
-    let spot = |&handle: &Handle| {
+pub fn spots(
+    look: Look<'_>,
+    scene: &Scene,
+    handles: &[Handle],
+    locks: &[Lock],
+    reach: &Reach<'_>,
+) -> Vec<Spot> {
+    let spot = |index: usize| {
+        let handle = *handles.get(index)?;
         Some(Spot {
+            index,
             at: scene.position(handle)?,
             name: look.catalog.message(&handle.name()),
             locked: locks.iter().any(|lock| lock.holds(handle)),
@@ -19,7 +54,43 @@ pub fn spots(look: Look<'_>, scene: &Scene, handles: &[Handle], locks: &[Lock]) 
                 Snap::Place
             },
             marked: handle.is_marked(),
+            selected: reach.selected == Some(handle),
         })
     };
-    handles.iter().filter_map(spot).collect()
+    if handles.len() <= FEW {
+        return (0..handles.len()).filter_map(spot).collect();
+    }
+    let whole = (0..handles.len()).filter(|&i| !handles[i].is_vertex());
+    let vertices = reach.vertices(scene, handles);
+    whole.chain(vertices).filter_map(spot).collect()
+}
+
+impl Reach<'_> {
+    /// Indices of the vertices within reach, in order.
+    fn vertices(&self, scene: &Scene, handles: &[Handle]) -> Vec<usize> {
+        let index_of = |handle: Handle| handles.iter().position(|&known| known == handle);
+        let mut within: Vec<usize> = handles
+            .iter()
+            .position(|h| h.is_vertex())
+            .into_iter()
+            .collect();
+        if let Some(i) = self.focused.and_then(index_of) {
+            within.extend([i.saturating_sub(1), i, i + 1]);
+        }
+        within.extend(self.selected.and_then(index_of));
+        within.extend(self.gripped);
+        if let Some(pointer) = self.pointer {
+            let distance = |i: usize| {
+                let at = self.viewport.to_screen(scene.position(handles[i])?);
+                Some((at.distance(pointer), i)).filter(|(d, _)| *d <= NEAR_PTS)
+            };
+            let mut near: Vec<(f32, usize)> = (0..handles.len()).filter_map(distance).collect();
+            near.sort_by(|a, b| a.0.total_cmp(&b.0));
+            within.extend(near.into_iter().take(MOST_NEAR).map(|(_, i)| i));
+        }
+        within.retain(|&i| handles.get(i).is_some_and(|handle| handle.is_vertex()));
+        within.sort_unstable();
+        within.dedup();
+        within
+    }
 }

@@ -9,7 +9,7 @@ use crate::{
 
 use super::{
     Look, grid,
-    handles::{Handles, Moved, Spot},
+    handles::{Handles, Moved, Spot, snapped},
     hit,
 };
 
@@ -94,6 +94,31 @@ pub struct Canvas<'a> {
     pub look: Look<'a>,
 }
 
+/// A click on a stage.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Click {
+    /// On the screen.
+    pub at: Pos2,
+    /// The second of two in the same place.
+    pub is_double: bool,
+    /// With Ctrl held.
+    pub has_ctrl: bool,
+    /// The handle there, by its index.
+    pub spot: Option<usize>,
+}
+
+/// The world point that a place on the stage stands for: on the grid where handles keep to it, unless Alt is
+/// held.
+#[must_use]
+pub fn place_at(ui: &Ui, viewport: &Viewport, at: Pos2, snap: bool) -> [f64; 2] {
+    let exact = viewport.to_world(at);
+    if !snap || ui.input(|input| input.modifiers.alt) {
+        return exact;
+    }
+    let grid = viewport.grid_step(GRID_PTS);
+    exact.map(|x| snapped(x, grid))
+}
+
 /// What was done to a stage.
 pub struct CanvasShown {
     /// As it was drawn.
@@ -104,11 +129,11 @@ pub struct CanvasShown {
     pub moved: Option<Moved>,
     /// The drag of a handle has ended.
     pub released: bool,
-    /// A place that was clicked, on the screen.
-    pub clicked: Option<Pos2>,
+    /// The stage was clicked.
+    pub clicked: Option<Click>,
     /// What the pointer is on.
     pub pointed: Option<Link>,
-    /// The handle that has the keyboard's focus.
+    /// The handle that has the keyboard's focus, by its index.
     pub focused: Option<usize>,
     /// Of the whole surface.
     pub response: Response,
@@ -161,15 +186,27 @@ impl Canvas<'_> {
             view,
             moved,
             released: holds_handle && response.drag_stopped(),
-            clicked: response
-                .clicked()
-                .then(|| response.interact_pointer_pos())
-                .flatten(),
+            clicked: click(ui, &response, &handles),
             pointed: hover.and_then(|at| hit::link_at(&viewport, self.marks, at)),
-            focused: focused.and_then(|id| (0..self.spots.len()).find(|&i| handles.id_of(i) == id)),
+            focused: focused.and_then(|id| {
+                let mut indices = self.spots.iter().map(|spot| spot.index);
+                indices.find(|&i| handles.id_of(i) == id)
+            }),
             response,
         }
     }
+}
+
+fn click(ui: &Ui, response: &Response, handles: &Handles<'_>) -> Option<Click> {
+    let at = response
+        .interact_pointer_pos()
+        .filter(|_| response.clicked())?;
+    Some(Click {
+        at,
+        is_double: response.double_clicked(),
+        has_ctrl: ui.input(|input| input.modifiers.command),
+        spot: handles.near(at),
+    })
 }
 
 fn pan_and_zoom(

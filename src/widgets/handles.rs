@@ -28,6 +28,8 @@ pub enum Snap {
 /// A handle, as a canvas needs to know it.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Spot {
+    /// Which of its owner's handles it is: a canvas need not know them all.
+    pub index: usize,
     /// In the world.
     pub at: [f64; 2],
     /// What it moves, in the reader's language.
@@ -38,6 +40,8 @@ pub struct Spot {
     pub snap: Snap,
     /// Has a mark of its own on the stage: nothing is drawn for it until it is touched.
     pub marked: bool,
+    /// It was taken hold of last: keys are about it.
+    pub selected: bool,
 }
 
 /// What moved a handle: moves of one gesture are undone together.
@@ -52,7 +56,7 @@ pub enum Gesture {
 /// A handle was moved.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Moved {
-    /// Index in the canvas's list.
+    /// The [`Spot::index`] of the handle.
     pub spot: usize,
     /// In the world.
     pub to: [f64; 2],
@@ -63,6 +67,7 @@ pub struct Moved {
 /// Where a drag began: lives as long as the button is held.
 #[derive(Clone, Copy, Default)]
 struct Grip {
+    /// The [`Spot::index`] of the handle.
     spot: usize,
     spot_at: [f64; 2],
     pointer_at: [f64; 2],
@@ -80,23 +85,27 @@ pub(super) struct Handles<'a> {
 }
 
 impl Handles<'_> {
-    /// The nearest handle within reach of a place on the screen.
+    /// The index of the nearest handle within reach of a place on the screen.
     pub fn near(&self, at: Pos2) -> Option<usize> {
         let distance = |spot: &Spot| self.viewport.to_screen(spot.at).distance(at);
         (0..self.spots.len())
             .map(|i| (i, distance(&self.spots[i])))
             .filter(|&(_, d)| d <= REACH)
             .min_by(|a, b| a.1.total_cmp(&b.1))
-            .map(|(i, _)| i)
+            .map(|(i, _)| self.spots[i].index)
     }
 
     /// The handle that is being dragged.
     pub fn gripped(&self, ui: &Ui) -> Option<usize> {
-        self.grip(ui).map(|grip| grip.spot)
+        gripped(ui, self.id)
+    }
+
+    fn spot(&self, index: usize) -> Option<&Spot> {
+        self.spots.iter().find(|spot| spot.index == index)
     }
 
     fn grip(&self, ui: &Ui) -> Option<Grip> {
-        ui.data(|data| data.get_temp(self.id))
+        grip(ui, self.id)
     }
 
     /// Drags and key presses since the last frame.
@@ -110,11 +119,11 @@ impl Handles<'_> {
     fn begin_or_end(&self, ui: &Ui, canvas: &Response) {
         if canvas.drag_started_by(egui::PointerButton::Primary)
             && let Some(origin) = ui.input(|i| i.pointer.press_origin())
-            && let Some(spot) = self.near(origin)
+            && let Some(spot) = self.near(origin).and_then(|i| self.spot(i))
         {
             let grip = Grip {
-                spot,
-                spot_at: self.spots[spot].at,
+                spot: spot.index,
+                spot_at: spot.at,
                 pointer_at: self.viewport.to_world(origin),
             };
             ui.data_mut(|data| data.insert_temp(self.id, grip));
@@ -126,7 +135,7 @@ impl Handles<'_> {
 
     fn drag(&self, ui: &Ui, canvas: &Response) -> Option<Moved> {
         let grip = self.grip(ui)?;
-        let spot = self.spots.get(grip.spot).filter(|spot| !spot.locked)?;
+        let spot = self.spot(grip.spot).filter(|spot| !spot.locked)?;
         let pointer = self.viewport.to_world(canvas.interact_pointer_pos()?);
         let free = !self.snap || ui.input(|i| i.modifiers.alt);
         let to = std::array::from_fn(|i| {
@@ -147,7 +156,8 @@ impl Handles<'_> {
     /// Lets Tab visit every handle, and arrows move the one that has focus.
     fn focus(&self, ui: &mut Ui) -> Option<Moved> {
         let mut moved = None;
-        for (i, spot) in self.spots.iter().enumerate() {
+        for spot in self.spots {
+            let i = spot.index;
             let id = self.id_of(i);
             let place = Rect::from_center_size(self.viewport.to_screen(spot.at), Vec2::splat(24.0));
             let response = ui.interact(place, id, Sense::focusable_noninteractive());
@@ -176,7 +186,7 @@ impl Handles<'_> {
         moved
     }
 
-    /// The widget id of a handle.
+    /// The widget id of the handle with this index.
     pub fn id_of(&self, spot: usize) -> Id {
         self.id.with(spot)
     }
@@ -188,19 +198,20 @@ impl Handles<'_> {
         let pointed = canvas.hover_pos().and_then(|at| self.near(at));
         let touched = self.gripped(ui).or(pointed);
         let is_near = canvas.hovered() || focused.is_some_and(|id| self.owns(id));
-        for (i, spot) in self.spots.iter().enumerate() {
+        for spot in self.spots {
+            let i = spot.index;
             let centre = self.viewport.to_screen(spot.at);
             // A figure as a whole shows its handle only when it is touched: labels stand in its middle.
             let is_shown =
                 spot.snap == Snap::Place || touched == Some(i) || focused == Some(self.id_of(i));
-            if !spot.locked && !spot.marked && is_near && is_shown {
+            if !spot.locked && !spot.marked && (spot.selected || is_near && is_shown) {
                 let square = Rect::from_center_size(centre, Vec2::splat(7.0));
-                painter.rect_filled(square, 1.0, theme.background);
-                let colour = if touched == Some(i) {
-                    theme.accent
-                } else {
-                    theme.soft
+                let (fill, colour) = match (spot.selected, touched == Some(i)) {
+                    (true, _) => (theme.accent, theme.accent),
+                    (false, true) => (theme.background, theme.accent),
+                    (false, false) => (theme.background, theme.soft),
                 };
+                painter.rect_filled(square, 1.0, fill);
                 painter.rect_stroke(square, 1.0, theme.stroke(1.25, colour), StrokeKind::Middle);
             }
             if touched == Some(i) && !spot.locked {
@@ -213,7 +224,7 @@ impl Handles<'_> {
         }
         if let Some(i) = touched {
             let held = self.gripped(ui).is_some();
-            ui.set_cursor_icon(match (self.spots.get(i), held) {
+            ui.set_cursor_icon(match (self.spot(i), held) {
                 (Some(spot), _) if spot.locked => CursorIcon::NotAllowed,
                 (_, true) => CursorIcon::Grabbing,
                 (_, false) => CursorIcon::Grab,
@@ -222,11 +233,22 @@ impl Handles<'_> {
     }
 
     fn owns(&self, id: Id) -> bool {
-        (0..self.spots.len()).any(|i| self.id_of(i) == id)
+        self.spots.iter().any(|spot| self.id_of(spot.index) == id)
     }
 }
 
-fn snapped(x: f64, grid: f64) -> f64 {
+fn grip(ui: &Ui, id: Id) -> Option<Grip> {
+    ui.data(|data| data.get_temp(id))
+}
+
+/// The index of the handle of a canvas that is being dragged.
+#[must_use]
+pub fn gripped(ui: &Ui, id: Id) -> Option<usize> {
+    grip(ui, id).map(|grip| grip.spot)
+}
+
+/// The nearest number that is on the grid.
+pub(super) fn snapped(x: f64, grid: f64) -> f64 {
     // Dividing first keeps decimal steps decimal: 3 · 0.1 is not 0.3, 3 / 10 is.
     let per_unit = (1.0 / grid).round();
     if grid < 1.0 && per_unit >= 1.0 {

@@ -15,13 +15,14 @@ mod pseudocode;
 mod section;
 mod tick;
 mod timeline;
+mod title;
 mod transport;
 mod watch;
 
-pub use canvas::{Canvas, CanvasShown, View};
+pub use canvas::{Canvas, CanvasShown, Click, View, place_at};
 pub use caption::{caption, caption_height, caption_job, caption_text};
 pub use cost::{Cost, cost};
-pub use handles::{Gesture, Moved, Snap, Spot};
+pub use handles::{Gesture, Moved, Snap, Spot, gripped};
 pub use hit::{distance_to_segment, link_at};
 pub use icon::{Icon, icon_button};
 pub use lesson_text::lesson_text;
@@ -30,6 +31,7 @@ pub use picker::{language_menu, theme_menu};
 pub use pseudocode::{CodeLine, code_view_switch, pseudocode};
 pub use section::{rule, section};
 pub use timeline::Timeline;
+pub use title::column_title;
 pub use transport::{Press, speed_menu, transport_buttons, transport_width};
 pub use watch::watch;
 

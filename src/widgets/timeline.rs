@@ -1,8 +1,8 @@
 //! The timeline: every event a tick, its shape its kind; dragging scrubs.
 
 use egui::{
-    CursorIcon, Key, Painter, Pos2, Rect, Response, Sense, Stroke, StrokeKind, Ui, WidgetInfo,
-    pos2, vec2,
+    CursorIcon, Key, Painter, Pos2, Rect, Response, Sense, Shape, Stroke, StrokeKind, Ui,
+    WidgetInfo, pos2, vec2,
 };
 
 use crate::figure::Tick;
@@ -16,6 +16,8 @@ use super::{
 const CROWD_PTS: f32 = 5.0;
 /// From this distance on, in points, ticks have their full size.
 const ROOM_PTS: f32 = 24.0;
+/// Closer than this, in points, bars of phases are left out.
+const BAR_PTS: f32 = 4.0;
 /// Room at both ends for the ring of the current tick.
 const MARGIN: f32 = 14.0;
 
@@ -27,6 +29,10 @@ pub struct Timeline<'a> {
     pub position: usize,
     /// The kind of the event that leads to a step ≥ 1.
     pub tick: &'a dyn Fn(usize) -> Tick,
+    /// Steps ≥ 1 at which a phase begins: marked where there is no room for every tick.
+    pub phases: &'a [usize],
+    /// The first step at which two runs differ.
+    pub difference: Option<usize>,
     /// A step's sentence, asked for only when the pointer rests on it.
     pub tip: &'a dyn Fn(usize) -> String,
     /// Its name to a screen reader.
@@ -93,7 +99,11 @@ impl Timeline<'_> {
             Stroke::new(2.0, theme.hairline),
         );
         line(track.x(0), here.x, Stroke::new(2.0, theme.accent));
+        if let Some(step) = self.difference {
+            self.flag(painter, pos2(track.x(step.min(self.n_steps)), y));
+        }
         if track.gap() < CROWD_PTS {
+            self.bars(painter, track, y);
             painter.circle(here, 6.0, theme.signal, Stroke::new(2.0, theme.panel));
             return;
         }
@@ -127,6 +137,35 @@ impl Timeline<'_> {
         if (1..=self.n_steps).contains(&self.position) {
             each(self.position, When::Now);
         }
+    }
+
+    /// A short bar for each phase of a run that has too many steps to show them all.
+    fn bars(&self, painter: &Painter, track: &Track, y: f32) {
+        let theme = self.look.theme;
+        let mut last = f32::NEG_INFINITY;
+        for &step in self.phases {
+            let x = track.x(step);
+            if x - last >= BAR_PTS {
+                let colour = if step <= self.position {
+                    theme.accent
+                } else {
+                    theme.faint
+                };
+                let bar = Rect::from_center_size(pos2(x, y), vec2(2.0, 9.0));
+                painter.rect_filled(bar, 0.5, colour);
+                last = x;
+            }
+        }
+    }
+
+    /// A pennant above the track: a shape that no tick has.
+    fn flag(&self, painter: &Painter, at: Pos2) {
+        let theme = self.look.theme;
+        let top = at - vec2(0.0, 18.0);
+        let pole = Stroke::new(1.5, theme.signal);
+        painter.line_segment([top, at - vec2(0.0, 8.0)], pole);
+        let cloth = vec![top, top + vec2(8.0, 3.5), top + vec2(0.0, 7.0)];
+        painter.add(Shape::convex_polygon(cloth, theme.signal, Stroke::NONE));
     }
 }
 

@@ -92,6 +92,11 @@ impl<'a> Table<'a> {
                 *width = width.max(cell.unwrap_or_default());
             }
         }
+        // A title counts as well: that of the names comes first where they have one.
+        let skip = section.header.len().saturating_sub(columns.len());
+        for (width, title) in columns.iter_mut().zip(section.header.iter().skip(skip)) {
+            *width = width.max(self.width(ui, &self.words(title)));
+        }
         (names.fold(NAME_WIDTH - GAP, f32::max), columns)
     }
 
@@ -132,13 +137,14 @@ impl<'a> Table<'a> {
                 ui,
                 at,
                 Align2::LEFT_CENTER,
-                section.header[0],
+                &self.words(&section.header[0]),
                 self.look.theme.faint,
             );
         }
         for (title, x) in section.header[skip..].iter().zip(columns) {
             let at = pos2(rect.left() + x, rect.center().y);
-            self.text(ui, at, Align2::LEFT_CENTER, title, self.look.theme.faint);
+            let title = self.words(title);
+            self.text(ui, at, Align2::LEFT_CENTER, &title, self.look.theme.faint);
         }
     }
 

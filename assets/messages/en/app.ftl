@@ -123,3 +123,14 @@ status-more-problems =
         [one] … and { $count } more problem.
        *[other] … and { $count } more problems.
     }
+
+## Vertices, outlines, and the methods that are wrong on purpose
+
+help-add = Another segment, or a vertex after the selected one
+help-remove = Remove the segment, or the selected vertex
+help-draw-close = While drawing: close the outline
+help-draw-back = While drawing: take the last vertex back
+help-edge = Double click or Ctrl and click on an edge: a new vertex there
+faulty-title = What is wrong here?
+differs-from = differs from step { $step } on
+differs-nowhere = same steps on this input

@@ -123,3 +123,14 @@ status-more-problems =
         [one] … y { $count } problema más.
        *[other] … y { $count } problemas más.
     }
+
+## Vertices, outlines, and the methods that are wrong on purpose
+
+help-add = Otro segmento, o un vértice después del seleccionado
+help-remove = Quitar el segmento o el vértice seleccionado
+help-draw-close = Al dibujar: cerrar el contorno
+help-draw-back = Al dibujar: deshacer el último vértice
+help-edge = Doble clic, o Ctrl y clic, en una arista: un vértice nuevo ahí
+faulty-title = ¿Qué está mal aquí?
+differs-from = difiere desde el paso { $step }
+differs-nowhere = mismos pasos con esta entrada

@@ -38,6 +38,7 @@ case-wrong-length = Se esperaban { $expected } números y hay { $found }.
 case-not-finite = { $number } excede el rango de un número de 64 bits: toda coordenada debe ser finita.
 case-empty-window = La ventana está vacía: { $low } = { $min } debe ser menor que { $high } = { $max }.
 case-too-many = { $found } vértices: se admiten { $max } como máximo.
+case-too-many-pairs = { $found } pares de arista y arista de recorte: se admiten { $max } como máximo.
 json-number = un número
 json-numbers = una lista de números
 json-points = una lista de puntos
@@ -52,6 +53,17 @@ json-null = null
 case-visible = Visible desde { $p1 } hasta { $p2 }.
 case-touch = Visible en un solo punto: { $at }.
 case-invisible = No hay nada visible.
+case-nothing-left = No queda nada.
+case-polygons =
+    { $n ->
+        [one] Un polígono: { $rings }
+       *[other] { $n } polígonos: { $rings }
+    }
+case-triangles =
+    { $n ->
+        [one] Un triángulo: { $triangles }
+       *[other] { $n } triángulos: { $triangles }
+    }
 
 ## Reports: the step table of a case
 

@@ -5,6 +5,7 @@
 object-segment = segmento
 object-window = ventana de recorte
 object-clip-polygon = polígono de recorte
+object-polygon = polígono
 object-outcode = código de región
 
 ## The window’s edges, as nouns; the sides alone agree with “edge”
@@ -37,6 +38,9 @@ alg-cohen-sutherland = Cohen–Sutherland
 alg-liang-barsky = Liang–Barsky
 alg-cyrus-beck = Cyrus–Beck
 alg-nicholl-lee-nicholl = Nicholl–Lee–Nicholl
+alg-weiler-atherton = Weiler–Atherton
+alg-ear-clipping = Recorte de orejas
+alg-triangulate-and-clip = Triangular y después recortar
 
 ## Verdicts, said of a segment, a polygon, a triangle or an object
 

@@ -123,3 +123,14 @@ status-more-problems =
         [one] … e mais { $count } problema.
        *[other] … e mais { $count } problemas.
     }
+
+## Vertices, outlines, and the methods that are wrong on purpose
+
+help-add = Mais um segmento, ou um vértice depois do selecionado
+help-remove = Remover o segmento ou o vértice selecionado
+help-draw-close = Ao desenhar: fechar o contorno
+help-draw-back = Ao desenhar: desfazer o último vértice
+help-edge = Clique duplo, ou Ctrl e clique, em uma aresta: um novo vértice ali
+faulty-title = O que está errado aqui?
+differs-from = difere a partir do passo { $step }
+differs-nowhere = mesmos passos com esta entrada

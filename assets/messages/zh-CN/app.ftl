@@ -115,3 +115,14 @@ help-nudge = 移动获得焦点的控制柄；按住 Shift：十倍距离
 help-alt = 拖动时：不吸附网格
 status-last-good = 显示的是上一个可用的版本。
 status-more-problems = ……另有 { $count } 个问题。
+
+## Vertices, outlines, and the methods that are wrong on purpose
+
+help-add = 添加线段，或在选中的顶点之后插入顶点
+help-remove = 删除线段或选中的顶点
+help-draw-close = 绘制时：闭合轮廓
+help-draw-back = 绘制时：撤回上一个顶点
+help-edge = 双击一条边，或按住 Ctrl 单击：在该处插入顶点
+faulty-title = 这里错在哪里？
+differs-from = 从第 { $step } 步起不同
+differs-nowhere = 对此输入，各步相同

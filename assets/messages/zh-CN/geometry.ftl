@@ -5,6 +5,7 @@
 object-segment = 线段
 object-window = 裁剪窗口
 object-clip-polygon = 裁剪多边形
+object-polygon = 多边形
 object-outcode = 区域码
 
 ## The window’s edges, as nouns; the sides alone agree with “edge”
@@ -37,6 +38,9 @@ alg-cohen-sutherland = Cohen–Sutherland
 alg-liang-barsky = 梁友栋–Barsky
 alg-cyrus-beck = Cyrus–Beck
 alg-nicholl-lee-nicholl = Nicholl–Lee–Nicholl
+alg-weiler-atherton = Weiler–Atherton
+alg-ear-clipping = 耳切法
+alg-triangulate-and-clip = 先三角剖分，再裁剪
 
 ## Verdicts, said of a segment, a polygon, a triangle or an object
 

@@ -2,16 +2,21 @@
 
 mod border;
 mod clipper;
+mod ear_clipping;
 pub mod faulty;
 mod pipeline;
 mod region;
 mod ring;
 mod step;
 mod sutherland_hodgman;
+mod triangulate_and_clip;
 mod vertex;
 pub mod weiler_atherton;
 
 pub use clipper::{Clipped, Clipper};
+pub use ear_clipping::{
+    Corner, EarClipping, EarClippingEvent, EarClippingState, Ring, Triangle, Triangulation,
+};
 pub use pipeline::{Pipeline, PipelineEvent, PipelineStage, PipelineState};
 pub use region::ClipRegion;
 pub use ring::{ClippedRing, RingOutcome};
@@ -19,5 +24,9 @@ pub use step::Rule;
 pub use sutherland_hodgman::{
     EdgeTest, SutherlandHodgman, SutherlandHodgmanEvent, SutherlandHodgmanInput,
     SutherlandHodgmanState,
+};
+pub use triangulate_and_clip::{
+    EachTriangleEvent, Pieces, TriangulateAndClip, TriangulateAndClipEvent,
+    TriangulateAndClipInput, TriangulateAndClipState,
 };
 pub use vertex::{Share, Textured, Vertex};

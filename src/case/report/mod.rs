@@ -58,7 +58,10 @@ fn changed_row(section: &WatchSection, row: &WatchRow, catalog: &Catalog) -> Str
     } else {
         let named = section.header.iter().zip(cells);
         let values: Vec<String> = named
-            .filter_map(|(head, cell)| cell.map(|cell| format!("{head} = {cell}")))
+            .filter_map(|(head, cell)| {
+                let head = catalog.value(head);
+                cell.map(|cell| format!("{head} = {cell}"))
+            })
             .collect();
         let values = values.join(catalog.lang().list_separator());
         let row = Message::new("report-row").with("name", name);

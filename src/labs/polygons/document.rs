@@ -20,8 +20,25 @@ impl Scene {
     /// The clip polygon, where there is one and a method on stage can use it.
     #[must_use]
     pub fn clip_in_use(&self) -> Option<&Polygon> {
-        let is_used = self.on_stage().any(|method| method.info().takes_polygon);
-        self.clip.as_ref().filter(|_| is_used)
+        self.clip.as_ref().filter(|_| self.takes_polygon())
+    }
+
+    /// Can a method on stage use a clip polygon?
+    #[must_use]
+    pub fn takes_polygon(&self) -> bool {
+        self.on_stage().any(|method| method.info().takes_polygon)
+    }
+
+    /// Does a method on stage know holes?
+    #[must_use]
+    pub fn knows_holes(&self) -> bool {
+        self.on_stage().any(|method| method.info().knows_holes)
+    }
+
+    /// Does a method on stage carry texture coordinates along?
+    #[must_use]
+    pub fn carries_texture(&self) -> bool {
+        self.on_stage().any(|method| method.info().carries_texture)
     }
 
     /// Where the handle of the whole subject lies: the middle of its box.

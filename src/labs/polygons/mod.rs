@@ -10,7 +10,7 @@ mod registry;
 mod scene;
 
 pub use demo::PolygonDemo;
-pub use presets::{PRESETS, Preset};
+pub use presets::{PRESETS, Preset, REGIONS};
 pub use refusal::{Part, Refusal};
 pub use registry::{METHODS, Method, MethodInfo};
 pub use scene::{MAX_VERTICES, Scene, SceneError, Texture};

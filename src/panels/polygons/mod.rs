@@ -2,6 +2,10 @@
 
 mod edit;
 mod menu;
+mod outline;
+mod random;
 
 pub use edit::PolygonsEdit;
-pub use menu::scene_menu;
+pub use menu::{PolygonsAsk, scene_menu};
+pub use outline::{Outline, Sketch};
+pub use random::Random;

@@ -26,9 +26,6 @@ pub struct Grid {
     proposed: Vec<u32>,
 }
 
-/// At most this many cells for each edge: smaller ones would be mostly empty.
-const CELLS_PER_EDGE: usize = 1;
-
 /// How far beyond where an edge leaves a row it still counts as there: at least this much, in cells.
 const MARGIN: f64 = 1e-9;
 
@@ -42,7 +39,7 @@ impl Grid {
         ];
         let n_edges = subject.points().len() + clip.points().len();
         let [width, height] = [0, 1].map(|axis| 0.25 * bounds[1][axis] - 0.25 * bounds[0][axis]);
-        let n_cells = (n_edges * CELLS_PER_EDGE) as f64;
+        let n_cells = n_edges as f64;
         let columns = (n_cells * (width / height)).sqrt().clamp(1.0, n_cells);
         // Without an extent there is one column.
         let n_columns = (columns as usize).max(1);

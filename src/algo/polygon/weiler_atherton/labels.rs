@@ -69,6 +69,7 @@ pub struct Labelled {
 
 impl Labelled {
     /// Does the subject run along an edge of the clip polygon here, in the same direction?
+    #[must_use]
     pub fn shares_an_edge(&self) -> bool {
         self.subject.contains(&Side::Along)
     }

@@ -1,9 +1,13 @@
 //! One file a method: its sentences, marks and watched values.
 
 mod clip_edge;
+mod ear_clipping;
 pub mod faulty;
 mod lists;
 mod pipeline;
 mod rules;
 mod skin;
 mod sutherland_hodgman;
+mod triangles;
+mod triangulate_and_clip;
+mod weiler_atherton;
