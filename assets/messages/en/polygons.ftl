@@ -98,7 +98,6 @@ words-ear-last = What is left is a triangle.
 ## Triangulate, then clip
 
 tac-opening = Cut the polygon with { $n } vertices into triangles; then clip each of them on its own.
-tac-triangle = Triangle { $number } of { $total }: { $triangle }.
 tac-triangle = Triangle { $number } of { $total }: { $triangle }. While it is clipped, its corners are called V₁, V₂ and V₃.
 tac-whole = { $triangle } lies in the region: it is a piece as it stands.
 tac-piece = { $triangle } leaves a convex piece with { $n } vertices.
