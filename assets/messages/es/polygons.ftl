@@ -151,12 +151,6 @@ sh-done-empty = Listo: nada del polígono está en la región. Longitud de la ú
 sh-done-whole = Listo: los { $n } vértices están dentro de los { $edges } bordes. El polígono queda como estaba.
 sh-done-cut = Listo tras { $edges } bordes: queda un anillo de { $n } vértices.
 sh-done-degenerate = Listo tras { $edges } bordes: lo que queda no tiene área. Longitud de la última lista: { $n }.
-sh-pass = { $border } está listo: la lista de salida, de longitud { $n }, es la próxima lista de entrada.
-sh-pass-empty = { $border } está listo: la lista de salida tiene longitud { $n }. No queda nada que recortar.
-sh-done-empty = Fin: nada del polígono está en la región. Longitud de la última lista: { $n }; bordes de recorte: { $edges }.
-sh-done-whole = Fin: los { $n } vértices están dentro de los { $edges } bordes. El polígono queda como estaba.
-sh-done-cut = Fin tras { $edges } bordes: queda un anillo de { $n } vértices.
-sh-done-degenerate = Fin tras { $edges } bordes: lo que queda no tiene área. Longitud de la última lista: { $n }.
 code-sh-each = para cada borde de recorte: salida ← vacía
 code-sh-first = F ← primer vértice; si está dentro: emitir F
 code-sh-edges = para cada arista S → P, la última hasta F:
@@ -189,12 +183,6 @@ pipe-closing-cross = La arista de cierre S → F: { $rule }. Sigue adelante la i
 pipe-closing = La arista de cierre S → F: { $rule }. No sigue nada.
 pipe-cross = S y el vértice siguiente están a uno y otro lado de { $border }: la arista cruza en I.
 pipe-output = { $at } sale del último recortador: ya es, de forma definitiva, { $vertex } del anillo.
-pipe-both = S → P: { $rule }. Sigue adelante la intersección I y después P.
-pipe-nothing = S → P: { $rule }. No hay intersección, y P no sigue.
-pipe-closing-cross = La arista de cierre S → F: { $rule }. Sigue adelante la intersección I.
-pipe-closing = La arista de cierre S → F: { $rule }. No sigue nada.
-pipe-cross = S y el vértice siguiente están a uno y otro lado de { $border }: la arista lo corta en I.
-pipe-output = { $at } sale del último recortador: es { $vertex } del anillo, definitivamente.
 pipe-close = Ya no llegarán más vértices al recortador { $border }: cierra su anillo.
 pipe-close-empty = No ha llegado ningún vértice al recortador { $border }: no hay nada que cerrar.
 pipe-closed = cerrado
@@ -216,12 +204,8 @@ words-pipe-close = Al final, cada recortador, por turno, mira la arista que vuel
 ## Sutherland–Hodgman, con errores a propósito
 
 alg-faulty-on-border = Erróneo: el borde cuenta como exterior
-words-pipe-output = Detrás del último recortador, un vértice pertenece a la respuesta.
-words-pipe-close = Al final, cada recortador mira a su vez la arista que vuelve de su último vértice a F.
-
 ## Sutherland–Hodgman, con errores a propósito
 
-alg-faulty-on-border = Erróneo: el borde cuenta como fuera
 alg-faulty-open = Erróneo: falta la arista de cierre
 alg-faulty-clockwise = Erróneo: los bordes se recorren en sentido horario
 alg-faulty-twice = Erróneo: las intersecciones se emiten dos veces

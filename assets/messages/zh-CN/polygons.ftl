@@ -124,8 +124,6 @@ alg-sutherland-hodgman = Sutherland–Hodgman
 alg-sutherland-hodgman-pipeline = Sutherland–Hodgman（流水线）
 ## 萨瑟兰–霍奇曼算法
 
-alg-sutherland-hodgman = 萨瑟兰–霍奇曼算法
-alg-sutherland-hodgman-pipeline = 萨瑟兰–霍奇曼算法（流水线形式）
 rule-in-in = 内 → 内
 rule-in-out = 内 → 外
 rule-out-in = 外 → 内
@@ -136,10 +134,6 @@ sh-bridge = 桥边
 sh-opening = 依次用裁剪区域的每条边裁剪整个多边形（{ $n } 个顶点）：共 { $edges } 条边。
 sh-edge-side = 用{ $edge }裁剪：内侧为 { $inside }。
 sh-edge = 用边 { $edge } 裁剪：内侧为 { $inside }。
-sh-bridge = 桥接边
-sh-opening = 把整个多边形（{ $n } 个顶点）依次对裁剪区域的每条边裁剪：共 { $edges } 条边。
-sh-edge-side = 对{ $edge }裁剪：内侧为 { $inside }。
-sh-edge = 对边 { $edge } 裁剪：内侧为 { $inside }。
 sh-first-inside = 第一个顶点 { $vertex } 在内侧：输出。
 sh-first-outside = 第一个顶点 { $vertex } 在外侧：不输出。
 sh-in-in = { $from } → { $to }：内 → 内。输出 { $to }。
@@ -222,7 +216,6 @@ faulty-open-differs = 第 { $step } 步首次出现差别：从最后一个顶�
 faulty-clockwise-differs = 第 { $step } 步首次出现差别：顺时针走裁剪边，于是每条边的错误一侧被当作内侧。
 faulty-twice-differs = 第 { $step } 步首次出现差别：同一个交点又输出了一次。
 faulty-end-first-differs = 第 { $step } 步首次出现差别：边进入内侧，却先输出终点，后输出交点。
-
 ## Weiler–Atherton
 
 wa-opening = 用有 { $m } 个顶点的多边形裁剪有 { $n } 个顶点的多边形：两者都写成逆时针的顶点表。
@@ -295,8 +288,3 @@ words-wa-leave = 在出点和捏合点处，转到裁剪多边形的顶点表。
 words-wa-close = 回到已经输出过的顶点：其间就是一个环。回到起点时，行走结束。
 words-wa-whole = 行走时从不换表的边界，整条在内部或整条在外部。
 words-wa-holes = 内孔属于包围它的环。
-faulty-on-border-differs = 第 { $step } 步最先出现差别：边界上的顶点被当作在外侧。
-faulty-open-differs = 第 { $step } 步最先出现差别：从最后一个顶点回到第一个顶点的闭合边从未被检查。
-faulty-clockwise-differs = 第 { $step } 步最先出现差别：顺时针走裁剪边，于是每条边的错误一侧被当作内侧。
-faulty-twice-differs = 第 { $step } 步最先出现差别：同一个交点又输出了一次。
-faulty-end-first-differs = 第 { $step } 步最先出现差别：边进入内侧，却先输出终点，后输出交点。
