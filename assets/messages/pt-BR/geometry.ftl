@@ -6,6 +6,7 @@ object-segment = segmento
 object-window = janela de recorte
 object-clip-polygon = polígono de recorte
 object-polygon = polígono
+object-uv = coordenadas de textura
 object-outcode = código de região
 
 ## The window’s edges, as nouns; the sides alone agree with “edge”

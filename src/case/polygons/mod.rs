@@ -7,7 +7,7 @@ mod verdict;
 use serde_json::Value as Json;
 
 use crate::{
-    algo::polygon::EarClipping,
+    algo::polygon::{EarClipping, Pipeline, SutherlandHodgman, Textured, TriangulateAndClip},
     figure::Run,
     labs::{Answer, MethodCard, record},
     text::Message,
@@ -23,7 +23,15 @@ pub(super) fn solvers() -> impl Iterator<Item = &'static dyn Solver> {
     SOLVERS.iter().map(|solver| solver as &dyn Solver)
 }
 
-static SOLVERS: [PolygonSolver; 1] = [PolygonSolver::of::<EarClipping>()];
+static SOLVERS: [PolygonSolver; 4] = [
+    PolygonSolver {
+        read: read_sutherland_hodgman,
+        ..PolygonSolver::of::<SutherlandHodgman>()
+    },
+    PolygonSolver::of::<Pipeline>(),
+    PolygonSolver::of::<EarClipping>(),
+    PolygonSolver::of::<TriangulateAndClip>(),
+];
 
 struct PolygonSolver {
     card: MethodCard,
@@ -46,6 +54,14 @@ fn read<A: Solve>(fields: &Fields<'_>) -> Result<Box<dyn Problem>, Refusal> {
     let input = A::read(&mut reader)?;
     let given = reader.given;
     Ok(Box::new(PolygonCase::<A> { input, given }))
+}
+
+/// With texture coordinates at the vertices where they are given.
+fn read_sutherland_hodgman(fields: &Fields<'_>) -> Result<Box<dyn Problem>, Refusal> {
+    match fields.get("uv") {
+        None => read::<SutherlandHodgman>(fields),
+        Some(_) => read::<SutherlandHodgman<Textured>>(fields),
+    }
 }
 
 impl Solver for PolygonSolver {

@@ -68,6 +68,23 @@ impl<'a> Reader<'a> {
         SimplePolygon::try_from(&polygon).map_err(refused)
     }
 
+    /// `uv`: a place in the texture for each vertex.
+    pub fn uv(&mut self, n_vertices: usize) -> Result<Vec<[f64; 2]>, Refusal> {
+        let node = self.fields.need("uv")?;
+        let uvs: Vec<[f64; 2]> = node.points(MAX_VERTICES)?;
+        if uvs.len() != n_vertices {
+            let problem = Message::new("case-uv-length")
+                .with("expected", n_vertices)
+                .with("found", uvs.len());
+            return Err(Refusal::at(Code::WrongLength, &node.path, problem));
+        }
+        self.given.push(Given {
+            name_key: "object-uv",
+            values: uvs.iter().map(|&uv| uv.into()).collect(),
+        });
+        Ok(uvs)
+    }
+
     fn outline(&self, name: &'static str) -> Result<(Node<'a>, Polygon), Refusal> {
         let node = self.fields.get(name).ok_or_else(|| missing(name))?;
         let polygon = outline(&node)?;

@@ -1,7 +1,10 @@
 //! What each of the lab's algorithms reads, and how its answer is told.
 
 use crate::{
-    algo::polygon::{EarClipping, TriangulateAndClip, TriangulateAndClipInput},
+    algo::polygon::{
+        EarClipping, Pipeline, SutherlandHodgman, SutherlandHodgmanInput, Textured,
+        TriangulateAndClip, TriangulateAndClipInput,
+    },
     case::{Field, Refusal},
     geom::SimplePolygon,
     labs::Demo,
@@ -10,7 +13,7 @@ use crate::{
 
 use super::{
     Reader,
-    verdict::{polygons, triangles},
+    verdict::{polygons, ring, triangles},
 };
 
 /// A method that a case can name.
@@ -30,6 +33,52 @@ const CLIPPED: [Field; 3] = [
     Field::required("polygon"),
 ];
 
+const TEXTURED: [Field; 4] = [CLIPPED[0], CLIPPED[1], CLIPPED[2], Field::optional("uv")];
+
+impl Solve for SutherlandHodgman {
+    const FIELDS: &'static [Field] = &TEXTURED;
+
+    fn read(reader: &mut Reader<'_>) -> Result<SutherlandHodgmanInput, Refusal> {
+        let region = reader.convex_region()?;
+        Ok(SutherlandHodgmanInput::new(region, &reader.polygon()?))
+    }
+
+    fn verdict(output: &Self::Output) -> Message {
+        ring(output)
+    }
+}
+
+impl Solve for SutherlandHodgman<Textured> {
+    const FIELDS: &'static [Field] = &TEXTURED;
+
+    fn read(reader: &mut Reader<'_>) -> Result<SutherlandHodgmanInput<Textured>, Refusal> {
+        let region = reader.convex_region()?;
+        let polygon = reader.polygon()?;
+        let uvs = reader.uv(polygon.vertices().len())?;
+        let vertices = polygon.vertices().iter().zip(uvs);
+        Ok(SutherlandHodgmanInput {
+            region,
+            vertices: vertices.map(|(&at, uv)| Textured { at, uv }).collect(),
+        })
+    }
+
+    fn verdict(output: &Self::Output) -> Message {
+        ring(output)
+    }
+}
+
+impl Solve for Pipeline {
+    const FIELDS: &'static [Field] = &CLIPPED;
+
+    fn read(reader: &mut Reader<'_>) -> Result<Self::Input, Refusal> {
+        SutherlandHodgman::read(reader)
+    }
+
+    fn verdict(output: &Self::Output) -> Message {
+        ring(output)
+    }
+}
+
 impl Solve for EarClipping {
     const FIELDS: &'static [Field] = &ALONE;
 
@@ -39,5 +88,19 @@ impl Solve for EarClipping {
 
     fn verdict(output: &Self::Output) -> Message {
         triangles(output)
+    }
+}
+
+impl Solve for TriangulateAndClip {
+    const FIELDS: &'static [Field] = &CLIPPED;
+
+    fn read(reader: &mut Reader<'_>) -> Result<TriangulateAndClipInput, Refusal> {
+        let region = reader.convex_region()?;
+        let polygon = reader.simple_polygon()?;
+        Ok(TriangulateAndClipInput { region, polygon })
+    }
+
+    fn verdict(output: &Self::Output) -> Message {
+        polygons(output.rings())
     }
 }

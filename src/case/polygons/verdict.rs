@@ -1,8 +1,8 @@
 //! Answers in one sentence.
 
 use crate::{
-    algo::polygon::Triangulation,
-    geom::Point,
+    algo::polygon::{ClippedRing, RingOutcome, Triangulation, Vertex},
+    geom::{Point, Polygon},
     labs::vertex_symbol,
     text::{Formula, Message},
 };
@@ -38,6 +38,15 @@ pub fn polygons<'a>(rings: impl ExactSizeIterator<Item = &'a [Point]>) -> Messag
     Message::new("case-polygons")
         .with("n", n)
         .with("rings", shown)
+}
+
+/// The one ring of Sutherland–Hodgman, where there is something to fill.
+pub fn ring<V: Vertex>(ring: &ClippedRing<V>) -> Message {
+    if ring.outcome == RingOutcome::Degenerate {
+        return Message::new("case-no-area");
+    }
+    let polygon = ring.polygon();
+    polygons(polygon.as_slice().iter().map(Polygon::vertices))
 }
 
 /// `V₁V₂V₃, V₁V₃V₄`.
