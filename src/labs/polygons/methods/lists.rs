@@ -30,7 +30,7 @@ impl<V: Corner> Answer for ClippedRing<V> {
         let polygon = self.polygon();
         let mut json = json!({ "polygons": Vec::from_iter(&polygon), "outcome": self.outcome });
         if V::IS_TEXTURED {
-            let uv = || Vec::from_iter(self.vertices.iter().map(Corner::uv));
+            let uv = || self.vertices.iter().map(Corner::uv).collect::<Vec<_>>();
             json["uv"] = json!(Vec::from_iter(polygon.map(|_| uv())));
         }
         json
