@@ -3,7 +3,7 @@
 use egui::Context;
 
 use crate::{
-    labs::Lab,
+    labs::{Handle, Lab},
     lesson::scene_to_toml,
     panels::{Edit, polygons::Sketch},
     text::{Catalog, Message},
@@ -23,7 +23,11 @@ impl App {
         let now = ctx.input(|input| input.time);
         match command {
             Command::Edit(edit, gesture) => self.edit(edit, gesture, now),
-            Command::Add => self.edit(Edit::Add(self.stage.chosen()), None, now),
+            Command::Add => {
+                self.edit(Edit::Add(self.stage.chosen()), None, now);
+                // The new vertex comes after it: another one is put in after that.
+                self.stage.selected = self.stage.selected.map(Handle::next);
+            }
             Command::Remove => {
                 self.edit(Edit::Remove(self.stage.chosen()), None, now);
                 self.stage.selected = None;

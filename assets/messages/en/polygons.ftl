@@ -98,7 +98,6 @@ words-ear-last = What is left is a triangle.
 ## Triangulate, then clip
 
 tac-opening = Cut the polygon with { $n } vertices into triangles; then clip each of them on its own.
-tac-triangle = Triangle { $number } of { $total }: { $triangle }.
 tac-triangle = Triangle { $number } of { $total }: { $triangle }. While it is clipped, its corners are called V₁, V₂ and V₃.
 tac-whole = { $triangle } lies in the region: it is a piece as it stands.
 tac-piece = { $triangle } leaves a convex piece with { $n } vertices.
@@ -214,7 +213,6 @@ faulty-open-differs = Step { $step } is the first that differs: the closing edge
 faulty-clockwise-differs = Step { $step } is the first that differs: the clip edges are walked clockwise, and the wrong side of each is taken for the inside.
 faulty-twice-differs = Step { $step } is the first that differs: the same crossing is put out a second time.
 faulty-end-first-differs = Step { $step } is the first that differs: the edge comes in, and its end is put out before its crossing.
-
 ## Weiler–Atherton
 
 wa-opening = A polygon with { $n } vertices against one with { $m }: both become lists of vertices, counter-clockwise.
@@ -288,3 +286,9 @@ words-wa-leave = Where the subject leaves, and where both borders pinch, go on i
 words-wa-close = Back at a vertex that was output already: what lies between is a ring. Back at the start, the walk ends.
 words-wa-whole = A border on which the walk never changes lists lies inside or outside as a whole.
 words-wa-holes = A hole belongs to the ring that it lies in.
+## Sutherland–Hodgman
+
+## Sutherland–Hodgman as a pipeline
+
+## Sutherland–Hodgman, wrong on purpose
+

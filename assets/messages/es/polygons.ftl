@@ -6,7 +6,7 @@ handle-polygon = el polígono
 texture-title = Textura
 texture-none = ninguna
 texture-interpolated = interpolada con t
-texture-kept = sin interpolar (error)
+texture-kept = sin interpolar (erróneo)
 part-subject = el polígono sujeto
 part-hole = un hueco
 part-clip = el polígono de recorte
@@ -22,9 +22,9 @@ action-draw-subject = Dibujar el polígono
 action-draw-clip = Dibujar el polígono de recorte
 action-draw-hole = Dibujar un hueco
 action-no-holes = Quitar todos los huecos
-draw-subject = Haz clic para poner el vértice { $number } del nuevo polígono; Retroceso quita uno, Escape abandona.
-draw-clip = Haz clic para poner el vértice { $number } del nuevo polígono de recorte; Retroceso quita uno, Escape abandona.
-draw-hole = Haz clic para poner el vértice { $number } del nuevo hueco; Retroceso quita uno, Escape abandona.
+draw-subject = Haz clic para poner el vértice { $number } del nuevo polígono; Retroceso quita el último; Escape cancela.
+draw-clip = Haz clic para poner el vértice { $number } del nuevo polígono de recorte; Retroceso quita el último; Escape cancela.
+draw-hole = Haz clic para poner el vértice { $number } del nuevo hueco; Retroceso quita el último; Escape cancela.
 draw-close = Haz clic para poner el vértice { $number }; Intro, un doble clic o un clic en el primer vértice cierra el contorno.
 refused-last-three = El vértice se queda: un polígono necesita al menos tres.
 refused-too-many = { $count } vértices son demasiados: como máximo { $most }.
@@ -73,14 +73,14 @@ ear-last = Quedan tres vértices: { $triangle } es el último triángulo.
 ear-done =
     { $n ->
         [one] Listo: un triángulo, tal como se dio.
-       *[other] Listo: { $n } triángulos, dos menos que vértices había.
+       *[other] Listo: { $n } triángulos, dos menos que los vértices que había.
     }
 ear-left = lo que queda
 ear-n-left = vértices restantes
 ear-n-triangles = triángulos
 code-ear-classify = para cada v: corner(v) ← signo de turn(a, v, b)
 code-ear-round = mientras queden más de 3 vértices
-code-ear-each = para cada v cuya esquina es nueva
+code-ear-each = para cada v cuya esquina sea nueva
 code-ear-convex = si corner(v) > 0
 code-ear-empty = y ningún vértice con corner ≤ 0 está en avb
 code-ear-cut = emitir avb; quitar v
@@ -98,7 +98,6 @@ words-ear-last = Lo que queda es un triángulo.
 ## Triangulate, then clip
 
 tac-opening = Corta en triángulos el polígono de { $n } vértices; después recorta cada uno por separado.
-tac-triangle = Triángulo { $number } de { $total }: { $triangle }.
 tac-triangle = Triángulo { $number } de { $total }: { $triangle }. Mientras se recorta, sus vértices se llaman V₁, V₂ y V₃.
 tac-whole = { $triangle } está dentro de la región: es un trozo tal como está.
 tac-piece = { $triangle } deja un trozo convexo de { $n } vértices.
@@ -116,9 +115,9 @@ code-tac-triangulate = triángulos ← recorte de orejas(polígono)
 code-tac-each = para cada triángulo
 code-tac-clip = anillo ← Sutherland–Hodgman(triángulo, región)
 code-tac-piece = si el anillo tiene área: emitir anillo
-words-tac-triangulate = Corta el polígono en triángulos por recorte de orejas.
+words-tac-triangulate = Corta el polígono en triángulos mediante el recorte de orejas.
 words-tac-each = Toma un triángulo tras otro.
-words-tac-clip = Recórtalo por Sutherland–Hodgman: lo que queda de un polígono convexo es convexo.
+words-tac-clip = Recórtalo con Sutherland–Hodgman: lo que queda de un polígono convexo es convexo.
 words-tac-piece = Si queda algo que se pueda rellenar, es un trozo de la respuesta.
 ## Sutherland–Hodgman
 
@@ -146,12 +145,12 @@ sh-closing-cross = La arista de cierre { $from } → { $to }: { $rule }. Se emit
 sh-closing = La arista de cierre { $from } → { $to }: { $rule }. No se emite nada más.
 sh-cross = { $from } → { $to } corta { $border } en I.
 sh-output = { $vertex } entra en la lista de salida como { $place }.
-sh-pass = { $border } está listo: la lista de salida, de longitud { $n }, es la próxima lista de entrada.
-sh-pass-empty = { $border } está listo: la lista de salida tiene longitud { $n }. No queda nada que recortar.
-sh-done-empty = Fin: nada del polígono está en la región. Longitud de la última lista: { $n }; bordes de recorte: { $edges }.
-sh-done-whole = Fin: los { $n } vértices están dentro de los { $edges } bordes. El polígono queda como estaba.
-sh-done-cut = Fin tras { $edges } bordes: queda un anillo de { $n } vértices.
-sh-done-degenerate = Fin tras { $edges } bordes: lo que queda no tiene área. Longitud de la última lista: { $n }.
+sh-pass = Fin de { $border }: la lista de salida, de longitud { $n }, es la próxima lista de entrada.
+sh-pass-empty = Fin de { $border }: la lista de salida tiene longitud { $n }. No queda nada que recortar.
+sh-done-empty = Listo: nada del polígono está en la región. Longitud de la última lista: { $n }; bordes de recorte: { $edges }.
+sh-done-whole = Listo: los { $n } vértices están dentro de los { $edges } bordes. El polígono queda como estaba.
+sh-done-cut = Listo tras { $edges } bordes: queda un anillo de { $n } vértices.
+sh-done-degenerate = Listo tras { $edges } bordes: lo que queda no tiene área. Longitud de la última lista: { $n }.
 code-sh-each = para cada borde de recorte: salida ← vacía
 code-sh-first = F ← primer vértice; si está dentro: emitir F
 code-sh-edges = para cada arista S → P, la última hasta F:
@@ -178,12 +177,12 @@ pipe-first-inside = Es el primer vértice que llega al recortador { $border }: s
 pipe-first-outside = Es el primer vértice que llega al recortador { $border }: se guarda como F y, como está fuera, no sigue.
 pipe-vertex = S → P: { $rule }. P sigue adelante.
 pipe-crossing = S → P: { $rule }. Sigue adelante la intersección I.
-pipe-both = S → P: { $rule }. Sigue adelante la intersección I y después P.
+pipe-both = S → P: { $rule }. Siguen adelante la intersección I y después P.
 pipe-nothing = S → P: { $rule }. No hay intersección, y P no sigue.
 pipe-closing-cross = La arista de cierre S → F: { $rule }. Sigue adelante la intersección I.
 pipe-closing = La arista de cierre S → F: { $rule }. No sigue nada.
-pipe-cross = S y el vértice siguiente están a uno y otro lado de { $border }: la arista lo corta en I.
-pipe-output = { $at } sale del último recortador: es { $vertex } del anillo, definitivamente.
+pipe-cross = S y el vértice siguiente están a uno y otro lado de { $border }: la arista cruza en I.
+pipe-output = { $at } sale del último recortador: ya es, de forma definitiva, { $vertex } del anillo.
 pipe-close = Ya no llegarán más vértices al recortador { $border }: cierra su anillo.
 pipe-close-empty = No ha llegado ningún vértice al recortador { $border }: no hay nada que cerrar.
 pipe-closed = cerrado
@@ -199,12 +198,14 @@ words-pipe-enter = Un recortador conoce solo dos vértices: F, el primero que ll
 words-pipe-first = Guarda el primer vértice que llega.
 words-pipe-cross = Si la arista desde S cruza el borde, primero sigue la intersección.
 words-pipe-pass-on = El vértice se guarda como S y, si está dentro, sigue adelante.
-words-pipe-output = Detrás del último recortador, un vértice pertenece a la respuesta.
-words-pipe-close = Al final, cada recortador mira a su vez la arista que vuelve de su último vértice a F.
+words-pipe-output = Pasado el último recortador, un vértice ya pertenece a la respuesta.
+words-pipe-close = Al final, cada recortador, por turno, mira la arista que vuelve de su último vértice a F.
 
 ## Sutherland–Hodgman, con errores a propósito
 
-alg-faulty-on-border = Erróneo: el borde cuenta como fuera
+alg-faulty-on-border = Erróneo: el borde cuenta como exterior
+## Sutherland–Hodgman, con errores a propósito
+
 alg-faulty-open = Erróneo: falta la arista de cierre
 alg-faulty-clockwise = Erróneo: los bordes se recorren en sentido horario
 alg-faulty-twice = Erróneo: las intersecciones se emiten dos veces

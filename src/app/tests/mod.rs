@@ -5,6 +5,7 @@ mod files;
 mod frames;
 mod hands;
 mod keys;
+mod polygons;
 
 use egui::{
     Context, Event, Key, Modifiers, PointerButton, Pos2, RawInput, Rect, Vec2, ViewportId, pos2,

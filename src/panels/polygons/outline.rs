@@ -47,9 +47,9 @@ impl Sketch {
         &self.points
     }
 
-    /// One more point; one on the last is none.
+    /// One more point; one on the last is none, nor is one beyond all numbers.
     pub fn place(&mut self, at: [f64; 2]) {
-        if self.points.last() != Some(&at) {
+        if self.points.last() != Some(&at) && at.iter().all(|c| c.is_finite()) {
             self.points.push(at);
         }
     }

@@ -96,7 +96,7 @@ pub fn meetings<R: Real>(s: [Point; 2], c: [Point; 2]) -> [Option<Meeting>; 2] {
         num: d1.get() + 0.0,
         den: (d1 - d2).get(),
     };
-    let along = if in_order(s) <= in_order(c) {
+    let along = if precedence(s) <= precedence(c) {
         List::Subject
     } else {
         List::Clip
@@ -155,13 +155,16 @@ fn along([from, to]: [Point; 2], at: Point) -> Ratio {
     }
 }
 
-/// The ends of an edge, whichever way it runs.
-fn in_order([p, q]: [Point; 2]) -> [[f64; 2]; 2] {
-    if lexicographic(p, q) == Ordering::Less {
+/// Of two edges the lesser one is averaged, whichever way either runs: one that is askew before one along an axis,
+/// whose border coordinate the answer is given anyway; then the one that comes first on the left.
+fn precedence([p, q]: [Point; 2]) -> (bool, [[f64; 2]; 2]) {
+    let along_an_axis = p.x() == q.x() || p.y() == q.y();
+    let ends = if lexicographic(p, q) == Ordering::Less {
         [p.to_array(), q.to_array()]
     } else {
         [q.to_array(), p.to_array()]
-    }
+    };
+    (along_an_axis, ends)
 }
 
 /// The common point of two edges that cross: the weighted mean of the ends of one of them, with their distances
@@ -171,8 +174,8 @@ fn in_order([p, q]: [Point; 2]) -> [[f64; 2]; 2] {
 ///   (s₁·|a₂| + s₂·|a₁|) / (|a₁| + |a₂|)
 /// ```
 ///
-/// Of both edges the first, in lexicographic order, is the one: so neither the direction of either nor which
-/// polygon is called the subject changes a bit. Where products and sums are exact, the division's one rounding
+/// Which one depends on the edges alone ([`precedence`]): so neither the direction of either nor which polygon is
+/// called the subject changes a bit. Where products and sums are exact, the division's one rounding
 /// makes it the correctly rounded true point. It is kept within the boxes of both.
 fn crossing<R: Real>(ends: [Point; 2], sides: [R; 2], other: [Point; 2]) -> Point {
     let [w1, w2] = if sides[0].get() < 0.0 {

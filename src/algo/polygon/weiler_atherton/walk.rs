@@ -102,13 +102,6 @@ impl<'a> Walker<'a> {
                 continue;
             }
             list = list.other();
-            place = self.lists.nodes[node as usize].places[list.idx()];
-            emit(Event::Switch {
-                node_idx: node,
-                to: list,
-                place,
-            });
-            self.stretch = self.path.len();
             if list == List::Subject {
                 if node as usize == start {
                     return;
@@ -119,6 +112,13 @@ impl<'a> Walker<'a> {
                 );
                 self.entered[node as usize] = true;
             }
+            place = self.lists.nodes[node as usize].places[list.idx()];
+            emit(Event::Switch {
+                node_idx: node,
+                to: list,
+                place,
+            });
+            self.stretch = self.path.len();
         }
         debug_assert!(false, "the walk ends where it started");
     }

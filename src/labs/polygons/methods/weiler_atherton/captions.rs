@@ -51,9 +51,9 @@ pub fn caption(event: &Event, before: &State, input: &Input) -> Caption {
         Event::Labelled {
             node_idx,
             label,
-            before,
-            after,
-        } => labelled(node_idx, label, [before, after]),
+            before: from,
+            after: to,
+        } => labelled(node_idx, label, [from, to], before),
         Event::Start { node_idx } => {
             let at = before.nodes.get(node_idx as usize).map(|node| node.at);
             let message = Message::new("wa-start").with("node", name(names::node(node_idx)));
@@ -226,19 +226,38 @@ fn inserted(node_idx: u32, at_vertex: bool, before: &State, input: &Input) -> Ca
     Caption::new(message.with("edge", name(edge))).so(quotient("u", node.u))
 }
 
-fn labelled(node_idx: u32, label: Label, [before, after]: [Side; 2]) -> Caption {
+/// Of a crossing the distances say it: `a₁ = −1 < 0 < 2 = a₂`.
+fn labelled(node_idx: u32, label: Label, [before, after]: [Side; 2], state: &State) -> Caption {
     let key = match label {
         Label::Entering => "wa-entering",
         Label::Leaving => "wa-leaving",
         Label::Touching => "wa-touching",
         Label::Pinching => "wa-pinching",
     };
-    Caption::new(
+    let caption = Caption::new(
         Message::new(key)
             .with("node", name(names::node(node_idx)))
             .with("before", names::side(before))
             .with("after", names::side(after)),
-    )
+    );
+    match state.nodes.get(node_idx as usize) {
+        Some(node) if node.contact == Contact::Crossing => {
+            let order = if label == Label::Entering {
+                " < 0 < "
+            } else {
+                " > 0 > "
+            };
+            let distances = Formula::default()
+                .sym("a₁ = ")
+                .num(node.t.num)
+                .sym(order)
+                .num(other_distance(node.t))
+                .sym(" = a₂");
+            caption.so(distances)
+        }
+        Some(node) => caption.so(position(names::node(node_idx), node.at)),
+        None => caption,
+    }
 }
 
 fn visit(

@@ -209,7 +209,11 @@ fn current_place(step: &Step<'_, WeilerAtherton>, list: List) -> Option<usize> {
             .nodes
             .get(node as usize)
             .map(|node| node.place as usize),
-        List::Clip => None,
+        List::Clip => {
+            let mut inserted = state.inserted.iter();
+            let found = inserted.find(|[inserted, _]| *inserted == node);
+            found.map(|[_, place]| *place as usize)
+        }
     };
     match step.event? {
         Event::Vertex { list: built, .. } if built == list => last,
@@ -217,7 +221,8 @@ fn current_place(step: &Step<'_, WeilerAtherton>, list: List) -> Option<usize> {
         Event::Inserted { .. } if list == List::Clip => last,
         Event::Inserted { node_idx, .. }
         | Event::Labelled { node_idx, .. }
-        | Event::Start { node_idx } => of_node(node_idx),
+        | Event::Start { node_idx }
+        | Event::Switch { node_idx, .. } => of_node(node_idx),
         _ => {
             let (walked, place) = state.position?;
             (walked == list).then_some(place as usize)
