@@ -120,38 +120,3 @@ mod tests {
         }
     }
 }
-#[cfg(test)]
-mod timing {
-    use super::*;
-    #[test]
-    fn time_lyon() {
-        use crate::geom::Window;
-        for n in [100, 1000, 10_000] {
-            let p = crate::lesson::random_polygon(&Window::new(-1., -1., 1., 1.).unwrap(), n, 1)
-                .unwrap();
-            let pts: Vec<Pos2> = p
-                .vertices()
-                .iter()
-                .map(|p| Pos2::new(400. + 200. * p.x() as f32, 300. - 200. * p.y() as f32))
-                .collect();
-            let t = std::time::Instant::now();
-            for _ in 0..5 {
-                std::hint::black_box(filled(&[pts.clone()], Color32::RED));
-            }
-            println!("lyon {n}: {:?}", t.elapsed() / 5);
-            let ctx = egui::Context::default();
-            let t = std::time::Instant::now();
-            for _ in 0..5 {
-                let s = Shape::closed_line(pts.clone(), egui::Stroke::new(2.0, Color32::RED));
-                std::hint::black_box(ctx.tessellate(
-                    vec![egui::epaint::ClippedShape {
-                        clip_rect: egui::Rect::EVERYTHING,
-                        shape: s,
-                    }],
-                    1.0,
-                ));
-            }
-            println!("stroke {n}: {:?}", t.elapsed() / 5);
-        }
-    }
-}
