@@ -127,7 +127,7 @@ fn check_points(answer: &Clipped, input: &WeilerAthertonInput) {
     }
 }
 
-/// Every ring, from its lowest vertex on the left, in order.
+/// Every ring, from its lowest vertex, in order.
 fn rings(answer: &Clipped) -> Vec<Vec<[u64; 2]>> {
     let all = answer
         .pieces
@@ -140,7 +140,11 @@ fn rings(answer: &Clipped) -> Vec<Vec<[u64; 2]>> {
                 .iter()
                 .map(|p| p.to_array().map(|x| (x + 0.0).to_bits()))
                 .collect();
-            let lowest = (0..ring.len()).min_by_key(|&i| ring[i]);
+            // A crossing may be rounded to where another corner is: of all turns of the ring the least one.
+            let n = ring.len();
+            let turn = |from: usize| ring.iter().cycle().skip(from).take(n);
+            let lowest =
+                (0..n).min_by(|&i, &j| ring[i].cmp(&ring[j]).then_with(|| turn(i).cmp(turn(j))));
             ring.rotate_left(lowest.unwrap_or(0));
             ring
         })

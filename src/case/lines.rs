@@ -14,11 +14,11 @@ use crate::{
     trace::Counts,
 };
 
-use super::{Code, Field, Fields, Given, Node, Path, Problem, Refusal, Solver, fields::missing};
-
-/// A clip polygon with more vertices than this is refused: a step's table of values has a row an edge, and
-/// a report a step an edge, so that its length grows with the square.
-const MAX_VERTICES: usize = 1024;
+use super::{
+    Code, Field, Fields, Given, Node, Path, Problem, Refusal, Solver,
+    fields::missing,
+    parts::{given_clip, given_window, read_clip, read_window},
+};
 
 /// The lab's methods.
 pub(super) fn solvers() -> impl Iterator<Item = &'static dyn Solver> {
@@ -78,17 +78,6 @@ impl Solver for MethodInfo {
     }
 }
 
-fn read_window(node: &Node<'_>) -> Result<Window, Refusal> {
-    let [xmin, ymin, xmax, ymax] = node.numbers()?;
-    Window::new(xmin, ymin, xmax, ymax).map_err(|error| Refusal::geometry(&node.path, error, 0))
-}
-
-fn read_clip(node: &Node<'_>) -> Result<ConvexPolygon, Refusal> {
-    let outline: Vec<[f64; 2]> = node.points(MAX_VERTICES)?;
-    ConvexPolygon::new(&outline)
-        .map_err(|error| Refusal::geometry(&node.path, error, outline.len()))
-}
-
 fn read_segment(node: &Node<'_>) -> Result<Segment, Refusal> {
     let [x1, y1, x2, y2] = node.numbers()?;
     Segment::new(x1, y1, x2, y2).map_err(|error| Refusal::geometry(&node.path, error, 0))
@@ -119,14 +108,7 @@ impl Problem for LineCase {
     fn given(&self) -> Vec<Given> {
         let scene = &self.0;
         let clip_or_window = match &scene.clip {
-            Some(clip) => Given {
-                name_key: "object-clip-polygon",
-                values: clip
-                    .vertices()
-                    .iter()
-                    .map(|p| p.to_array().into())
-                    .collect(),
-            },
+            Some(clip) => given_clip(clip.vertices()),
             None => given_window(&scene.window),
         };
         let Segment { p1, p2 } = scene.focused();
@@ -180,20 +162,5 @@ impl Problem for LineCase {
                 .with("p1", p1.to_array())
                 .with("p2", p2.to_array()),
         }
-    }
-}
-
-/// `−1 ≤ x ≤ 1`, `−1 ≤ y ≤ 1`: closed.
-fn given_window(window: &Window) -> Given {
-    let range = |low, symbol, high| {
-        let formula = Formula::default().num(window.border(low));
-        Value::Formula(formula.sym(symbol).num(window.border(high)))
-    };
-    Given {
-        name_key: "object-window",
-        values: vec![
-            range(Edge::Left, " ≤ x ≤ ", Edge::Right),
-            range(Edge::Bottom, " ≤ y ≤ ", Edge::Top),
-        ],
     }
 }

@@ -29,6 +29,8 @@
 mod answer;
 mod fields;
 mod lines;
+mod parts;
+mod polygons;
 mod raw;
 mod read;
 mod refusal;

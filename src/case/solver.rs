@@ -8,7 +8,7 @@ use crate::{
     trace::Counts,
 };
 
-use super::{Field, Fields, Refusal, lines};
+use super::{Field, Fields, Refusal, lines, polygons};
 
 /// An algorithm that a case can name.
 pub trait Solver: Sync {
@@ -52,7 +52,7 @@ pub struct Given {
 
 /// Every algorithm, in the order in which they are taught. A lab joins here.
 pub fn solvers() -> impl Iterator<Item = &'static dyn Solver> {
-    lines::solvers()
+    lines::solvers().chain(polygons::solvers())
 }
 
 /// The algorithm of this name.

@@ -1,6 +1,8 @@
 //! One figure: what the stage shows, and the caption under it.
 
-use egui::{Align2, FontId, Rect, Ui, pos2, vec2};
+use std::sync::Arc;
+
+use egui::{Align2, FontId, Galley, Rect, Ui, pos2, vec2};
 
 use crate::{
     figure::{Frame, Run},
@@ -72,10 +74,16 @@ pub fn draw(table: &mut Headless, picture: &Picture<'_>) -> Image {
     table.draw(size / pixels_per_point, pixels_per_point, |ui| {
         let whole = ui.max_rect();
         let width = whole.width() / columns.len() as f32;
-        for (i, column) in columns.iter().enumerate() {
+        let captions: Vec<_> = columns
+            .iter()
+            .map(|column| page.caption(ui, width, &column.frame))
+            .collect();
+        // As much room under both stages, so that they show the same place at the same size.
+        let room = captions.iter().map(|c| c.size().y).fold(0.0, f32::max);
+        for (i, (column, caption)) in columns.iter().zip(captions).enumerate() {
             let left = whole.left() + width * i as f32;
             let rect = Rect::from_min_size(pos2(left, whole.top()), vec2(width, whole.height()));
-            page.column(ui, rect, i, column);
+            page.column(ui, rect, i, column, (caption, room));
             if i > 0 {
                 let hairline = page.look.theme.stroke(1.0, page.look.theme.hairline);
                 ui.painter().vline(left, whole.y_range(), hairline);
@@ -111,15 +119,25 @@ struct Page<'a> {
 }
 
 impl Page<'_> {
-    fn column(&self, ui: &mut Ui, rect: Rect, index: usize, column: &Column) {
+    fn caption(&self, ui: &Ui, width: f32, frame: &Frame) -> Arc<Galley> {
+        let width = width - 2.0 * MARGIN_PTS[0];
+        let job = caption_job(ui, self.look, &frame.caption, width, MAX_ROWS);
+        ui.painter().layout_job(job)
+    }
+
+    fn column(
+        &self,
+        ui: &mut Ui,
+        rect: Rect,
+        index: usize,
+        column: &Column,
+        (caption, caption_height): (Arc<Galley>, f32),
+    ) {
         let frame = &column.frame;
         let [margin_x, margin_y] = MARGIN_PTS;
-        let width = rect.width() - 2.0 * margin_x;
-        let job = caption_job(ui, self.look, &frame.caption, width, MAX_ROWS);
-        let caption = ui.painter().layout_job(job);
         let cost_height = if self.is_comparison { 28.0 } else { 0.0 };
         let bottom = rect.bottom() - margin_y;
-        let caption_top = bottom - cost_height - caption.size().y;
+        let caption_top = bottom - cost_height - caption_height;
         let strip_top = caption_top - margin_y;
         let title_height = if self.is_comparison {
             TITLE_PTS * self.look.theme.text_scale

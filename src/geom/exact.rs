@@ -1,4 +1,4 @@
-//! The sign of a determinant of any finite numbers, in integers of thousands of bits.
+//! The sign of an area with corners at any finite numbers, in integers of thousands of bits.
 //!
 //! ```text
 //!   │a 1│
@@ -7,17 +7,18 @@
 //! ```
 //!
 //! Every product is a whole number of 2⁻²¹⁴⁸, below 2²⁰⁴⁸: it is added to a long number, digit by digit. For the
-//! few that leave the range in which expansions are exact; an ordinary program never comes here.
+//! few that leave the range in which expansions are exact, and for rings that have next to no area.
 
 use std::cmp::Ordering;
 
-/// 32 bits each, of which 2⁻²¹⁴⁸ is the lowest: enough for the sum of six products.
+/// 32 bits each, of which 2⁻²¹⁴⁸ is the lowest: with room for the sum of 2⁶⁰ products.
 const N_DIGITS: usize = (2148 + 2048) / 32 + 6;
 
-/// Sign of the area of abc.
-pub fn exact_orientation([a, b, c]: [[f64; 2]; 3]) -> Ordering {
+/// Sign of the area that a ring of fewer than 2²⁹ corners runs around, `Greater` for counter-clockwise.
+pub fn exact_winding(ring: impl ExactSizeIterator<Item = [f64; 2]> + Clone) -> Ordering {
     let mut sum = [0_i64; N_DIGITS];
-    for ([px, py], [qx, qy]) in [(a, b), (b, c), (c, a)] {
+    let after = ring.clone().cycle().skip(1);
+    for ([px, py], [qx, qy]) in ring.zip(after) {
         add_product(&mut sum, px, qy);
         add_product(&mut sum, -py, qx);
     }
@@ -83,7 +84,7 @@ mod tests {
                 let points = [(); 3].map(|()| [next() * scale, next() * scale]);
                 let [a, b, c] = points.map(|[x, y]| robust::Coord { x, y });
                 let expected = robust::orient2d(a, b, c).partial_cmp(&0.0).unwrap();
-                assert_eq!(exact_orientation(points), expected, "{points:?}");
+                assert_eq!(exact_winding(points.into_iter()), expected, "{points:?}");
             }
         }
     }
@@ -103,10 +104,10 @@ mod tests {
             ),
         ];
         for (points, expected) in cases {
-            assert_eq!(exact_orientation(points), expected, "{points:?}");
+            assert_eq!(exact_winding(points.into_iter()), expected, "{points:?}");
             let [a, b, c] = points;
             assert_eq!(
-                exact_orientation([b, a, c]),
+                exact_winding([b, a, c].into_iter()),
                 expected.reverse(),
                 "{points:?}, turned"
             );

@@ -19,7 +19,7 @@ mod window;
 pub use convex_polygon::ConvexPolygon;
 pub use error::{Axis, GeomError};
 pub use half_plane::HalfPlane;
-pub use orientation::{is_certain, lexicographic, orientation};
+pub use orientation::{is_certain, lexicographic, orientation, winding};
 pub use point::{Point, Segment, extent};
 pub use polygon::Polygon;
 pub use region::Region;

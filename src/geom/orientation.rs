@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use super::{Point, exact::exact_orientation};
+use super::{Point, exact::exact_winding};
 
 /// Sign of the area of abc: `Greater` where c lies to the left of the line from a to b. Exact for any finite
 /// numbers.
@@ -46,11 +46,38 @@ fn adaptive(a: Point, b: Point, c: Point) -> Ordering {
     let plain = 2f64.powi(-300)..=2f64.powi(300);
     let is_plain = |x: &f64| *x == 0.0 || plain.contains(&x.abs());
     if !points.as_flattened().iter().all(is_plain) {
-        return exact_orientation(points);
+        return exact_winding(points.into_iter());
     }
     let [a, b, c] = points.map(|[x, y]| robust::Coord { x, y });
     let area = robust::orient2d(a, b, c);
     area.partial_cmp(&0.0).unwrap_or(Ordering::Equal)
+}
+
+/// Sign of the area that a ring runs around, `Greater` for counter-clockwise. Exact, whatever its shape.
+#[must_use]
+pub fn winding(ring: &[Point]) -> Ordering {
+    let Some(&origin) = ring.first() else {
+        return Ordering::Equal;
+    };
+    let (mut area, mut size) = (0.0, 0.0);
+    for pair in ring.windows(2) {
+        let [[px, py], [qx, qy]] =
+            [pair[0], pair[1]].map(|p| [p.x() - origin.x(), p.y() - origin.y()]);
+        let (left, right) = (px * qy, py * qx);
+        area += left - right;
+        size += left.abs() + right.abs();
+    }
+    // Each term has three roundings and each sum one.
+    let error = (ring.len() + 4) as f64 * f64::EPSILON * size;
+    if area.abs() > error && size > 2f64.powi(-900) && size < f64::INFINITY {
+        if area > 0.0 {
+            Ordering::Greater
+        } else {
+            Ordering::Less
+        }
+    } else {
+        exact_winding(ring.iter().map(|p| p.to_array()))
+    }
 }
 
 /// By x, then by y: along any line the order in which a walk in one direction meets its points.
@@ -89,6 +116,58 @@ mod tests {
                 assert_eq!(turn([b, a, c]), exact.reverse(), "{y} at {scale:e}, turned");
                 if scale == 1.0 {
                     assert_eq!(exact, expected);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_winding_of_a_ring_with_next_to_no_area() {
+        let ring = |points: &[[f64; 2]]| -> Vec<Point> {
+            points
+                .iter()
+                .map(|&p| Point::try_from(p).unwrap())
+                .collect()
+        };
+        let third = 1.0 / 3.0;
+        let cases = [
+            (
+                ring(&[[0.0, 0.0], [2.0, 0.0], [2.0, 1.0]]),
+                Ordering::Greater,
+            ),
+            (
+                ring(&[[0.1, 0.1], [0.7, 0.7], [third, third]]),
+                Ordering::Equal,
+            ),
+            (
+                ring(&[[0.1, 0.1], [0.7, 0.7], [third, third.next_up()]]),
+                Ordering::Greater,
+            ),
+            (
+                ring(&[
+                    [0.1, 0.1],
+                    [0.7, 0.7],
+                    [third, third.next_down()],
+                    [0.2, 0.2],
+                ]),
+                Ordering::Less,
+            ),
+            (
+                ring(&[[0.0, 0.0], [1e-300, 0.0], [0.0, 1e-300]]),
+                Ordering::Greater,
+            ),
+            (
+                ring(&[[0.0, 0.0], [0.0, 1e300], [1e300, 0.0]]),
+                Ordering::Less,
+            ),
+            (ring(&[[1.0, 2.0], [3.0, 4.0]]), Ordering::Equal),
+            (ring(&[]), Ordering::Equal),
+        ];
+        for (mut ring, expected) in cases {
+            for _ in 0..ring.len().max(1) {
+                assert_eq!(winding(&ring), expected, "{ring:?}");
+                if !ring.is_empty() {
+                    ring.rotate_left(1);
                 }
             }
         }

@@ -3,8 +3,8 @@
 use std::cmp::Ordering;
 
 use super::{
-    ConvexPolygon, GeomError, Location, Point, Polygon, Rings, Segment, Window, lexicographic,
-    orientation, sweep::first_meeting,
+    ConvexPolygon, GeomError, Location, Point, Polygon, Rings, Segment, Window, orientation,
+    sweep::first_meeting, winding,
 };
 
 /// A polygon whose edges meet in shared vertices only, with an area. Vertices run counter-clockwise and no two
@@ -17,6 +17,7 @@ pub struct SimplePolygon {
     rings: Rings,
     given_vertices: Vec<u32>,
     given_edges: Vec<u32>,
+    n_given: usize,
 }
 
 impl SimplePolygon {
@@ -59,6 +60,12 @@ impl SimplePolygon {
     #[must_use]
     pub fn given_edge(&self, edge_idx: usize) -> usize {
         self.given_edges[edge_idx] as usize
+    }
+
+    /// How many vertices were given, repeated ones included.
+    #[must_use]
+    pub const fn n_given(&self) -> usize {
+        self.n_given
     }
 
     /// Exact.
@@ -112,6 +119,7 @@ impl TryFrom<&Polygon> for SimplePolygon {
                 rings,
                 given_vertices: kept,
                 given_edges,
+                n_given: n,
             });
         }
         let mut points = rings.points().to_vec();
@@ -122,17 +130,9 @@ impl TryFrom<&Polygon> for SimplePolygon {
             rings: Rings::one(points),
             given_vertices: kept,
             given_edges,
+            n_given: n,
         })
     }
-}
-
-/// Which way a simple ring runs around, `Greater` for counter-clockwise: the way it turns at its lowest vertex
-/// on the left.
-fn winding(ring: &[Point]) -> Ordering {
-    let n = ring.len();
-    let lowest = (0..n).min_by(|&i, &j| lexicographic(ring[i], ring[j]));
-    let corner = |i: usize| orientation(ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]);
-    lowest.map_or(Ordering::Equal, corner)
 }
 
 impl From<Rings> for SimplePolygon {
@@ -140,6 +140,7 @@ impl From<Rings> for SimplePolygon {
     fn from(rings: Rings) -> Self {
         let numbers: Vec<u32> = (0..rings.points().len() as u32).collect();
         Self {
+            n_given: numbers.len(),
             rings,
             given_vertices: numbers.clone(),
             given_edges: numbers,

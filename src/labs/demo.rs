@@ -58,7 +58,7 @@ pub struct Step<'a, A: Algorithm> {
 }
 
 /// Records one run, with its type erased.
-pub(super) fn record<A: Demo>(input: A::Input) -> Box<dyn Run> {
+pub(crate) fn record<A: Demo>(input: A::Input) -> Box<dyn Run> {
     Box::new(Recorded::<A>(Trace::record(input)))
 }
 

@@ -17,4 +17,5 @@ pub use document::{Document, Lab, Scene};
 pub use handle::{Corner, Handle, Lock};
 
 use card::code_line;
-use demo::record;
+pub(crate) use demo::record;
+pub(crate) use words::vertex_symbol;

@@ -150,6 +150,12 @@ pub fn subscript(n: usize) -> String {
 }
 
 /// `V₁`, `V₂`, …: vertices are numbered from 1 on screen.
+#[must_use]
+pub fn vertex_symbol(vertex_idx: usize) -> String {
+    format!("V{}", subscript(vertex_idx + 1))
+}
+
+/// [`vertex_symbol`], for a sentence.
 pub fn vertex_name(vertex_idx: usize) -> Value {
-    name(format!("V{}", subscript(vertex_idx + 1)))
+    name(vertex_symbol(vertex_idx))
 }

@@ -173,6 +173,7 @@ proptest! {
         let found: Vec<_> = pieces.rings().map(<[Point]>::to_vec).collect();
         prop_assert_eq!(found, triangles);
         let n_edges = pieces.outline().len();
+        prop_assert_eq!(pieces.merged().len(), 1);
         prop_assert_eq!(n_edges, outline.len(), "the diagonals are gone, the edges are left");
     }
 
@@ -186,6 +187,8 @@ proptest! {
         let [x, y] = [xs, ys].map(|[from, size]| [from as f64 + 0.25, (from + size) as f64 + 0.25]);
         let problem = input(&outline, window([x[0], y[0], x[1], y[1]]));
         let pieces = silent::<TriangulateAndClip>(&problem);
+        let merged: f64 = pieces.merged().iter().map(|ring| double_area(ring)).sum();
+        prop_assert!((merged / 2.0 - area(&pieces)).abs() < 1e-9);
         for edge in pieces.outline() {
             let [p, q] = [edge.p1, edge.p2].map(Point::to_array);
             let along_window = |axis: usize, borders: [f64; 2]| p[axis] == q[axis] && borders.contains(&p[axis]);

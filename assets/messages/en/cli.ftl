@@ -38,6 +38,8 @@ case-wrong-length = Expected { $expected } numbers, found { $found }.
 case-not-finite = { $number } is beyond the range of a 64-bit number: every coordinate must be finite.
 case-empty-window = The window is empty: { $low } = { $min } must be less than { $high } = { $max }.
 case-too-many = { $found } vertices: at most { $max } are handled.
+case-too-many-pairs = { $found } pairs of an edge and a clip edge: at most { $max } are handled.
+case-uv-length = Expected one [u, v] for each of the { $expected } vertices, found { $found }.
 json-number = a number
 json-numbers = a list of numbers
 json-points = a list of points
@@ -52,6 +54,18 @@ json-null = null
 case-visible = Visible from { $p1 } to { $p2 }.
 case-touch = Visible in one point: { $at }.
 case-invisible = Nothing is visible.
+case-nothing-left = Nothing is left.
+case-no-area = What is left has no area: nothing to fill.
+case-polygons =
+    { $n ->
+        [one] One polygon: { $rings }
+       *[other] { $n } polygons: { $rings }
+    }
+case-triangles =
+    { $n ->
+        [one] One triangle: { $triangles }
+       *[other] { $n } triangles: { $triangles }
+    }
 
 ## Reports: the step table of a case
 

@@ -5,6 +5,8 @@
 object-segment = segment
 object-window = clip window
 object-clip-polygon = clip polygon
+object-polygon = polygon
+object-uv = texture coordinates
 object-outcode = outcode
 
 ## The window’s edges, as nouns; the sides alone agree with “edge”
@@ -37,6 +39,7 @@ alg-cohen-sutherland = Cohen–Sutherland
 alg-liang-barsky = Liang–Barsky
 alg-cyrus-beck = Cyrus–Beck
 alg-nicholl-lee-nicholl = Nicholl–Lee–Nicholl
+alg-weiler-atherton = Weiler–Atherton
 alg-ear-clipping = Ear clipping
 alg-triangulate-and-clip = Triangulate, then clip
 

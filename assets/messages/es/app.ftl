@@ -131,6 +131,6 @@ help-remove = Quitar el segmento o el vértice seleccionado
 help-draw-close = Al dibujar: cerrar el contorno
 help-draw-back = Al dibujar: deshacer el último vértice
 help-edge = Doble clic, o Ctrl y clic, en una arista: un vértice nuevo ahí
-faulty-title = ¿Qué está mal aquí?
+faulty-title = ¿Qué falla aquí?
 differs-from = difiere desde el paso { $step }
 differs-nowhere = mismos pasos con esta entrada

@@ -38,6 +38,8 @@ case-wrong-length = Se esperaban { $expected } números y hay { $found }.
 case-not-finite = { $number } excede el rango de un número de 64 bits: toda coordenada debe ser finita.
 case-empty-window = La ventana está vacía: { $low } = { $min } debe ser menor que { $high } = { $max }.
 case-too-many = { $found } vértices: se admiten { $max } como máximo.
+case-too-many-pairs = { $found } pares de arista y arista de recorte: se admiten { $max } como máximo.
+case-uv-length = Se esperaba un [u, v] para cada uno de los { $expected } vértices; hay { $found }.
 json-number = un número
 json-numbers = una lista de números
 json-points = una lista de puntos
@@ -52,6 +54,18 @@ json-null = null
 case-visible = Visible desde { $p1 } hasta { $p2 }.
 case-touch = Visible en un solo punto: { $at }.
 case-invisible = No hay nada visible.
+case-nothing-left = No queda nada.
+case-no-area = Lo que queda no tiene área: no hay nada que rellenar.
+case-polygons =
+    { $n ->
+        [one] Un polígono: { $rings }
+       *[other] { $n } polígonos: { $rings }
+    }
+case-triangles =
+    { $n ->
+        [one] Un triángulo: { $triangles }
+       *[other] { $n } triángulos: { $triangles }
+    }
 
 ## Reports: the step table of a case
 

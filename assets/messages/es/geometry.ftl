@@ -5,6 +5,8 @@
 object-segment = segmento
 object-window = ventana de recorte
 object-clip-polygon = polígono de recorte
+object-polygon = polígono
+object-uv = coordenadas de textura
 object-outcode = código de región
 
 ## The window’s edges, as nouns; the sides alone agree with “edge”
@@ -37,6 +39,7 @@ alg-cohen-sutherland = Cohen–Sutherland
 alg-liang-barsky = Liang–Barsky
 alg-cyrus-beck = Cyrus–Beck
 alg-nicholl-lee-nicholl = Nicholl–Lee–Nicholl
+alg-weiler-atherton = Weiler–Atherton
 alg-ear-clipping = Recorte de orejas
 alg-triangulate-and-clip = Triangular y después recortar
 
@@ -52,8 +55,8 @@ error-not-finite = Todas las coordenadas deben ser números finitos.
 error-empty-window = La ventana está vacía: su borde izquierdo debe quedar a la izquierda del derecho, y el inferior por debajo del superior.
 error-not-convex = El polígono de recorte debe ser convexo: este algoritmo conserva lo que queda en el lado interior de todas sus aristas.
 error-self-intersecting = El polígono se corta a sí mismo.
-error-edges-meet = El contorno no debe encontrarse consigo mismo: las aristas { $first } y { $second } se cortan, se tocan o se superponen.
-error-misplaced-hole = El agujero { $hole } debe quedar dentro del contorno, sin tocar sus aristas ni ningún otro agujero.
+error-edges-meet = El contorno no debe tocarse ni cortarse a sí mismo: las aristas { $first } y { $second } se cortan, se tocan o se superponen.
+error-misplaced-hole = El hueco { $hole } debe quedar dentro del contorno, sin tocar sus aristas ni ningún otro hueco.
 error-degenerate = La figura es degenerada: no tiene extensión donde la necesita.
 error-too-few-vertices = Un polígono necesita al menos tres vértices.
 error-at = { $place }: { $problem }

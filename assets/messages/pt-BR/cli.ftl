@@ -38,6 +38,8 @@ case-wrong-length = Esperavam-se { $expected } números, mas há { $found }.
 case-not-finite = { $number } excede o intervalo de um número de 64 bits: toda coordenada deve ser finita.
 case-empty-window = A janela está vazia: { $low } = { $min } deve ser menor que { $high } = { $max }.
 case-too-many = { $found } vértices: no máximo { $max } são aceitos.
+case-too-many-pairs = { $found } pares de aresta e aresta de recorte: são aceitos no máximo { $max }.
+case-uv-length = Era esperado um [u, v] para cada um dos { $expected } vértices; há { $found }.
 json-number = um número
 json-numbers = uma lista de números
 json-points = uma lista de pontos
@@ -52,6 +54,18 @@ json-null = null
 case-visible = Visível de { $p1 } até { $p2 }.
 case-touch = Visível em um único ponto: { $at }.
 case-invisible = Nada é visível.
+case-nothing-left = Não resta nada.
+case-no-area = O que resta não tem área: nada a preencher.
+case-polygons =
+    { $n ->
+        [one] Um polígono: { $rings }
+       *[other] { $n } polígonos: { $rings }
+    }
+case-triangles =
+    { $n ->
+        [one] Um triângulo: { $triangles }
+       *[other] { $n } triângulos: { $triangles }
+    }
 
 ## Reports: the step table of a case
 

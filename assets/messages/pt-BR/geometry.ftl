@@ -5,6 +5,8 @@
 object-segment = segmento
 object-window = janela de recorte
 object-clip-polygon = polígono de recorte
+object-polygon = polígono
+object-uv = coordenadas de textura
 object-outcode = código de região
 
 ## The window’s edges, as nouns; the sides alone agree with “edge”
@@ -37,6 +39,7 @@ alg-cohen-sutherland = Cohen–Sutherland
 alg-liang-barsky = Liang–Barsky
 alg-cyrus-beck = Cyrus–Beck
 alg-nicholl-lee-nicholl = Nicholl–Lee–Nicholl
+alg-weiler-atherton = Weiler–Atherton
 alg-ear-clipping = Corte de orelhas
 alg-triangulate-and-clip = Triangular e depois recortar
 

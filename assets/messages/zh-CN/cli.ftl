@@ -26,6 +26,8 @@ case-wrong-length = 应有 { $expected } 个数，实有 { $found } 个。
 case-not-finite = { $number } 超出 64 位浮点数的范围：每个坐标都必须是有限的数。
 case-empty-window = 窗口为空：{ $low } = { $min } 必须小于 { $high } = { $max }。
 case-too-many = 有 { $found } 个顶点：最多处理 { $max } 个。
+case-too-many-pairs = 边与裁剪边共有 { $found } 对：最多处理 { $max } 对。
+case-uv-length = 应为 { $expected } 个顶点各给出一个 [u, v]，实际有 { $found } 个。
 json-number = 数
 json-numbers = 数的列表
 json-points = 点的列表
@@ -40,6 +42,10 @@ json-null = null
 case-visible = 从 { $p1 } 到 { $p2 } 可见。
 case-touch = 只有一点可见：{ $at }。
 case-invisible = 完全不可见。
+case-nothing-left = 什么也不剩。
+case-no-area = 剩下的部分面积为零：没有可填充的内容。
+case-polygons = { $n } 个多边形：{ $rings }
+case-triangles = { $n } 个三角形：{ $triangles }
 
 ## Reports: the step table of a case
 

@@ -5,6 +5,8 @@
 object-segment = 线段
 object-window = 裁剪窗口
 object-clip-polygon = 裁剪多边形
+object-polygon = 多边形
+object-uv = 纹理坐标
 object-outcode = 区域码
 
 ## The window’s edges, as nouns; the sides alone agree with “edge”
@@ -37,6 +39,7 @@ alg-cohen-sutherland = Cohen–Sutherland
 alg-liang-barsky = 梁友栋–Barsky
 alg-cyrus-beck = Cyrus–Beck
 alg-nicholl-lee-nicholl = Nicholl–Lee–Nicholl
+alg-weiler-atherton = Weiler–Atherton
 alg-ear-clipping = 耳切法
 alg-triangulate-and-clip = 先三角剖分，再裁剪
 
@@ -52,8 +55,8 @@ error-not-finite = 所有坐标都必须是有限数。
 error-empty-window = 裁剪窗口为空：左边界必须在右边界左侧，下边界必须在上边界下方。
 error-not-convex = 裁剪多边形必须是凸多边形：该算法只保留位于所有边内侧的部分。
 error-self-intersecting = 多边形自相交。
-error-edges-meet = 多边形的边界不得与自身相交或相接：第 { $first } 条边与第 { $second } 条边相交、相接或重叠。
-error-misplaced-hole = 第 { $hole } 个孔必须位于外边界内部，且不得与外边界或其他孔相接。
+error-edges-meet = 多边形的轮廓不得与自身相交或相接：第 { $first } 条边与第 { $second } 条边相交、相接或重叠。
+error-misplaced-hole = 内孔 { $hole } 必须位于外轮廓之内，且不得与外轮廓或其他内孔相接。
 error-degenerate = 图形已退化：应有的长度或面积为零。
 error-too-few-vertices = 多边形至少需要三个顶点。
 error-at = { $place }：{ $problem }

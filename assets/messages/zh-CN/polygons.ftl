@@ -12,6 +12,8 @@ part-hole = 内孔
 part-clip = 裁剪多边形
 refused-not-convex = 该算法要求裁剪区域是凸的：{ $part }在 { $vertex } 处拐向了错误的一侧。
 refused-winds-twice = 该算法要求简单多边形：到 { $vertex } 为止，{ $part }已绕行不止一圈。
+refused-edges-meet = 该算法要求简单多边形：{ $part }的边 { $first } 与边 { $second } 相交或相接。
+refused-misplaced-hole = 该算法要求每个内孔都在多边形内部，且不与边界或其他内孔相接：{ $part }不符合这一要求。
 refused-degenerate = 没有可裁剪的内容：{ $part }的面积为零。
 
 ## 逐点单击绘制轮廓
@@ -34,13 +36,13 @@ preset-convex = 凸多边形
 preset-triangle = 三角形
 preset-arrow = 箭头（凹）
 preset-comb = 梳形：裁成多块
-preset-corner = 绕过窗口角：产生桥边
+preset-corner = 绕过角点：产生桥边
 preset-spiral = 螺旋形
 preset-star = 星形
 preset-hole = 带内孔
 preset-around = 包围整个窗口
 preset-inside = 完全在窗口内
-preset-touch = 只接触一点
+preset-touch = 只有一个公共点
 preset-along = 一条边与边界重合
 preset-bow-tie = 蝴蝶结：自相交
 preset-random = 随机
@@ -48,7 +50,7 @@ random-count = 顶点数
 random-make = 替换多边形
 region-title = 裁剪区域
 region-window = 窗口
-region-corners = 窗口的四个角
+region-corners = 窗口的四个角点
 region-triangle = 三角形
 region-diamond = 菱形
 region-octagon = 八边形
@@ -84,11 +86,11 @@ code-ear-empty = 且没有 corner ≤ 0 的顶点落在 avb 内
 code-ear-cut = 输出 avb；去掉 v
 code-ear-again = 重新计算 corner(a)、corner(b)
 code-ear-last = 输出剩下的三个顶点
-words-ear-classify = 在每个顶点 v 处，从前一点 a 到后一点 b，边界是左转、右转还是不转？
-words-ear-round = 一轮一轮地走，直到只剩三个顶点。
+words-ear-classify = 在每个顶点 v 处，从前一点 a 到后一点 b，轮廓是左转、右转还是不转？
+words-ear-round = 一轮一轮地检查，直到只剩三个顶点。
 words-ear-each = 检查上一轮中角有变化的每个顶点；第一轮检查全部顶点。
-words-ear-convex = 只有在边界左转的地方，角才可能被切下。
-words-ear-empty = 三角形内不得有别的顶点；只需检查那些不是凸的顶点。
+words-ear-convex = 只有在轮廓左转的地方，角才可能被切下。
+words-ear-empty = 三角形内不得有别的顶点；只需检查非凸的顶点。
 words-ear-cut = 这是一只耳朵：沿对角线 ab 切下。
 words-ear-again = a、b 处的角变了：重新分类，下一轮再检查这两点。
 words-ear-last = 剩下的就是一个三角形。
@@ -96,7 +98,7 @@ words-ear-last = 剩下的就是一个三角形。
 ## Triangulate, then clip
 
 tac-opening = 先把这个有 { $n } 个顶点的多边形切成三角形，再逐个裁剪。
-tac-triangle = 第 { $number } 个三角形（共 { $total } 个）：{ $triangle }。
+tac-triangle = 第 { $number } 个三角形（共 { $total } 个）：{ $triangle }。裁剪时，它的三个顶点记作 V₁、V₂、V₃。
 tac-whole = { $triangle } 全部在区域内：原样就是一块。
 tac-piece = { $triangle } 留下一块有 { $n } 个顶点的凸多边形。
 tac-none = { $triangle } 在区域内什么也没留下。
@@ -114,22 +116,24 @@ code-tac-clip = 环 ← Sutherland–Hodgman(三角形, 区域)
 code-tac-piece = 若环的面积不为零，则输出环
 words-tac-triangulate = 用耳切法把多边形切成三角形。
 words-tac-each = 逐个处理三角形。
-words-tac-clip = 用萨瑟兰–霍奇曼算法裁剪它：凸多边形裁剪后仍是凸的。
+words-tac-clip = 用 Sutherland–Hodgman 裁剪它：凸多边形裁剪后仍是凸的。
 words-tac-piece = 若还剩下可以填充的部分，它就是答案中的一块。
+## Sutherland–Hodgman
+
+alg-sutherland-hodgman = Sutherland–Hodgman
+alg-sutherland-hodgman-pipeline = Sutherland–Hodgman（流水线）
 ## 萨瑟兰–霍奇曼算法
 
-alg-sutherland-hodgman = 萨瑟兰–霍奇曼算法
-alg-sutherland-hodgman-pipeline = 萨瑟兰–霍奇曼算法（流水线形式）
 rule-in-in = 内 → 内
 rule-in-out = 内 → 外
 rule-out-in = 外 → 内
 rule-out-out = 外 → 外
 sh-inside = 内侧
 sh-outside = 外侧
-sh-bridge = 桥接边
-sh-opening = 把整个多边形（{ $n } 个顶点）依次对裁剪区域的每条边裁剪：共 { $edges } 条边。
-sh-edge-side = 对{ $edge }裁剪：内侧为 { $inside }。
-sh-edge = 对边 { $edge } 裁剪：内侧为 { $inside }。
+sh-bridge = 桥边
+sh-opening = 依次用裁剪区域的每条边裁剪整个多边形（{ $n } 个顶点）：共 { $edges } 条边。
+sh-edge-side = 用{ $edge }裁剪：内侧为 { $inside }。
+sh-edge = 用边 { $edge } 裁剪：内侧为 { $inside }。
 sh-first-inside = 第一个顶点 { $vertex } 在内侧：输出。
 sh-first-outside = 第一个顶点 { $vertex } 在外侧：不输出。
 sh-in-in = { $from } → { $to }：内 → 内。输出 { $to }。
@@ -165,6 +169,7 @@ words-sh-out-in = 边进入内侧：先输出交点，再输出终点。
 words-sh-out-out = 边始终在外侧：不输出。
 words-sh-pass = 输出的顶点就是下一条裁剪边要处理的多边形；最后一条边之后即为结果。
 
+## The pipeline
 ## 萨瑟兰–霍奇曼算法的流水线形式
 
 pipe-opening = { $edges } 个裁剪器同时工作：{ $n } 个顶点逐个流过。
@@ -198,6 +203,7 @@ words-pipe-pass-on = 把这个顶点记为 S；若它在内侧，就往下送。
 words-pipe-output = 离开最后一个裁剪器的顶点属于结果。
 words-pipe-close = 最后，每个裁剪器依次检查从它的最后一个顶点回到 F 的边。
 
+## Faulty on purpose
 ## 故意出错的萨瑟兰–霍奇曼算法
 
 alg-faulty-on-border = 错误：把边界算作外侧
@@ -205,8 +211,80 @@ alg-faulty-open = 错误：漏掉闭合边
 alg-faulty-clockwise = 错误：顺时针走裁剪边
 alg-faulty-twice = 错误：交点输出两次
 alg-faulty-end-first = 错误：先输出终点，后输出交点
-faulty-on-border-differs = 第 { $step } 步最先出现差别：边界上的顶点被当作在外侧。
-faulty-open-differs = 第 { $step } 步最先出现差别：从最后一个顶点回到第一个顶点的闭合边从未被检查。
-faulty-clockwise-differs = 第 { $step } 步最先出现差别：顺时针走裁剪边，于是每条边的错误一侧被当作内侧。
-faulty-twice-differs = 第 { $step } 步最先出现差别：同一个交点又输出了一次。
-faulty-end-first-differs = 第 { $step } 步最先出现差别：边进入内侧，却先输出终点，后输出交点。
+faulty-on-border-differs = 第 { $step } 步首次出现差别：边界上的顶点被当作在外侧。
+faulty-open-differs = 第 { $step } 步首次出现差别：从最后一个顶点回到第一个顶点的闭合边从未被检查。
+faulty-clockwise-differs = 第 { $step } 步首次出现差别：顺时针走裁剪边，于是每条边的错误一侧被当作内侧。
+faulty-twice-differs = 第 { $step } 步首次出现差别：同一个交点又输出了一次。
+faulty-end-first-differs = 第 { $step } 步首次出现差别：边进入内侧，却先输出终点，后输出交点。
+## Weiler–Atherton
+
+wa-opening = 用有 { $m } 个顶点的多边形裁剪有 { $n } 个顶点的多边形：两者都写成逆时针的顶点表。
+wa-vertex-subject = { $vertex } 进入被裁剪多边形的顶点表。接下来：边 { $edge } 与裁剪多边形在哪里相交？
+wa-vertex-clip = { $vertex } 进入裁剪多边形的顶点表。接下来：边 { $edge } 上的交点，按顺序。
+wa-found-crossing = { $node }：{ $subject } 与 { $clip } 相交。
+wa-found-on-edge = { $node }：顶点 { $vertex } 落在边 { $edge } 上。
+wa-found-both = { $node }：顶点 { $subject } 与 { $clip } 是同一个点。
+wa-inserted = { $node } 也进入裁剪多边形的顶点表，位于边 { $edge } 上。
+wa-inserted-vertex = 在裁剪多边形的顶点表中，{ $node } 就是顶点 { $vertex }。
+wa-entering = { $node } 是入点：被裁剪多边形由{ $before }转到{ $after }。
+wa-leaving = { $node } 是出点：被裁剪多边形由{ $before }转到{ $after }。
+wa-touching = { $node } 只是相接：被裁剪多边形由{ $before }转到{ $after }，仍在同一侧。
+wa-pinching = { $node } 是捏合点：两条边界各自穿过对方内部，结果的两个角在此相接。
+wa-inside = 内部
+wa-outside = 外部
+wa-along = 同向的公共边（算内部）
+wa-against = 反向的公共边（算外部）
+wa-in = 入
+wa-out = 出
+wa-touches = 接
+wa-pinches = 捏
+wa-start = 从 { $node } 出发，沿被裁剪多边形的顶点表行走。
+wa-visit-subject = 沿被裁剪多边形：{ $entry } 成为路径的第 { $n } 个顶点。
+wa-visit-clip = 沿裁剪多边形：{ $entry } 成为路径的第 { $n } 个顶点。
+wa-past = { $entry } 处不拐弯，不算顶点：直接走过。
+wa-switch-clip = { $node } 是出点：转到裁剪多边形的顶点表。
+wa-switch-subject = { $node } 是入点：转到被裁剪多边形的顶点表。
+wa-switch-pinch-clip = { $node } 是捏合点：转到裁剪多边形的顶点表，使每一块各走自己的角。
+wa-switch-pinch-subject = { $node } 是捏合点：转到被裁剪多边形的顶点表，使每一块各走自己的角。
+wa-closed-outer = 回到已经走过的点：环 { $ring } 闭合，共 { $n } 个顶点。
+wa-closed-hole = 回到已经走过的点：这是被裁剪多边形的整个环。{ $ring }（{ $n } 个顶点）是内孔。
+wa-closed-sliver = 回到已经走过的点：{ $ring }（{ $n } 个顶点）太窄，舍入后面积为零，不输出。
+wa-whole-subject-kept = 沿被裁剪多边形的外轮廓从不换表，位于{ $side }：整条边界就是环 { $ring }。
+wa-whole-subject-dropped = 沿被裁剪多边形的外轮廓从不换表，位于{ $side }：不围成任何部分。
+wa-whole-hole-kept = 沿被裁剪多边形的内孔 { $hole } 从不换表，位于{ $side }：它是内孔 { $ring }。
+wa-whole-hole-dropped = 沿被裁剪多边形的内孔 { $hole } 从不换表，位于{ $side }：不围成任何部分。
+wa-whole-clip-kept = 沿裁剪多边形从不换表，位于{ $side }：整条边界就是环 { $ring }。
+wa-whole-clip-dropped = 沿裁剪多边形从不换表，位于{ $side }：不围成任何部分。
+wa-hole = 内孔 { $hole } 位于环 { $ring } 之内。
+wa-done-disjoint = 完成：两个多边形没有公共点。
+wa-done-touching = 完成：两个多边形相接，但没有公共面积。
+wa-done-subject = 完成：被裁剪多边形在裁剪多边形之内，保持原样。
+wa-done-clip = 完成：裁剪多边形在被裁剪多边形之内，它就是答案。
+wa-done-equal = 完成：两个多边形相同，答案也相同。
+wa-done-crossing =
+    { $n ->
+       *[other] 完成：共 { $n } 块。
+    }
+wa-row-start = 起点
+wa-row-path = 路径顶点数
+wa-row-rings = 已闭合的环
+code-wa-find = 对 S 的每条边：表 S ← 顶点、与 C 的交点
+code-wa-insert = 对 C 的每条边：表 C ← 顶点、其上的交点
+code-wa-label = 标记每个交点：入、出、接、捏
+code-wa-start = 只要还有未走过的入点：由此出发，沿表 S
+code-wa-follow = 沿表前进，输出顶点
+code-wa-enter = 遇到入点：转到表 S
+code-wa-leave = 遇到出点：转到表 C
+code-wa-close = 回到已输出的顶点：环闭合
+code-wa-whole = 没有入点和出点的边界：在内部 ⇒ 一个环
+code-wa-holes = 把每个内孔归给包围它的环
+words-wa-find = 把被裁剪多边形 S 的顶点逐个抄入表中，每个顶点之后按顺序放入其边上的交点。
+words-wa-insert = 用同样方法抄写裁剪多边形 C：交点相同，但按它自己边界的顺序。
+words-wa-label = 按被裁剪多边形在交点处的走向标记。公共边上，两条边界同向算作内部，反向算作外部。
+words-wa-start = 取一个还没有走过的入点，从被裁剪多边形的顶点表开始。
+words-wa-follow = 沿顶点表逐点前进，并输出每个顶点。
+words-wa-enter = 在入点和捏合点处，转到被裁剪多边形的顶点表。
+words-wa-leave = 在出点和捏合点处，转到裁剪多边形的顶点表。
+words-wa-close = 回到已经输出过的顶点：其间就是一个环。回到起点时，行走结束。
+words-wa-whole = 行走时从不换表的边界，整条在内部或整条在外部。
+words-wa-holes = 内孔属于包围它的环。

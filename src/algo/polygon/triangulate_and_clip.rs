@@ -40,7 +40,7 @@
 //! # Ok::<(), clipscope::geom::GeomError>(())
 //! ```
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 use serde::Serialize;
 
@@ -271,14 +271,42 @@ impl Pieces {
     #[must_use]
     pub fn outline(&self) -> Vec<Segment> {
         let edges = || self.rings().flat_map(ring_edges);
-        // A zero has no sign here: −0.0 and 0.0 are the same place.
-        let key =
-            |p1: Point, p2: Point| [p1, p2].map(|p| p.to_array().map(|x| (x + 0.0).to_bits()));
-        let walked: HashSet<_> = edges().map(|edge| key(edge.p1, edge.p2)).collect();
+        let walked: HashSet<_> = edges().map(|edge| [edge.p1, edge.p2].map(key)).collect();
         edges()
-            .filter(|edge| !walked.contains(&key(edge.p2, edge.p1)))
+            .filter(|edge| !walked.contains(&[edge.p2, edge.p1].map(key)))
             .collect()
     }
+
+    /// The pieces merged: rings that surround them, to be filled where an odd number of them goes round. Where rings
+    /// touch in a point they may be joined there; what they surround is the same.
+    #[must_use]
+    pub fn merged(&self) -> Vec<Vec<Point>> {
+        let outline = self.outline();
+        let mut leaving: HashMap<[u64; 2], Vec<usize>> = HashMap::new();
+        for (edge_idx, edge) in outline.iter().enumerate() {
+            leaving.entry(key(edge.p1)).or_default().push(edge_idx);
+        }
+        // As many edges leave a point as reach it: a walk along unused ones ends where it began.
+        let mut next = |p: Point| leaving.get_mut(&key(p)).and_then(Vec::pop);
+        let mut rings = Vec::new();
+        for edge in &outline {
+            let mut ring = Vec::new();
+            let mut at = edge.p1;
+            while let Some(edge_idx) = next(at) {
+                ring.push(at);
+                at = outline[edge_idx].p2;
+            }
+            if !ring.is_empty() {
+                rings.push(ring);
+            }
+        }
+        rings
+    }
+}
+
+/// A place, whatever the sign of a zero.
+fn key(p: Point) -> [u64; 2] {
+    p.to_array().map(|x| (x + 0.0).to_bits())
 }
 
 fn ring_edges(ring: &[Point]) -> impl Iterator<Item = Segment> + '_ {

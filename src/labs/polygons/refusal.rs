@@ -5,7 +5,7 @@ use serde_json::{Value as Json, json};
 use crate::{
     figure::{Caption, Frame, Mark, Role, Run, Shape, Tick},
     geom::{GeomError, Polygon},
-    labs::words::vertex_name,
+    labs::words::{name, subscript, vertex_name},
     text::{Message, Value},
     trace::Counts,
 };
@@ -47,7 +47,7 @@ impl Refusal {
         }
     }
 
-    fn caption(self) -> Caption {
+    fn caption(self, scene: &Scene) -> Caption {
         let part = match self.part {
             Part::Subject => Value::Term("part-subject"),
             Part::Hole(_) => Value::Term("part-hole"),
@@ -60,6 +60,14 @@ impl Refusal {
             GeomError::SelfIntersecting { vertex_idx } => {
                 Message::new("refused-winds-twice").with("vertex", vertex_name(vertex_idx))
             }
+            GeomError::EdgesMeet { edges } => {
+                let n = self.outline(scene).vertices().len();
+                let [first, second] = edges.map(|i| edge_name([i, (i + 1) % n]));
+                Message::new("refused-edges-meet")
+                    .with("first", first)
+                    .with("second", second)
+            }
+            GeomError::MisplacedHole { .. } => Message::new("refused-misplaced-hole"),
             _ => Message::new("refused-degenerate"),
         };
         Caption::new(message.with("part", part))
@@ -76,6 +84,14 @@ impl Refusal {
             let ring = Mark::new(Role::Signal, Shape::Ring(at));
             marks.push(ring.labelled(vertex_name(vertex_idx)));
         }
+        if let GeomError::EdgesMeet { edges } = self.error {
+            let n = vertices.len();
+            let edges = edges.map(|i| [i % n, (i + 1) % n]);
+            marks.extend(edges.map(|[i, j]| {
+                let edge = Shape::Segment([vertices[i], vertices[j]]);
+                Mark::new(Role::Signal, edge).labelled(edge_name([i, j]))
+            }));
+        }
         marks
     }
 
@@ -83,13 +99,20 @@ impl Refusal {
     pub(super) fn run(self, scene: &Scene) -> Box<dyn Run> {
         Box::new(Refused {
             refusal: self,
+            caption: self.caption(scene),
             marks: self.marks(scene),
         })
     }
 }
 
+/// `V₁V₂`.
+fn edge_name(ends: [usize; 2]) -> Value {
+    name(ends.map(|i| format!("V{}", subscript(i + 1))).concat())
+}
+
 struct Refused {
     refusal: Refusal,
+    caption: Caption,
     marks: Vec<Mark>,
 }
 
@@ -113,7 +136,7 @@ impl Run for Refused {
     fn frame(&self, _step: usize) -> Frame {
         Frame {
             marks: self.marks.clone(),
-            caption: self.refusal.caption(),
+            caption: self.caption.clone(),
             code_line: None,
             watch: Vec::new(),
             number_line: None,

@@ -31,10 +31,12 @@ const fn info<A: PolygonDemo>() -> MethodInfo {
 }
 
 /// Every method, in the order in which they are taught.
-pub static METHODS: [MethodInfo; 8] = [
+pub static METHODS: [MethodInfo; 10] = [
     info::<polygon::SutherlandHodgman>(),
     info::<polygon::Pipeline>(),
+    info::<polygon::weiler_atherton::WeilerAtherton>(),
     info::<polygon::EarClipping>(),
+    info::<polygon::TriangulateAndClip>(),
     info::<faulty::OnBorder>(),
     info::<faulty::Open>(),
     info::<faulty::Clockwise>(),

@@ -39,6 +39,8 @@ pub enum WeilerAthertonEvent {
         t: Ratio,
         /// Along the clip polygon's edge: b₁ / (b₁ − b₂).
         u: Ratio,
+        /// Whose edge a crossing is computed along.
+        along: List,
     },
     /// An intersection goes into the clip polygon's list.
     Inserted {

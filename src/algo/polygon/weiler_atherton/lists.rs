@@ -100,7 +100,12 @@ impl Lists {
                         places: [place, NONE],
                     });
                     let Meeting {
-                        contact, at, t, u, ..
+                        contact,
+                        at,
+                        t,
+                        u,
+                        along,
+                        ..
                     } = meeting;
                     emit(Event::Found {
                         node_idx,
@@ -109,6 +114,7 @@ impl Lists {
                         at,
                         t,
                         u,
+                        along,
                     });
                 }
             }

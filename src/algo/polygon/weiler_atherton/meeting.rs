@@ -22,7 +22,7 @@ use crate::{
     trace::Real,
 };
 
-use super::predicate::side;
+use super::{List, predicate::side};
 
 /// How two edges meet: Foster, Hormann and Popa's X, T and V.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
@@ -62,6 +62,8 @@ pub struct Meeting {
     pub t: Ratio,
     /// Along the edge of the clip polygon.
     pub u: Ratio,
+    /// Whose edge a crossing is computed along: see [`crossing`].
+    pub along: List,
     /// Does the subject come from the right of the clip edge? Of crossings only.
     pub from_right: bool,
 }
@@ -94,16 +96,23 @@ pub fn meetings<R: Real>(s: [Point; 2], c: [Point; 2]) -> [Option<Meeting>; 2] {
         num: d1.get() + 0.0,
         den: (d1 - d2).get(),
     };
-    let at = match contact {
-        Contact::Crossing => crossing(s, a, c, b),
-        Contact::ClipVertex => c[0],
-        Contact::SubjectVertex | Contact::BothVertices => s[0],
+    let along = if precedence(s) <= precedence(c) {
+        List::Subject
+    } else {
+        List::Clip
+    };
+    let at = match (contact, along) {
+        (Contact::Crossing, List::Subject) => crossing(s, a, c),
+        (Contact::Crossing, List::Clip) => crossing(c, b, s),
+        (Contact::ClipVertex, _) => c[0],
+        (Contact::SubjectVertex | Contact::BothVertices, _) => s[0],
     };
     let meeting = Meeting {
         contact,
         at,
         t: ratio(a),
         u: ratio(b),
+        along,
         from_right: a[0] < zero,
     };
     [Some(meeting), None]
@@ -119,6 +128,7 @@ fn overlap(s: [Point; 2], c: [Point; 2]) -> [Option<Meeting>; 2] {
             at,
             t,
             u,
+            along: List::Subject,
             from_right: false,
         }
     };
@@ -145,37 +155,34 @@ fn along([from, to]: [Point; 2], at: Point) -> Ratio {
     }
 }
 
-/// The common point of two edges that cross: the weighted mean of the ends of one of them.
+/// Of two edges the lesser one is averaged, whichever way either runs: one that is askew before one along an axis,
+/// whose border coordinate the answer is given anyway; then the one that comes first on the left.
+fn precedence([p, q]: [Point; 2]) -> (bool, [[f64; 2]; 2]) {
+    let along_an_axis = p.x() == q.x() || p.y() == q.y();
+    let ends = if lexicographic(p, q) == Ordering::Less {
+        [p.to_array(), q.to_array()]
+    } else {
+        [q.to_array(), p.to_array()]
+    };
+    (along_an_axis, ends)
+}
+
+/// The common point of two edges that cross: the weighted mean of the ends of one of them, with their distances
+/// from the other one.
 ///
 /// ```text
 ///   (s₁·|a₂| + s₂·|a₁|) / (|a₁| + |a₂|)
 /// ```
 ///
-/// The first of both edges, in lexicographic order, is the one: so neither the direction of either nor which
-/// polygon is called the subject changes a bit. Where products and sums are exact, the division's one rounding
+/// Which one depends on the edges alone ([`precedence`]): so neither the direction of either nor which polygon is
+/// called the subject changes a bit. Where products and sums are exact, the division's one rounding
 /// makes it the correctly rounded true point. It is kept within the boxes of both.
-fn crossing<R: Real>(s: [Point; 2], a: [R; 2], c: [Point; 2], b: [R; 2]) -> Point {
-    let ordered = |[p, q]: [Point; 2]| {
-        if lexicographic(p, q) == Ordering::Less {
-            [p.to_array(), q.to_array()]
-        } else {
-            [q.to_array(), p.to_array()]
-        }
-    };
-    let (ends, sides) = if ordered(s) <= ordered(c) {
-        (s, a)
+fn crossing<R: Real>(ends: [Point; 2], sides: [R; 2], other: [Point; 2]) -> Point {
+    let [w1, w2] = if sides[0].get() < 0.0 {
+        [-sides[0], sides[1]]
     } else {
-        (c, b)
+        [sides[0], -sides[1]]
     };
-    let negative = sides[0].get() < 0.0;
-    let [w1, w2] = sides.map(|d| if (d.get() < 0.0) == negative { d } else { -d });
-    let [w1, w2] = if negative { [-w1, -w2] } else { [w1, w2] };
-    debug_assert!(
-        w1.get() > 0.0 && w2.get() > 0.0,
-        "{w1:?} {w2:?}",
-        w1 = w1.get(),
-        w2 = w2.get()
-    );
     let whole = w1 + w2;
     let mean = |axis: fn(Point) -> f64| {
         let [o1, o2] = ends.map(|p| R::new(axis(p)));
@@ -185,12 +192,12 @@ fn crossing<R: Real>(s: [Point; 2], a: [R; 2], c: [Point; 2], b: [R; 2]) -> Poin
         } else if PLAIN.contains(&whole.get()) && PLAIN.contains(&(largest * whole.get())) {
             ((o1 * w2 + o2 * w1) / whole).get()
         } else {
-            scaled_mean(ends, if ends == s { c } else { s }, axis)
+            scaled_mean(ends, other, axis)
         };
         // Rounding may have put it beyond an end.
-        let [s, c] = [s, c].map(|edge| edge.map(axis));
-        let low = s[0].min(s[1]).max(c[0].min(c[1]));
-        let high = s[0].max(s[1]).min(c[0].max(c[1]));
+        let [e, o] = [ends, other].map(|edge| edge.map(axis));
+        let low = e[0].min(e[1]).max(o[0].min(o[1]));
+        let high = e[0].max(e[1]).min(o[0].max(o[1]));
         mean.max(low).min(high)
     };
     Point::from_finite(mean(Point::x), mean(Point::y))

@@ -14,7 +14,7 @@ pub enum RingKind {
     Outer,
     /// Around a hole in one, clockwise: a whole ring of the subject, as the clip polygon has no holes.
     Hole,
-    /// Around a piece so thin that its corners, rounded, have no area left. Not a polygon; left out.
+    /// Around a piece so thin that its corners, rounded, run around no area any more. Not a polygon; left out.
     Sliver,
 }
 
@@ -25,42 +25,6 @@ pub struct Ring {
     pub points: Vec<Point>,
     /// What it is.
     pub kind: RingKind,
-}
-
-/// Is the area of a ring, as its corners are, positive?
-pub fn has_area(ring: &[Point]) -> bool {
-    let Some(&origin) = ring.first() else {
-        return false;
-    };
-    let doubled = |scale: f64| {
-        let at = |p: Point| {
-            [
-                p.x() * scale - origin.x() * scale,
-                p.y() * scale - origin.y() * scale,
-            ]
-        };
-        let pairs = ring.iter().zip(ring.iter().skip(1));
-        pairs
-            .map(|(&p, &q)| {
-                let ([px, py], [qx, qy]) = (at(p), at(q));
-                px * qy - py * qx
-            })
-            .sum::<f64>()
-    };
-    let area = doubled(1.0);
-    if area.is_finite() && area.abs() > 2f64.powi(-900) {
-        return area > 0.0;
-    }
-    // Where products overflow or vanish, all is scaled by a power of two.
-    let largest = ring
-        .iter()
-        .flat_map(|p| p.to_array())
-        .fold(0.0, |m: f64, x| m.max(x.abs()));
-    doubled(if largest > 1.0 {
-        2f64.powi(-530)
-    } else {
-        2f64.powi(520)
-    }) > 0.0
 }
 
 /// The outer ring that each hole lies in, by their numbers.

@@ -131,6 +131,7 @@ impl WeilerAthertonState {
                 at,
                 t,
                 u,
+                ..
             } => {
                 let at_vertex = contact.at_vertex()[0];
                 let place = self.add_node(List::Subject, node_idx, at, at_vertex);

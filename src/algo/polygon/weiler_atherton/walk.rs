@@ -13,13 +13,15 @@
 //! the walks are disjoint cycles. No entry is visited twice in the same list: the walks together take at most as
 //! many steps as both lists have entries.
 
-use crate::geom::{Point, Rings};
+use std::cmp::Ordering;
+
+use crate::geom::{Point, Rings, winding};
 
 use super::{
     List, WeilerAthertonEvent as Event,
     labels::{Label, Labelled, Side, bounds_the_result},
     lists::{Entry, Lists, NONE},
-    rings::{Ring, RingKind, has_area},
+    rings::{Ring, RingKind},
 };
 
 /// Walks over both lists.
@@ -100,13 +102,6 @@ impl<'a> Walker<'a> {
                 continue;
             }
             list = list.other();
-            place = self.lists.nodes[node as usize].places[list.idx()];
-            emit(Event::Switch {
-                node_idx: node,
-                to: list,
-                place,
-            });
-            self.stretch = self.path.len();
             if list == List::Subject {
                 if node as usize == start {
                     return;
@@ -117,6 +112,13 @@ impl<'a> Walker<'a> {
                 );
                 self.entered[node as usize] = true;
             }
+            place = self.lists.nodes[node as usize].places[list.idx()];
+            emit(Event::Switch {
+                node_idx: node,
+                to: list,
+                place,
+            });
+            self.stretch = self.path.len();
         }
         debug_assert!(false, "the walk ends where it started");
     }
@@ -194,7 +196,7 @@ pub fn whole_ring(
 pub fn kind(points: &[Point], is_hole: bool) -> RingKind {
     if is_hole {
         RingKind::Hole
-    } else if has_area(points) {
+    } else if winding(points) == Ordering::Greater {
         RingKind::Outer
     } else {
         RingKind::Sliver

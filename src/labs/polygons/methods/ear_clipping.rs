@@ -10,7 +10,7 @@ use crate::{
     labs::{
         Answer, CodeLine, Demo, Step, code_line,
         polygons::{Part, PolygonDemo, Refusal, Scene},
-        words::{name, subscript, vertex_name},
+        words::{name, vertex_name, vertex_symbol},
     },
     text::{Formula, Message, Value},
 };
@@ -207,7 +207,8 @@ fn blocked(vertex_idx: usize, by_idx: usize, double_areas: [f64; 3], before: &St
         .with("triangle", triangle_name(triangle))
         .with("vertex", vertex_name(vertex_idx));
     let by = Formula::default()
-        .sym(format!("V{} = ", subscript(by_idx + 1)))
+        .sym(vertex_symbol(by_idx))
+        .sym(" = ")
         .point(before.cut_off.at(by_idx).to_array());
     (0..3).fold(Caption::new(message).so(by), |caption, side| {
         let corners = [triangle[side], triangle[(side + 1) % 3], by_idx];
@@ -239,8 +240,8 @@ fn turn_formula(corners: Triangle, before: &State, double_area: f64) -> Formula 
 
 /// `turn(V₁, V₂, V₃)`.
 fn turn_name([a, b, c]: Triangle) -> String {
-    let [a, b, c] = [a, b, c].map(|i| subscript(i + 1));
-    format!("turn(V{a}, V{b}, V{c})")
+    let [a, b, c] = [a, b, c].map(vertex_symbol);
+    format!("turn({a}, {b}, {c})")
 }
 
 /// `5 − 2 = 3`.
@@ -261,10 +262,7 @@ const fn corner_name(corner: Corner) -> Value {
 
 /// `V₁V₂…`.
 fn vertices_name(vertices: impl IntoIterator<Item = usize>) -> String {
-    let names = vertices
-        .into_iter()
-        .map(|i| format!("V{}", subscript(i + 1)));
-    names.collect()
+    vertices.into_iter().map(vertex_symbol).collect()
 }
 
 const fn vertex_link(vertex_idx: usize) -> Link {

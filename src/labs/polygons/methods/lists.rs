@@ -11,7 +11,10 @@ use crate::{
     text::Value,
 };
 
-use super::clip_edge::{ClipEdge, Look};
+use super::{
+    clip_edge::{ClipEdge, Look},
+    skin::Corner,
+};
 
 use serde_json::{Value as Json, json};
 
@@ -22,9 +25,15 @@ const ROWS: usize = 6;
 /// Up to this many vertices get their names on stage.
 const NAMED: usize = 24;
 
-impl<V: Vertex> Answer for ClippedRing<V> {
+impl<V: Corner> Answer for ClippedRing<V> {
     fn json(&self) -> Json {
-        json!({ "polygons": Vec::from_iter(self.polygon()), "outcome": self.outcome })
+        let polygon = self.polygon();
+        let mut json = json!({ "polygons": Vec::from_iter(&polygon), "outcome": self.outcome });
+        if V::IS_TEXTURED {
+            let uv = || Vec::from_iter(self.vertices.iter().map(Corner::uv));
+            json["uv"] = json!(Vec::from_iter(polygon.map(|_| uv())));
+        }
+        json
     }
 }
 

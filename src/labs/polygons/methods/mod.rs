@@ -9,3 +9,5 @@ mod rules;
 mod skin;
 mod sutherland_hodgman;
 mod triangles;
+mod triangulate_and_clip;
+mod weiler_atherton;

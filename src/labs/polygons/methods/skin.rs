@@ -16,11 +16,16 @@ const MOST: usize = 400;
 
 /// A vertex as the lab clips it: with a place in a texture, or without.
 pub trait Corner: Vertex + Serialize + 'static {
+    /// Has every vertex a place in a texture?
+    const IS_TEXTURED: bool = true;
+
     /// Where in the texture.
     fn uv(&self) -> Option<[f64; 2]>;
 }
 
 impl Corner for Point {
+    const IS_TEXTURED: bool = false;
+
     fn uv(&self) -> Option<[f64; 2]> {
         None
     }

@@ -23,7 +23,7 @@ use super::{
     clip_edge::{ClipEdge, Look},
     faulty,
     lists::{input_symbol, names, outline, output_symbol, result, rows, vertex_link},
-    rules::{rule_term, side_term, starts_inside, test_caption},
+    rules::{side_term, starts_inside, test_caption},
     skin::{Corner, skin},
 };
 

@@ -6,7 +6,7 @@ use crate::{
     algo::polygon::{Triangle, Triangulation},
     figure::{Link, Mark, Role, Shape, WatchRow, WatchSection},
     geom::Point,
-    labs::words::{name, subscript},
+    labs::words::{name, subscript, vertex_symbol},
     text::Value,
 };
 
@@ -17,7 +17,7 @@ const FEW_ENOUGH: usize = 200;
 
 /// `V₁V₂V₃`.
 pub fn triangle_name(triangle: Triangle) -> Value {
-    name(triangle.map(|i| format!("V{}", subscript(i + 1))).concat())
+    name(triangle.map(vertex_symbol).concat())
 }
 
 /// What marks and rows about a triangle have in common.

@@ -1,0 +1,46 @@
+//! Parts of a case that several labs read: windows and convex polygons.
+
+use crate::{
+    geom::{ConvexPolygon, Edge, Point, Window},
+    text::{Formula, Value},
+};
+
+use super::{Given, Node, Refusal};
+
+/// A clip polygon with more vertices than this is refused: a step's table of values has a row an edge, and
+/// a report a step an edge, so that its length grows with the square.
+const MAX_VERTICES: usize = 1024;
+
+pub(super) fn read_window(node: &Node<'_>) -> Result<Window, Refusal> {
+    let [xmin, ymin, xmax, ymax] = node.numbers()?;
+    Window::new(xmin, ymin, xmax, ymax).map_err(|error| Refusal::geometry(&node.path, error, 0))
+}
+
+pub(super) fn read_clip(node: &Node<'_>) -> Result<ConvexPolygon, Refusal> {
+    let outline: Vec<[f64; 2]> = node.points(MAX_VERTICES)?;
+    ConvexPolygon::new(&outline)
+        .map_err(|error| Refusal::geometry(&node.path, error, outline.len()))
+}
+
+/// The clip polygon's corners.
+pub(super) fn given_clip(vertices: &[Point]) -> Given {
+    Given {
+        name_key: "object-clip-polygon",
+        values: vertices.iter().map(|p| p.to_array().into()).collect(),
+    }
+}
+
+/// `−1 ≤ x ≤ 1`, `−1 ≤ y ≤ 1`: closed.
+pub(super) fn given_window(window: &Window) -> Given {
+    let range = |low, symbol, high| {
+        let formula = Formula::default().num(window.border(low));
+        Value::Formula(formula.sym(symbol).num(window.border(high)))
+    };
+    Given {
+        name_key: "object-window",
+        values: vec![
+            range(Edge::Left, " ≤ x ≤ ", Edge::Right),
+            range(Edge::Bottom, " ≤ y ≤ ", Edge::Top),
+        ],
+    }
+}

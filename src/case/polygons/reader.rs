@@ -1,0 +1,122 @@
+//! What a case of the polygons lab gives, field by field, each told once for people on the way.
+
+use crate::{
+    algo::polygon::ClipRegion,
+    case::{
+        Code, Fields, Given, Node, Refusal,
+        fields::missing,
+        parts::{given_clip, given_window, read_clip, read_window},
+    },
+    geom::{Point, Polygon, SimplePolygon},
+    labs::vertex_symbol,
+    text::{Formula, Message, Value},
+};
+
+/// An outline with more vertices than this is refused.
+const MAX_VERTICES: usize = 10_000;
+/// And so are two whose numbers of edges multiply to more: each pair may become several events, of which the JSON
+/// answer holds every one. 10,000 vertices against a window are less.
+const MAX_PAIRS: usize = 1 << 16;
+
+/// Reads fields, and keeps what was given.
+pub struct Reader<'a> {
+    fields: &'a Fields<'a>,
+    /// In the order in which they were read.
+    pub given: Vec<Given>,
+    /// Of the window or clip polygon, where there is one.
+    n_clip_edges: usize,
+}
+
+impl<'a> Reader<'a> {
+    pub const fn new(fields: &'a Fields<'a>) -> Self {
+        Self {
+            fields,
+            given: Vec::new(),
+            n_clip_edges: 1,
+        }
+    }
+
+    /// `window`, or a convex `clip`.
+    pub fn convex_region(&mut self) -> Result<ClipRegion, Refusal> {
+        if let Some(node) = self.fields.get("window") {
+            let window = read_window(&node)?;
+            self.given.push(given_window(&window));
+            self.n_clip_edges = 4;
+            return Ok(window.into());
+        }
+        let clip = read_clip(&self.fields.need("clip")?)?;
+        self.given.push(given_clip(clip.vertices()));
+        self.n_clip_edges = clip.vertices().len();
+        Ok(clip.into())
+    }
+
+    /// `polygon`, of any shape.
+    pub fn polygon(&mut self) -> Result<Polygon, Refusal> {
+        let (node, polygon) = self.outline("polygon")?;
+        self.given.push(given_polygon(polygon.vertices()));
+        self.check_pairs(&node, polygon.vertices().len())?;
+        Ok(polygon)
+    }
+
+    /// `polygon`, which must be simple.
+    pub fn simple_polygon(&mut self) -> Result<SimplePolygon, Refusal> {
+        let polygon = self.polygon()?;
+        let refused = |error| {
+            let path = crate::case::Path::Field("polygon");
+            Refusal::geometry(&path, error, polygon.vertices().len())
+        };
+        SimplePolygon::try_from(&polygon).map_err(refused)
+    }
+
+    /// `uv`: a place in the texture for each vertex.
+    pub fn uv(&mut self, n_vertices: usize) -> Result<Vec<[f64; 2]>, Refusal> {
+        let node = self.fields.need("uv")?;
+        let uvs: Vec<[f64; 2]> = node.points(MAX_VERTICES)?;
+        if uvs.len() != n_vertices {
+            let problem = Message::new("case-uv-length")
+                .with("expected", n_vertices)
+                .with("found", uvs.len());
+            return Err(Refusal::at(Code::WrongLength, &node.path, problem));
+        }
+        self.given.push(Given {
+            name_key: "object-uv",
+            values: uvs.iter().map(|&uv| uv.into()).collect(),
+        });
+        Ok(uvs)
+    }
+
+    fn outline(&self, name: &'static str) -> Result<(Node<'a>, Polygon), Refusal> {
+        let node = self.fields.get(name).ok_or_else(|| missing(name))?;
+        let polygon = outline(&node)?;
+        Ok((node, polygon))
+    }
+
+    fn check_pairs(&self, node: &Node<'_>, n_edges: usize) -> Result<(), Refusal> {
+        let found = n_edges.saturating_mul(self.n_clip_edges);
+        if found <= MAX_PAIRS {
+            return Ok(());
+        }
+        let problem = Message::new("case-too-many-pairs")
+            .with("found", found)
+            .with("max", MAX_PAIRS);
+        Err(Refusal::at(Code::TooLarge, &node.path, problem))
+    }
+}
+
+/// A list of three points or more.
+fn outline(node: &Node<'_>) -> Result<Polygon, Refusal> {
+    let outline: Vec<[f64; 2]> = node.points(MAX_VERTICES)?;
+    Polygon::new(&outline).map_err(|error| Refusal::geometry(&node.path, error, outline.len()))
+}
+
+/// `V₁ = (0, 0)`, `V₂ = …`
+fn given_polygon(vertices: &[Point]) -> Given {
+    let vertex = |(i, p): (usize, &Point)| {
+        let formula = Formula::default().sym(vertex_symbol(i)).sym(" = ");
+        Value::Formula(formula.point(p.to_array()))
+    };
+    Given {
+        name_key: "object-polygon",
+        values: vertices.iter().enumerate().map(vertex).collect(),
+    }
+}

@@ -1,0 +1,231 @@
+//! Weiler–Atherton, shown.
+
+mod captions;
+mod marks;
+mod names;
+
+use serde_json::{Value as Json, json};
+
+use crate::{
+    algo::polygon::weiler_atherton::{
+        Clipped, Label, List, Relation, WeilerAtherton, WeilerAthertonEvent as Event,
+        WeilerAthertonInput as Input, WeilerAthertonState as State,
+    },
+    figure::{Caption, Mark, Tick, Watch, WatchRow, WatchSection},
+    geom::{GeomError, Point, Polygon, Region, SimplePolygon},
+    labs::{
+        Answer, CodeLine, Demo, Step, code_line,
+        polygons::{Part, PolygonDemo, Refusal, Scene},
+        words::name,
+    },
+    text::{Formula, Value},
+};
+
+const FIND: usize = 0;
+const INSERT: usize = 1;
+const LABEL: usize = 2;
+const START: usize = 3;
+const FOLLOW: usize = 4;
+const ENTER: usize = 5;
+const LEAVE: usize = 6;
+const CLOSE: usize = 7;
+const WHOLE: usize = 8;
+const HOLES: usize = 9;
+
+/// Rows of the table of both lists.
+const MAX_ROWS: usize = 12;
+
+impl PolygonDemo for WeilerAtherton {
+    const KNOWS_HOLES: bool = true;
+
+    fn input(scene: &Scene) -> Result<Input, Refusal> {
+        let simple = |polygon: &Polygon, part| {
+            SimplePolygon::try_from(polygon).map_err(|error| Refusal::new(part, error))
+        };
+        let subject = simple(&scene.subject, Part::Subject)?;
+        let clip = simple(&scene.clip_outline(), Part::Clip)?;
+        let holes = scene.holes.iter().enumerate();
+        let holes: Vec<_> = holes
+            .map(|(i, hole)| simple(hole, Part::Hole(i)))
+            .collect::<Result<_, _>>()?;
+        let subject = Region::new(subject, holes).map_err(|error| {
+            let part = match error {
+                GeomError::MisplacedHole { hole_idx } => Part::Hole(hole_idx),
+                _ => Part::Subject,
+            };
+            Refusal::new(part, error)
+        })?;
+        Ok(Input { subject, clip })
+    }
+}
+
+impl Answer for Clipped {
+    fn json(&self) -> Json {
+        let pieces = self.pieces.iter();
+        let rings: Vec<&Vec<Point>> = pieces
+            .flat_map(|piece| std::iter::once(&piece.outer).chain(&piece.holes))
+            .collect();
+        json!({ "polygons": rings, "relation": self.relation })
+    }
+}
+
+impl Demo for WeilerAtherton {
+    const ID: &'static str = "weiler-atherton";
+    const NAME_KEY: &'static str = "alg-weiler-atherton";
+    const SOURCE: &'static str =
+        "K. Weiler, P. Atherton, 1977; G. Greiner, K. Hormann, 1998; E. L. Foster et al., 2019";
+    const CODE: &'static [CodeLine] = &[
+        code_line(0, "code-wa-find", "words-wa-find"),
+        code_line(0, "code-wa-insert", "words-wa-insert"),
+        code_line(0, "code-wa-label", "words-wa-label"),
+        code_line(0, "code-wa-start", "words-wa-start"),
+        code_line(1, "code-wa-follow", "words-wa-follow"),
+        code_line(1, "code-wa-enter", "words-wa-enter"),
+        code_line(1, "code-wa-leave", "words-wa-leave"),
+        code_line(1, "code-wa-close", "words-wa-close"),
+        code_line(0, "code-wa-whole", "words-wa-whole"),
+        code_line(0, "code-wa-holes", "words-wa-holes"),
+    ];
+
+    fn tick(event: &Event) -> Tick {
+        match event {
+            // Each stage begins with a phase, and so does each walk.
+            Event::Vertex { vertex_idx: 0, .. }
+            | Event::Labelled { node_idx: 0, .. }
+            | Event::Start { .. } => Tick::Phase,
+            Event::Vertex { .. }
+            | Event::Labelled { .. }
+            | Event::Visit { .. }
+            | Event::Hole { .. } => Tick::Test,
+            Event::Found { .. } | Event::Inserted { .. } | Event::Switch { .. } => Tick::Cut,
+            Event::Closed { .. } | Event::Whole { kind: Some(_), .. } => Tick::Accept,
+            Event::Whole { kind: None, .. } => Tick::Reject,
+            Event::Done { relation } => match relation {
+                Relation::Disjoint | Relation::Touching => Tick::Reject,
+                _ => Tick::Accept,
+            },
+        }
+    }
+
+    fn code_line(event: &Event, before: &State) -> usize {
+        match event {
+            Event::Vertex {
+                list: List::Subject,
+                ..
+            }
+            | Event::Found { .. } => FIND,
+            Event::Vertex {
+                list: List::Clip, ..
+            }
+            | Event::Inserted { .. } => INSERT,
+            Event::Labelled { .. } => LABEL,
+            Event::Start { .. } => START,
+            Event::Visit { .. } => FOLLOW,
+            Event::Switch { node_idx, to, .. } => {
+                let label = before
+                    .labels
+                    .get(*node_idx as usize)
+                    .map(|label| label.label);
+                match (label, to) {
+                    (Some(Label::Leaving), _) | (_, List::Clip) => LEAVE,
+                    (_, List::Subject) => ENTER,
+                }
+            }
+            Event::Closed { .. } => CLOSE,
+            Event::Whole { .. } => WHOLE,
+            Event::Hole { .. } | Event::Done { .. } => HOLES,
+        }
+    }
+
+    fn opening(input: &Input) -> Caption {
+        captions::opening(input)
+    }
+
+    fn caption(event: &Event, before: &State, input: &Input) -> Caption {
+        captions::caption(event, before, input)
+    }
+
+    fn marks(step: &Step<'_, Self>) -> Vec<Mark> {
+        marks::marks(step)
+    }
+
+    fn watch(step: &Step<'_, Self>) -> Watch {
+        let state = step.state;
+        let start = state.start.map(|node| name(names::node(node)));
+        let count = |n: usize| Some(Value::Count(n));
+        let rows = vec![
+            WatchRow::new(Value::Term("wa-row-start"), start),
+            WatchRow::new(Value::Term("wa-row-path"), count(state.path.len())),
+            WatchRow::new(Value::Term("wa-row-rings"), count(state.rings.len())),
+        ];
+        vec![lists_section(step), WatchSection::list(rows)]
+    }
+}
+
+/// Both lists side by side: of long ones the page that is being worked on.
+fn lists_section(step: &Step<'_, WeilerAtherton>) -> WatchSection {
+    let pages = [List::Subject, List::Clip].map(|list| page(step, list));
+    let n_rows = pages.iter().map(Vec::len).max().unwrap_or(0);
+    let rows = (0..n_rows).map(|row| {
+        let cells = pages
+            .iter()
+            .map(|page| page.get(row).map(|(cell, _)| cell.clone()));
+        let linked = pages.iter().find_map(|page| page.get(row)?.1);
+        let shown = WatchRow::table(name(format!("{}", row + 1)), cells.collect());
+        match linked {
+            Some(node) => shown.linked(names::node_link(node)),
+            None => shown,
+        }
+    });
+    WatchSection::table(vec!["S", "C"], rows.collect())
+}
+
+/// The entries of the page on which a list is being built, labelled or walked: what each says, and the
+/// intersection that it is.
+fn page(step: &Step<'_, WeilerAtherton>, list: List) -> Vec<(Value, Option<u32>)> {
+    let (state, input) = (step.state, step.input);
+    let entries = &state.lists[list.idx()];
+    let current = current_place(step, list);
+    let first = current.unwrap_or(0) / MAX_ROWS * MAX_ROWS;
+    let places = first..entries.len().min(first + MAX_ROWS);
+    let cell = |place: usize| {
+        let entry = entries.get(place)?;
+        let arrow = if current == Some(place) { "→ " } else { "" };
+        let text = Formula::default()
+            .sym(arrow)
+            .sym(names::entry(input, list, entry));
+        let text = names::with_label(text, state, entry.node);
+        Some((Value::Formula(text), entry.node))
+    };
+    places.filter_map(cell).collect()
+}
+
+/// Where in a list something happens at this step.
+fn current_place(step: &Step<'_, WeilerAtherton>, list: List) -> Option<usize> {
+    let state = step.state;
+    let last = state.lists[list.idx()].len().checked_sub(1);
+    let of_node = |node: u32| match list {
+        List::Subject => state
+            .nodes
+            .get(node as usize)
+            .map(|node| node.place as usize),
+        List::Clip => {
+            let mut inserted = state.inserted.iter();
+            let found = inserted.find(|[inserted, _]| *inserted == node);
+            found.map(|[_, place]| *place as usize)
+        }
+    };
+    match step.event? {
+        Event::Vertex { list: built, .. } if built == list => last,
+        Event::Found { .. } if list == List::Subject => last,
+        Event::Inserted { .. } if list == List::Clip => last,
+        Event::Inserted { node_idx, .. }
+        | Event::Labelled { node_idx, .. }
+        | Event::Start { node_idx }
+        | Event::Switch { node_idx, .. } => of_node(node_idx),
+        _ => {
+            let (walked, place) = state.position?;
+            (walked == list).then_some(place as usize)
+        }
+    }
+}

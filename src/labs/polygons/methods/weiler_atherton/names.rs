@@ -1,0 +1,104 @@
+//! What vertices, edges and intersections are called: S₁, S₂, … the subject's, through all its rings; C₁, C₂, …
+//! the clip polygon's; I₁, I₂, … where they meet, in the subject's order. The numbers are those of the outlines as
+//! they were given.
+
+use crate::{
+    algo::polygon::weiler_atherton::{
+        Label, List, ListEntry, Side, WeilerAthertonInput as Input, WeilerAthertonState as State,
+    },
+    figure::Link,
+    geom::{Rings, SimplePolygon},
+    labs::words::{name, subscript},
+    text::{Formula, Value},
+};
+
+/// `S₃` or `C₃`.
+pub fn vertex(input: &Input, list: List, vertex_idx: usize) -> String {
+    match list {
+        List::Clip => format!("C{}", subscript(input.clip.given_vertex(vertex_idx) + 1)),
+        List::Subject => {
+            let subject = &input.subject;
+            let ring_idx = subject.rings().ring_of(vertex_idx);
+            // Holes are numbered on from the outer ring.
+            let rings = std::iter::once(subject.outer()).chain(subject.holes());
+            let before: usize = rings.take(ring_idx).map(SimplePolygon::n_given).sum();
+            format!(
+                "S{}",
+                subscript(before + subject.given_vertex(vertex_idx) + 1)
+            )
+        }
+    }
+}
+
+/// `S₃S₄`, in the direction in which it counts.
+pub fn edge(input: &Input, list: List, edge_idx: usize) -> String {
+    let next = border(input, list).next(edge_idx);
+    vertex(input, list, edge_idx) + &vertex(input, list, next)
+}
+
+/// `I₂`.
+pub fn node(node_idx: u32) -> String {
+    format!("I{}", subscript(node_idx as usize + 1))
+}
+
+/// `R₁`.
+pub fn ring(ring_idx: usize) -> Value {
+    name(format!("R{}", subscript(ring_idx + 1)))
+}
+
+/// `S₃`, `I₂` or `S₃ = I₂`.
+pub fn entry(input: &Input, list: List, entry: &ListEntry) -> String {
+    let own = entry.vertex.map(|idx| vertex(input, list, idx as usize));
+    match (own, entry.node.map(node)) {
+        (Some(own), Some(node)) => format!("{own} = {node}"),
+        (own, node) => own.or(node).unwrap_or_default(),
+    }
+}
+
+/// `I₂ in`, as far as the intersection is labelled.
+pub fn labelled_node(state: &State, node_idx: u32) -> Formula {
+    let formula = Formula::default().sym(node(node_idx));
+    with_label(formula, state, Some(node_idx))
+}
+
+/// `… in`, where there is a labelled intersection.
+pub fn with_label(formula: Formula, state: &State, node_idx: Option<u32>) -> Formula {
+    let label = node_idx.and_then(|idx| state.labels.get(idx as usize));
+    match label {
+        Some(label) => formula.sym(" ").term(label_key(label.label)),
+        None => formula,
+    }
+}
+
+/// In a word.
+const fn label_key(label: Label) -> &'static str {
+    match label {
+        Label::Entering => "wa-in",
+        Label::Leaving => "wa-out",
+        Label::Touching => "wa-touches",
+        Label::Pinching => "wa-pinches",
+    }
+}
+
+/// Where an edge runs.
+pub const fn side(side: Side) -> Value {
+    Value::Term(match side {
+        Side::Inside => "wa-inside",
+        Side::Outside => "wa-outside",
+        Side::Along => "wa-along",
+        Side::Against => "wa-against",
+    })
+}
+
+/// The polygon that a list belongs to.
+pub const fn border(input: &Input, list: List) -> &Rings {
+    match list {
+        List::Subject => input.subject.rings(),
+        List::Clip => input.clip.rings(),
+    }
+}
+
+/// What marks and rows about an intersection have in common.
+pub const fn node_link(node_idx: u32) -> Link {
+    Link::nth("intersection", node_idx as usize)
+}

@@ -1,0 +1,376 @@
+//! Cases of the polygons lab and their answers: what every script and grader builds on.
+
+use clipscope::{
+    case::{Detail, Format, Solver, Style, solvers, trace},
+    text::Lang,
+};
+use serde_json::{Value as Json, json};
+
+const JSON: Style = Style {
+    format: Format::Json,
+    detail: Detail::Steps,
+    lang: Lang::En,
+};
+
+fn answers(cases: &str, style: Style) -> String {
+    let mut out = Vec::new();
+    trace(cases.as_bytes(), &mut out, style, |_| {}).expect("memory can be read and written");
+    String::from_utf8(out).expect("answers are UTF-8")
+}
+
+fn answer(case: &str) -> Json {
+    serde_json::from_str(&answers(case, JSON)).expect("one answer of JSON")
+}
+
+fn output(algorithm: &str, fields: &str) -> Json {
+    let case = format!(r#"{{"algorithm":"{algorithm}",{fields}}}"#);
+    answer(&case)["output"].clone()
+}
+
+/// Those that take a polygon.
+fn polygon_solvers() -> impl Iterator<Item = &'static dyn Solver> {
+    solvers().filter(|solver| takes(*solver, "polygon"))
+}
+
+fn takes(solver: &dyn Solver, name: &str) -> bool {
+    solver.fields().iter().any(|field| field.name == name)
+}
+
+/// A case that every one of them takes.
+fn case_of(solver: &dyn Solver, polygon: &str) -> String {
+    let window = if takes(solver, "window") {
+        r#""window":[-1,-1,1,1],"#
+    } else {
+        ""
+    };
+    let id = solver.id();
+    format!(r#"{{"id":"{id}","algorithm":"{id}",{window}"polygon":{polygon}}}"#)
+}
+
+const TRIANGLE: &str = "[[0,0],[2,0],[0,2]]";
+/// Two teeth of a comb reach into the window above y = 3.
+const COMB: &str =
+    r#""window":[-1,3,6,5],"polygon":[[0,0],[5,0],[5,4],[4,4],[4,2],[1,2],[1,4],[0,4]]"#;
+
+#[test]
+fn what_is_left_is_none_one_or_several_polygons() {
+    let square = json!([[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]]);
+    let fields = format!(r#""window":[-1,-1,1,1],"polygon":{TRIANGLE}"#);
+    for id in ["sutherland-hodgman", "sutherland-hodgman-pipeline"] {
+        let found = output(id, &fields);
+        assert_eq!(found, json!({"polygons": square, "outcome": "cut"}), "{id}");
+        let far = output(id, r#""window":[5,5,6,6],"polygon":[[0,0],[2,0],[0,2]]"#);
+        assert_eq!(far, json!({"polygons": [], "outcome": "empty"}), "{id}");
+        let touching = output(id, r#""window":[2,0,3,1],"polygon":[[0,0],[2,0],[0,2]]"#);
+        assert_eq!(
+            touching,
+            json!({"polygons": [], "outcome": "degenerate"}),
+            "{id}"
+        );
+        let whole = output(id, r#""window":[0,0,3,3],"polygon":[[0,0],[2,0],[0,2]]"#);
+        assert_eq!(whole["outcome"], "whole", "{id}");
+        let bridged = &output(id, COMB)["polygons"];
+        assert_eq!(bridged.as_array().map(Vec::len), Some(1), "{id}");
+    }
+    let pieces = &output("triangulate-and-clip", COMB)["polygons"];
+    assert_eq!(
+        *pieces,
+        json!([
+            [[5.0, 3.0], [5.0, 4.0], [4.0, 4.0], [4.25, 3.0]],
+            [[1.0, 3.0], [1.0, 4.0], [0.0, 4.0], [0.5, 3.0]],
+            [[4.25, 3.0], [4.0, 4.0], [4.0, 3.0]],
+            [[0.5, 3.0], [0.0, 4.0], [0.0, 3.0]]
+        ])
+    );
+}
+
+#[test]
+fn triangles_are_given_as_corners_and_as_numbers_of_vertices() {
+    // Clockwise, with a vertex that is repeated.
+    let found = output(
+        "ear-clipping",
+        r#""polygon":[[0,0],[2,4],[2,4],[4,0],[2,1]]"#,
+    );
+    let expected = json!({
+        "triangles": [[[2.0, 4.0], [0.0, 0.0], [2.0, 1.0]], [[2.0, 1.0], [4.0, 0.0], [2.0, 4.0]]],
+        "vertices": [[1, 0, 4], [4, 3, 1]]
+    });
+    assert_eq!(found, expected);
+}
+
+#[test]
+fn texture_coordinates_are_interpolated_with_the_vertices() {
+    let found = output(
+        "sutherland-hodgman",
+        r#""window":[-1,-1,1,1],"polygon":[[0,0],[2,0],[0,2]],"uv":[[0,0],[1,0],[0,1]]"#,
+    );
+    assert_eq!(
+        found["uv"],
+        json!([[[0.0, 0.0], [0.5, 0.0], [0.5, 0.5], [0.0, 0.5]]])
+    );
+    let outside = output(
+        "sutherland-hodgman",
+        r#""window":[5,5,6,6],"polygon":[[0,0],[2,0],[0,2]],"uv":[[0,0],[1,0],[0,1]]"#,
+    );
+    assert_eq!(
+        outside,
+        json!({"polygons": [], "outcome": "empty", "uv": []})
+    );
+}
+
+#[test]
+fn an_answer_has_the_form_that_was_promised() {
+    let case = r#"{"id":7,"algorithm":"ear-clipping","polygon":[[0,0],[4,0],[1,1],[0,4]]}"#;
+    assert_eq!(
+        answers(case, JSON),
+        concat!(
+            r#"{"id":7,"algorithm":"ear-clipping","output":{"triangles":[[[0.0,0.0],[4.0,0.0],[1.0,1.0]],"#,
+            r#"[[0.0,0.0],[1.0,1.0],[0.0,4.0]]],"vertices":[[0,1,2],[0,2,3]]},"#,
+            r#""counts":{"add":35,"mul":14,"div":0,"cmp":10},"events":["#,
+            r#"{"event":"classify","vertex_idx":0,"prev_idx":3,"next_idx":1,"double_area":16.0,"corner":"convex"},"#,
+            r#"{"event":"classify","vertex_idx":1,"prev_idx":0,"next_idx":2,"double_area":4.0,"corner":"convex"},"#,
+            r#"{"event":"classify","vertex_idx":2,"prev_idx":1,"next_idx":3,"double_area":-8.0,"corner":"reflex"},"#,
+            r#"{"event":"classify","vertex_idx":3,"prev_idx":2,"next_idx":0,"double_area":4.0,"corner":"convex"},"#,
+            r#"{"event":"round","round_idx":0,"n_left":4},{"event":"candidate","triangle":[3,0,1]},"#,
+            r#"{"event":"blocked","vertex_idx":0,"by_idx":2,"double_areas":[4.0,4.0,8.0]},"#,
+            r#"{"event":"candidate","triangle":[0,1,2]},{"event":"ear","vertex_idx":1},"#,
+            r#"{"event":"cut","triangle":[0,1,2],"n_left":3},{"event":"last","triangle":[0,2,3]},"#,
+            r#"{"event":"done","n_triangles":2}]}"#,
+            "\n"
+        )
+    );
+}
+
+#[test]
+fn without_events_the_answer_is_the_same() {
+    for solver in polygon_solvers() {
+        let case = case_of(solver, "[[0,0],[3,0],[1,1],[0,3]]");
+        let mut with = answer(&case);
+        let style = Style {
+            detail: Detail::Answers,
+            ..JSON
+        };
+        let without: Json = serde_json::from_str(&answers(&case, style)).expect("JSON");
+        let events = with.as_object_mut().and_then(|a| a.remove("events"));
+        let events = events.expect("steps");
+        for event in events.as_array().expect("a list") {
+            assert!(event["event"].is_string(), "{event} has a name");
+        }
+        assert_eq!(with, without);
+    }
+}
+
+/// The code and the place of a refusal.
+fn refusal(case: &str) -> [String; 2] {
+    let answer = answer(case);
+    let word = |key: &str| {
+        let word = answer["error"][key].as_str();
+        word.unwrap_or_else(|| panic!("{case:.200} is refused, not {answer:.200}"))
+            .to_owned()
+    };
+    assert!(!word("message").contains('⟦'), "{answer} has its sentence");
+    [word("code"), word("field")]
+}
+
+#[test]
+fn every_mistake_is_named_with_its_place() {
+    let line = |id: &str, fields: &str| format!(r#"{{"algorithm":"{id}",{fields}}}"#);
+    let sh = |fields: &str| {
+        line(
+            "sutherland-hodgman",
+            &format!(r#""window":[0,0,1,1],{fields}"#),
+        )
+    };
+    let ear = |polygon: &str| line("ear-clipping", &format!(r#""polygon":{polygon}"#));
+    let pieces = |clip: &str| {
+        line(
+            "triangulate-and-clip",
+            &format!(r#""clip":{clip},"polygon":{TRIANGLE}"#),
+        )
+    };
+    let many = |n: usize| format!("[{}[0,0]]", "[0,0],".repeat(n - 1));
+    for (case, code, field) in [
+        (sh(r#""uv":[]"#), "missing-field", "polygon"),
+        (
+            line("sutherland-hodgman", r#""polygon":[]"#),
+            "missing-field",
+            "window",
+        ),
+        (
+            line("ear-clipping", r#""window":[0,0,1,1]"#),
+            "unknown-field",
+            "window",
+        ),
+        (ear("7"), "wrong-type", "polygon"),
+        (ear("[[0,0],[1,0],[1]]"), "wrong-length", "polygon[2]"),
+        (
+            ear("[[0,0],[1,0],[1,1e999]]"),
+            "not-finite",
+            "polygon[2][1]",
+        ),
+        (ear("[[0,0],[1,0]]"), "degenerate", "polygon"),
+        (ear("[[0,0],[1,0],[2,0]]"), "degenerate", "polygon[0]"),
+        (ear("[[1,1],[1,1],[1,1],[1,1]]"), "degenerate", "polygon[0]"),
+        (
+            ear("[[5,5],[0,0],[2,2],[2,0],[0,2]]"),
+            "self-intersecting",
+            "polygon[0]",
+        ),
+        (
+            ear("[[0,0],[2,0],[1,0],[1,1]]"),
+            "self-intersecting",
+            "polygon[0]",
+        ),
+        (ear(&many(10_001)), "too-large", "polygon"),
+        (pieces("[[0,0],[4,0],[1,1],[0,4]]"), "not-convex", "clip[2]"),
+        (pieces("[[0,0],[1,0]]"), "degenerate", "clip"),
+        (
+            sh(&format!(r#""polygon":{TRIANGLE},"uv":[[0,0]]"#)),
+            "wrong-length",
+            "uv",
+        ),
+        (
+            sh(&format!(r#""polygon":{TRIANGLE},"uv":[[0,0],[1],[0,1]]"#)),
+            "wrong-length",
+            "uv[1]",
+        ),
+        (
+            sh(&format!(
+                r#""polygon":{TRIANGLE},"uv":[[0,0],[1,1e999],[0,1]]"#
+            )),
+            "not-finite",
+            "uv[1][1]",
+        ),
+    ] {
+        let found = refusal(&case);
+        assert_eq!(found, [code, field], "{case:.200}");
+    }
+}
+
+#[test]
+fn two_edges_that_meet_are_named() {
+    let case = r#"{"algorithm":"ear-clipping","polygon":[[0,0],[2,2],[2,0],[0,2]]}"#;
+    let message = answer(case)["error"]["message"].clone();
+    let message = message.as_str().expect("a sentence");
+    assert!(message.contains("edges 0 and 2"), "{message}");
+}
+
+#[test]
+fn as_much_as_ten_thousand_vertices_against_a_window_is_answered() {
+    let vertex = |i: usize| {
+        let (sin, cos) = (std::f64::consts::TAU * i as f64 / 1e4).sin_cos();
+        let radius = if i % 2 == 0 { 2.0 } else { 1.5 };
+        json!([radius * cos, radius * sin])
+    };
+    let polygon = Json::from_iter((0..10_000).map(vertex)).to_string();
+    let style = Style {
+        detail: Detail::Answers,
+        ..JSON
+    };
+    let outline: Vec<String> = (0..17)
+        .map(|i| {
+            let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / 17.0).sin_cos();
+            format!("[{cos},{sin}]")
+        })
+        .collect();
+    for solver in polygon_solvers() {
+        let answer: Json =
+            serde_json::from_str(&answers(&case_of(solver, &polygon), style)).expect("JSON");
+        assert!(answer["error"].is_null(), "{}", answer["error"]);
+        if takes(solver, "clip") {
+            let case = format!(
+                r#"{{"algorithm":"{}","clip":[{}],"polygon":{polygon}}}"#,
+                solver.id(),
+                outline.join(",")
+            );
+            assert_eq!(refusal(&case), ["too-large", "polygon"]);
+        }
+    }
+}
+
+/// Whatever is given, there is an answer or a refusal.
+#[test]
+fn degenerate_polygons_are_answered_or_refused() {
+    for polygon in [
+        "[[0,0],[0,0],[0,0]]",
+        "[[0,0],[1,1],[2,2]]",
+        "[[0,0],[1,1],[0,0],[1,1]]",
+        "[[0,0],[1,0],[1,1],[1,0]]",
+        "[[0,0],[1,0],[1,0],[1,1],[0,0]]",
+        "[[-1,-1],[1,-1],[1,1],[-1,1]]",
+        "[[1,1],[1,1],[2,2],[2,1]]",
+        "[[1e308,0],[-1e308,0],[0,1e308]]",
+        "[[5e-324,0],[0,5e-324],[0,0]]",
+        "[[-0.0,0],[0,-0.0],[1,1],[0,1]]",
+    ] {
+        for solver in polygon_solvers() {
+            let answer = answer(&case_of(solver, polygon));
+            let is_answered = answer["output"].is_object();
+            let is_refused = answer["error"]["code"].is_string();
+            assert!(is_answered != is_refused, "{polygon}: {answer}");
+            for lang in Lang::ALL {
+                let style = Style {
+                    format: Format::Markdown,
+                    lang,
+                    ..JSON
+                };
+                let report = answers(&case_of(solver, polygon), style);
+                assert!(!report.contains('⟦'), "{report}");
+            }
+        }
+    }
+}
+
+fn reported() -> String {
+    polygon_solvers()
+        .map(|solver| case_of(solver, "[[0,0],[3,0],[0.75,0.5],[0,3]]") + "\n")
+        .collect()
+}
+
+#[test]
+fn reports_are_as_they_were() {
+    for (name, format, lang) in [
+        ("polygons-en.md", Format::Markdown, Lang::En),
+        ("polygons-zh-CN.txt", Format::Text, Lang::ZhCn),
+        ("polygons-es.txt", Format::Text, Lang::Es),
+        ("polygons-pt-BR.md", Format::Markdown, Lang::PtBr),
+    ] {
+        let style = Style {
+            format,
+            detail: Detail::Steps,
+            lang,
+        };
+        let report = answers(&reported(), style);
+        assert!(!report.contains('⟦'), "{name}: every sentence is there");
+        let path = format!("{}/tests/reports/{name}", env!("CARGO_MANIFEST_DIR"));
+        if std::env::var_os("UPDATE_SNAPSHOTS").is_some() {
+            std::fs::write(&path, &report).expect("a snapshot can be written");
+        }
+        let expected = std::fs::read_to_string(&path).unwrap_or_default();
+        assert_eq!(
+            report, expected,
+            "{path}; UPDATE_SNAPSHOTS=1 writes what is now right"
+        );
+    }
+}
+
+#[test]
+fn a_terminals_lines_are_at_most_a_hundred_columns_wide() {
+    use unicode_width::UnicodeWidthStr;
+    for lang in Lang::ALL {
+        let style = Style {
+            format: Format::Text,
+            detail: Detail::Steps,
+            lang,
+        };
+        for solver in polygon_solvers() {
+            let case = case_of(
+                solver,
+                "[[0.123,-1.456],[3.333,0.1],[0.751,0.512],[-1.125,3.2],[-0.3,1.01]]",
+            );
+            for line in answers(&case, style).lines() {
+                assert!(line.width() <= 100, "{lang}, {}: {line}", solver.id());
+            }
+        }
+    }
+}
