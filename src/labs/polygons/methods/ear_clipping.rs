@@ -33,7 +33,7 @@ const MAX_ROWS: usize = 12;
 const FEW_ENOUGH: usize = 60;
 
 impl PolygonDemo for EarClipping {
-    const TAKES_POLYGON: bool = false;
+    const CLIPS: bool = false;
 
     fn input(scene: &Scene) -> Result<SimplePolygon, Refusal> {
         SimplePolygon::try_from(&scene.subject).map_err(|error| Refusal::new(Part::Subject, error))
