@@ -85,6 +85,42 @@ fn what_is_left_is_none_one_or_several_polygons() {
 }
 
 #[test]
+fn outer_rings_run_counter_clockwise_and_holes_clockwise() {
+    let teeth = output("weiler-atherton", COMB);
+    let expected = json!([
+        [[0.0, 3.0], [1.0, 3.0], [1.0, 4.0], [0.0, 4.0]],
+        [[4.0, 3.0], [5.0, 3.0], [5.0, 4.0], [4.0, 4.0]]
+    ]);
+    assert_eq!(sorted(&teeth["polygons"]), sorted(&expected));
+    assert_eq!(teeth["relation"], "crossing");
+    let frame = output(
+        "weiler-atherton",
+        r#""clip":[[0,0],[0,9],[9,9],[9,0]],"polygon":[[1,1],[1,5],[5,5],[5,1]],"holes":[[[2,2],[3,2],[3,3],[2,3]]]"#,
+    );
+    let expected = json!([
+        [[1.0, 1.0], [5.0, 1.0], [5.0, 5.0], [1.0, 5.0]],
+        [[2.0, 2.0], [2.0, 3.0], [3.0, 3.0], [3.0, 2.0]]
+    ]);
+    assert_eq!(sorted(&frame["polygons"]), sorted(&expected));
+    assert_eq!(frame["relation"], "subject-inside");
+}
+
+/// Rings from their lowest vertex on, in order.
+fn sorted(rings: &Json) -> Vec<String> {
+    let ring = |ring: &Json| {
+        let ring = ring.as_array().expect("a ring");
+        let text: Vec<String> = ring.iter().map(Json::to_string).collect();
+        let first = (0..text.len())
+            .min_by_key(|&i| &text[i])
+            .expect("not empty");
+        [&text[first..], &text[..first]].concat().join(" ")
+    };
+    let mut rings: Vec<String> = rings.as_array().expect("rings").iter().map(ring).collect();
+    rings.sort();
+    rings
+}
+
+#[test]
 fn triangles_are_given_as_corners_and_as_numbers_of_vertices() {
     // Clockwise, with a vertex that is repeated.
     let found = output(
@@ -182,6 +218,12 @@ fn every_mistake_is_named_with_its_place() {
         )
     };
     let ear = |polygon: &str| line("ear-clipping", &format!(r#""polygon":{polygon}"#));
+    let wa = |fields: &str| {
+        line(
+            "weiler-atherton",
+            &format!(r#""window":[0,0,1,1],"polygon":{TRIANGLE},{fields}"#),
+        )
+    };
     let pieces = |clip: &str| {
         line(
             "triangulate-and-clip",
@@ -222,6 +264,31 @@ fn every_mistake_is_named_with_its_place() {
             "polygon[0]",
         ),
         (ear(&many(10_001)), "too-large", "polygon"),
+        (wa(r#""holes":7"#), "wrong-type", "holes"),
+        (wa(r#""holes":[[[0,0],[1,0]]]"#), "degenerate", "holes[0]"),
+        (
+            wa(r#""holes":[[[0.1,0.1],[0.2,0.1],[0.1,0.2]],[[0,0],[1,0],[1,7]]]"#),
+            "self-intersecting",
+            "holes[1]",
+        ),
+        (
+            wa(r#""holes":[[[0.1,0.1],[0.5,0.5],[0.5,0.1],[0.1,0.5]]]"#),
+            "self-intersecting",
+            "holes[0][0]",
+        ),
+        (
+            wa(r#""holes":[[[0,0],[1,"0"],[1,7]]]"#),
+            "wrong-type",
+            "holes[0][1][1]",
+        ),
+        (
+            line(
+                "weiler-atherton",
+                &format!(r#""clip":[[0,0],[2,2],[2,0],[0,2]],"polygon":{TRIANGLE}"#),
+            ),
+            "self-intersecting",
+            "clip[0]",
+        ),
         (pieces("[[0,0],[4,0],[1,1],[0,4]]"), "not-convex", "clip[2]"),
         (pieces("[[0,0],[1,0]]"), "degenerate", "clip"),
         (

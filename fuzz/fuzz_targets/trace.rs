@@ -83,6 +83,9 @@ fn check_answer(line: Line<'_>, case: &Case, answer: &Json) {
     let Ok(given) = serde_json::from_slice::<Json>(bytes) else {
         return;
     };
+    if given["polygon"].is_array() {
+        return check_polygons(&given, answer);
+    }
     let visible = &answer["output"]["segment"];
     assert_eq!(answer["output"]["visible"], json!(!visible.is_null()));
     let [xmin, ymin, xmax, ymax] = bounds(&given);
@@ -92,6 +95,17 @@ fn check_answer(line: Line<'_>, case: &Case, answer: &Json) {
         assert!(inside, "{end:?} lies outside in {answer}");
     }
     check_reversed(given, &ends);
+}
+
+/// What is left of a polygon lies in the box of the clip region.
+fn check_polygons(given: &Json, answer: &Json) {
+    let [xmin, ymin, xmax, ymax] = bounds(given);
+    let rings = answer["output"]["polygons"].as_array();
+    let vertices = rings.into_iter().flatten().filter_map(Json::as_array).flatten();
+    for vertex in vertices.map(numbers) {
+        let inside = (xmin..=xmax).contains(&vertex[0]) && (ymin..=ymax).contains(&vertex[1]);
+        assert!(inside, "{vertex:?} lies outside in {answer}");
+    }
 }
 
 /// Clipping the reversed segment gives the mirror image, bit for bit.

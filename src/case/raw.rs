@@ -102,6 +102,22 @@ impl<'a> Node<'a> {
         elements.into_iter().enumerate().map(point).collect()
     }
 
+    /// A list, each element read by `read`, which is given its place.
+    ///
+    /// # Errors
+    /// `wrong-type`, or what `read` refuses
+    pub fn list<T>(
+        &self,
+        read: impl Fn(&Node<'_>) -> Result<T, Refusal>,
+    ) -> Result<Vec<T>, Refusal> {
+        let elements = self.elements("json-list")?;
+        let element = |(i, raw)| {
+            let path = Path::Index(&self.path, i);
+            read(&Node { path, raw })
+        };
+        elements.into_iter().enumerate().map(element).collect()
+    }
+
     /// A text.
     ///
     /// # Errors

@@ -6,6 +6,7 @@ object-segment = segment
 object-window = clip window
 object-clip-polygon = clip polygon
 object-polygon = polygon
+object-hole = hole
 object-uv = texture coordinates
 object-outcode = outcode
 

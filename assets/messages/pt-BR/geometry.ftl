@@ -6,6 +6,7 @@ object-segment = segmento
 object-window = janela de recorte
 object-clip-polygon = polígono de recorte
 object-polygon = polígono
+object-hole = furo
 object-uv = coordenadas de textura
 object-outcode = código de região
 

@@ -6,6 +6,7 @@ object-segment = 线段
 object-window = 裁剪窗口
 object-clip-polygon = 裁剪多边形
 object-polygon = 多边形
+object-hole = 内孔
 object-uv = 纹理坐标
 object-outcode = 区域码
 

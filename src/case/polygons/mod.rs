@@ -7,7 +7,10 @@ mod verdict;
 use serde_json::Value as Json;
 
 use crate::{
-    algo::polygon::{EarClipping, Pipeline, SutherlandHodgman, Textured, TriangulateAndClip},
+    algo::polygon::{
+        EarClipping, Pipeline, SutherlandHodgman, Textured, TriangulateAndClip,
+        weiler_atherton::WeilerAtherton,
+    },
     figure::Run,
     labs::{Answer, MethodCard, record},
     text::Message,
@@ -23,12 +26,13 @@ pub(super) fn solvers() -> impl Iterator<Item = &'static dyn Solver> {
     SOLVERS.iter().map(|solver| solver as &dyn Solver)
 }
 
-static SOLVERS: [PolygonSolver; 4] = [
+static SOLVERS: [PolygonSolver; 5] = [
     PolygonSolver {
         read: read_sutherland_hodgman,
         ..PolygonSolver::of::<SutherlandHodgman>()
     },
     PolygonSolver::of::<Pipeline>(),
+    PolygonSolver::of::<WeilerAtherton>(),
     PolygonSolver::of::<EarClipping>(),
     PolygonSolver::of::<TriangulateAndClip>(),
 ];

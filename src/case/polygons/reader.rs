@@ -3,11 +3,10 @@
 use crate::{
     algo::polygon::ClipRegion,
     case::{
-        Code, Fields, Given, Node, Refusal,
-        fields::missing,
+        Code, Fields, Given, Node, Path, Refusal,
         parts::{given_clip, given_window, read_clip, read_window},
     },
-    geom::{Point, Polygon, SimplePolygon},
+    geom::{GeomError, Point, Polygon, Region, SimplePolygon},
     labs::vertex_symbol,
     text::{Formula, Message, Value},
 };
@@ -50,10 +49,26 @@ impl<'a> Reader<'a> {
         Ok(clip.into())
     }
 
+    /// `window`, or `clip`, which must be simple.
+    pub fn simple_clip(&mut self) -> Result<SimplePolygon, Refusal> {
+        if let Some(node) = self.fields.get("window") {
+            let window = read_window(&node)?;
+            self.given.push(given_window(&window));
+            self.n_clip_edges = 4;
+            return Ok(window.into());
+        }
+        let node = self.fields.need("clip")?;
+        let clip = outline(&node)?;
+        self.given.push(given_clip(clip.vertices()));
+        self.n_clip_edges = clip.vertices().len();
+        simple(&node, &clip)
+    }
+
     /// `polygon`, of any shape.
     pub fn polygon(&mut self) -> Result<Polygon, Refusal> {
-        let (node, polygon) = self.outline("polygon")?;
-        self.given.push(given_polygon(polygon.vertices()));
+        let node = self.fields.need("polygon")?;
+        let polygon = outline(&node)?;
+        self.given.push(given_outline("object-polygon", &polygon));
         self.check_pairs(&node, polygon.vertices().len())?;
         Ok(polygon)
     }
@@ -61,11 +76,33 @@ impl<'a> Reader<'a> {
     /// `polygon`, which must be simple.
     pub fn simple_polygon(&mut self) -> Result<SimplePolygon, Refusal> {
         let polygon = self.polygon()?;
-        let refused = |error| {
-            let path = crate::case::Path::Field("polygon");
-            Refusal::geometry(&path, error, polygon.vertices().len())
+        simple(&self.fields.need("polygon")?, &polygon)
+    }
+
+    /// `polygon`, less `holes` where there are any.
+    pub fn region(&mut self) -> Result<Region, Refusal> {
+        let outer = self.simple_polygon()?;
+        let n_outer = outer.vertices().len();
+        let Some(node) = self.fields.get("holes") else {
+            return Ok(outer.into());
         };
-        SimplePolygon::try_from(&polygon).map_err(refused)
+        let outlines = node.list(outline)?;
+        let n_edges = outlines
+            .iter()
+            .map(|hole| hole.vertices().len())
+            .sum::<usize>();
+        self.check_pairs(&node, n_outer + n_edges)?;
+        let holes = node.list(|hole| simple(hole, &outline(hole)?))?;
+        for hole in &outlines {
+            self.given.push(given_outline("object-hole", hole));
+        }
+        Region::new(outer, holes).map_err(|error| match error {
+            GeomError::MisplacedHole { hole_idx } => {
+                let hole = Path::Index(&node.path, hole_idx);
+                Refusal::geometry(&hole, error, 0)
+            }
+            _ => Refusal::geometry(&node.path, error, 0),
+        })
     }
 
     /// `uv`: a place in the texture for each vertex.
@@ -83,12 +120,6 @@ impl<'a> Reader<'a> {
             values: uvs.iter().map(|&uv| uv.into()).collect(),
         });
         Ok(uvs)
-    }
-
-    fn outline(&self, name: &'static str) -> Result<(Node<'a>, Polygon), Refusal> {
-        let node = self.fields.get(name).ok_or_else(|| missing(name))?;
-        let polygon = outline(&node)?;
-        Ok((node, polygon))
     }
 
     fn check_pairs(&self, node: &Node<'_>, n_edges: usize) -> Result<(), Refusal> {
@@ -109,14 +140,20 @@ fn outline(node: &Node<'_>) -> Result<Polygon, Refusal> {
     Polygon::new(&outline).map_err(|error| Refusal::geometry(&node.path, error, outline.len()))
 }
 
+/// An outline that does not meet itself.
+fn simple(node: &Node<'_>, outline: &Polygon) -> Result<SimplePolygon, Refusal> {
+    SimplePolygon::try_from(outline)
+        .map_err(|error| Refusal::geometry(&node.path, error, outline.vertices().len()))
+}
+
 /// `V₁ = (0, 0)`, `V₂ = …`
-fn given_polygon(vertices: &[Point]) -> Given {
+fn given_outline(name_key: &'static str, outline: &Polygon) -> Given {
     let vertex = |(i, p): (usize, &Point)| {
         let formula = Formula::default().sym(vertex_symbol(i)).sym(" = ");
         Value::Formula(formula.point(p.to_array()))
     };
     Given {
-        name_key: "object-polygon",
-        values: vertices.iter().enumerate().map(vertex).collect(),
+        name_key,
+        values: outline.vertices().iter().enumerate().map(vertex).collect(),
     }
 }

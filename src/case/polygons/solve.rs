@@ -4,6 +4,7 @@ use crate::{
     algo::polygon::{
         EarClipping, Pipeline, SutherlandHodgman, SutherlandHodgmanInput, Textured,
         TriangulateAndClip, TriangulateAndClipInput,
+        weiler_atherton::{Clipped, WeilerAtherton, WeilerAthertonInput},
     },
     case::{Field, Refusal},
     geom::SimplePolygon,
@@ -13,7 +14,7 @@ use crate::{
 
 use super::{
     Reader,
-    verdict::{polygons, ring, triangles},
+    verdict::{pieces, polygons, ring, triangles},
 };
 
 /// A method that a case can name.
@@ -79,6 +80,22 @@ impl Solve for Pipeline {
     }
 }
 
+const WITH_HOLES: [Field; 4] = [CLIPPED[0], CLIPPED[1], CLIPPED[2], Field::optional("holes")];
+
+impl Solve for WeilerAtherton {
+    const FIELDS: &'static [Field] = &WITH_HOLES;
+
+    fn read(reader: &mut Reader<'_>) -> Result<WeilerAthertonInput, Refusal> {
+        let clip = reader.simple_clip()?;
+        let subject = reader.region()?;
+        Ok(WeilerAthertonInput { subject, clip })
+    }
+
+    fn verdict(output: &Clipped) -> Message {
+        pieces(output)
+    }
+}
+
 impl Solve for EarClipping {
     const FIELDS: &'static [Field] = &ALONE;
 
@@ -101,6 +118,6 @@ impl Solve for TriangulateAndClip {
     }
 
     fn verdict(output: &Self::Output) -> Message {
-        polygons(output.rings())
+        polygons(output.len(), output.rings().map(|ring| (ring, false)))
     }
 }

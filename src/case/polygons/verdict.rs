@@ -1,8 +1,11 @@
 //! Answers in one sentence.
 
 use crate::{
-    algo::polygon::{ClippedRing, RingOutcome, Triangulation, Vertex},
-    geom::{Point, Polygon},
+    algo::polygon::{
+        ClippedRing, RingOutcome, Triangulation, Vertex,
+        weiler_atherton::{Clipped, Relation},
+    },
+    geom::Point,
     labs::vertex_symbol,
     text::{Formula, Message},
 };
@@ -10,34 +13,42 @@ use crate::{
 /// Points, or triangles, beyond these are left out.
 const MAX_SHOWN: usize = 16;
 
-/// Of each ring its vertices, in parentheses.
-pub fn polygons<'a>(rings: impl ExactSizeIterator<Item = &'a [Point]>) -> Message {
-    let n = rings.len();
+/// How many there are, and of each ring its vertices; a minus sign stands before a hole.
+pub fn polygons<'a>(n: usize, rings: impl Iterator<Item = (&'a [Point], bool)>) -> Message {
     if n == 0 {
         return Message::new("case-nothing-left");
     }
     let mut shown = Formula::default();
     let mut n_points = 0;
-    for (i, ring) in rings.enumerate() {
-        if n_points + ring.len() > MAX_SHOWN && i > 0 {
-            shown = shown.sym("; …");
-            break;
-        }
+    for (i, (ring, is_hole)) in rings.enumerate() {
         if i > 0 {
-            shown = shown.sym("; ");
+            shown = shown.sym(if is_hole { " − " } else { "; " });
         }
-        n_points += ring.len();
-        for (k, p) in ring.iter().take(MAX_SHOWN).enumerate() {
+        for (k, p) in ring.iter().take(MAX_SHOWN - n_points).enumerate() {
             let gap = if k > 0 { " " } else { "" };
             shown = shown.sym(gap).point(p.to_array());
         }
-        if ring.len() > MAX_SHOWN {
+        n_points += ring.len();
+        if n_points > MAX_SHOWN {
             shown = shown.sym(" …");
+            break;
         }
     }
     Message::new("case-polygons")
         .with("n", n)
         .with("rings", shown)
+}
+
+/// Polygons with their holes.
+pub fn pieces(clipped: &Clipped) -> Message {
+    if clipped.relation == Relation::Touching {
+        return Message::new("case-no-area");
+    }
+    let rings = clipped.pieces.iter().flat_map(|piece| {
+        let holes = piece.holes.iter().map(|hole| (&hole[..], true));
+        std::iter::once((&piece.outer[..], false)).chain(holes)
+    });
+    polygons(clipped.pieces.len(), rings)
 }
 
 /// The one ring of Sutherland–Hodgman, where there is something to fill.
@@ -46,7 +57,8 @@ pub fn ring<V: Vertex>(ring: &ClippedRing<V>) -> Message {
         return Message::new("case-no-area");
     }
     let polygon = ring.polygon();
-    polygons(polygon.as_slice().iter().map(Polygon::vertices))
+    let rings = polygon.iter().map(|polygon| (polygon.vertices(), false));
+    polygons(rings.len(), rings)
 }
 
 /// `V₁V₂V₃, V₁V₃V₄`.

@@ -30,7 +30,7 @@ impl<V: Corner> Answer for ClippedRing<V> {
         let polygon = self.polygon();
         let mut json = json!({ "polygons": Vec::from_iter(&polygon), "outcome": self.outcome });
         if V::IS_TEXTURED {
-            let uv = || Vec::from_iter(self.vertices.iter().map(Corner::uv));
+            let uv = || self.vertices.iter().map(Corner::uv).collect::<Vec<_>>();
             json["uv"] = json!(Vec::from_iter(polygon.map(|_| uv())));
         }
         json
@@ -84,17 +84,18 @@ pub fn rows<V: Vertex>(input: &[V], output: &[V], current: usize) -> Vec<WatchSe
     ]
 }
 
-/// The names of the vertices, where they are few.
-pub fn names<V: Vertex>(list: &[V]) -> Vec<Mark> {
+/// The vertices and their names, where they are few; but for those that this step shows by themselves.
+pub fn names<V: Vertex>(list: &[V], shown: &[usize]) -> Vec<Mark> {
     if list.len() > NAMED {
         return Vec::new();
     }
+    let others = list.iter().enumerate().filter(|(i, _)| !shown.contains(i));
     let mark = |(i, v): (usize, &V)| {
         Mark::new(Role::Soft, Shape::Dot(v.at().to_array()))
             .labelled(name(input_symbol(i)))
             .linked(vertex_link(i))
     };
-    list.iter().enumerate().map(mark).collect()
+    others.map(mark).collect()
 }
 
 pub fn outline<V: Vertex>(ring: &[V]) -> Vec<[f64; 2]> {

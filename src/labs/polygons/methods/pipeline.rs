@@ -168,7 +168,7 @@ impl Demo for Pipeline {
             marks.push(edge.mark(Role::Soft));
         }
         marks.push(Mark::new(Role::Accent, Shape::Path(outline(&state.output))).linked("output"));
-        marks.extend(names(&input.vertices));
+        marks.extend(names(&input.vertices, &[]));
         marks.extend(memory(state));
         marks.extend(moment(state));
         marks
@@ -262,28 +262,36 @@ fn memory(state: &State<Point>) -> Vec<Mark> {
 
 fn moment(state: &State<Point>) -> Vec<Mark> {
     let mut marks = Vec::new();
-    let dot = |p: Point, label: Value| {
-        Mark::new(Role::Signal, Shape::Dot(p.to_array()))
-            .labelled(label)
-            .strong()
-    };
-    if let Some((ends, ..)) = state.test {
-        marks.push(Mark::new(
-            Role::Signal,
-            Shape::Arrow(ends.map(Point::to_array)),
-        ));
-        marks.push(dot(ends[0], name("S")));
-    }
-    if let Some(at) = state.moving {
-        let symbol = match state.stage_idx {
-            Some(_) => "P".to_owned(),
-            None => output_symbol(state.output.len().saturating_sub(1)),
+    let signal =
+        |shape: Shape, label: Value| Mark::new(Role::Signal, shape).labelled(label).strong();
+    let vertex = |p: Point, is_inside: bool, symbol: &'static str| {
+        let at = p.to_array();
+        let shape = if is_inside {
+            Shape::Dot(at)
+        } else {
+            Shape::Ring(at)
         };
-        marks.push(dot(at, name(symbol)));
+        signal(shape, name(symbol))
+    };
+    match (state.test, state.moving) {
+        (Some((ends, _, rule)), moving) => {
+            let arrow = Shape::Arrow(ends.map(Point::to_array));
+            marks.push(Mark::new(Role::Signal, arrow));
+            marks.push(vertex(ends[0], starts_inside(rule), "S"));
+            // Nothing comes in while the ring is closed: then the edge ends at F.
+            let end = if moving.is_some() { "P" } else { "F" };
+            marks.push(vertex(ends[1], rule.ends_inside(), end));
+        }
+        (None, Some(at)) if state.stage_idx.is_some() => marks.push(vertex(at, true, "P")),
+        (None, Some(at)) => {
+            let symbol = output_symbol(state.output.len().saturating_sub(1));
+            marks.push(signal(Shape::Dot(at.to_array()), name(symbol)));
+        }
+        (None, None) => {}
     }
     if let Some((at, t)) = state.crossing {
         let label = Formula::default().sym("I: t = ").ratio(t.num, t.den);
-        marks.push(dot(at, label.into()));
+        marks.push(signal(Shape::Dot(at.to_array()), label.into()));
     }
     marks
 }

@@ -1,7 +1,5 @@
 //! A texture on a clipped ring.
 
-use std::cmp::Ordering;
-
 use serde::Serialize;
 
 use crate::{
@@ -47,32 +45,31 @@ pub fn skin<V: Corner>(ring: &[V]) -> Option<Mark> {
     })
 }
 
-/// Cuts off one corner after the other: one that turns the ring's way and has no other vertex in it. Where bridges
-/// leave none that is clean, the first that turns; what a bridge adds has no area.
+/// Cuts off one corner after the other: one that turns the ring's way, with no corner that turns against it inside
+/// or on its border, where a bridge has them. Where the ring crosses itself none may be left: then the first that
+/// turns.
 fn triangles(mut ring: Vec<Texel>) -> Vec<[Texel; 3]> {
-    let winding = area(&ring);
-    if winding < 0.0 {
+    if area(&ring) < 0.0 {
         ring.reverse();
     }
     let mut triangles = Vec::with_capacity(ring.len());
     while ring.len() >= 3 {
         let n = ring.len();
         let corner = |i: usize| [(i + n - 1) % n, i, (i + 1) % n].map(|k| ring[k]);
-        let turn = |i: usize| area(&corner(i)).partial_cmp(&0.0);
-        let is_flat = |&i: &usize| turn(i) == Some(Ordering::Equal);
+        let turns: Vec<f64> = (0..n).map(|i| area(&corner(i))).collect();
         let is_ear = |&i: &usize| {
             let ear = corner(i);
-            turn(i) == Some(Ordering::Greater) && !ring.iter().any(|p| is_in(*p, &ear))
+            let is_in_the_way = |k: usize| turns[k] < 0.0 && is_in(ring[k], &ear);
+            turns[i] > 0.0 && !(0..n).any(is_in_the_way)
         };
-        let turns = |&i: &usize| turn(i) == Some(Ordering::Greater);
         let Some(i) = (0..n)
-            .find(is_flat)
+            .find(|&i| turns[i] == 0.0)
             .or_else(|| (0..n).find(is_ear))
-            .or_else(|| (0..n).find(turns))
+            .or_else(|| (0..n).find(|&i| turns[i] > 0.0))
         else {
             break;
         };
-        if !is_flat(&i) {
+        if turns[i] > 0.0 {
             triangles.push(corner(i));
         }
         ring.remove(i);
@@ -80,9 +77,10 @@ fn triangles(mut ring: Vec<Texel>) -> Vec<[Texel; 3]> {
     triangles
 }
 
-/// Strictly inside a counter-clockwise triangle.
+/// In a counter-clockwise triangle or on its border, but not at one of its corners.
 fn is_in(p: Texel, triangle: &[Texel; 3]) -> bool {
-    (0..3).all(|i| area(&[triangle[i], triangle[(i + 1) % 3], p]) > 0.0)
+    triangle.iter().all(|corner| corner.0 != p.0)
+        && (0..3).all(|i| area(&[triangle[i], triangle[(i + 1) % 3], p]) >= 0.0)
 }
 
 /// Twice the signed area.
@@ -106,11 +104,11 @@ mod tests {
 
     #[test]
     fn triangles_fill_the_ring_bridges_and_all() {
-        let cases: [&[[f64; 2]]; 4] = [
+        let cases: [&[[f64; 2]]; 5] = [
             &[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]],
             &[[0.0, 2.0], [2.0, 2.0], [2.0, 0.0], [0.0, 0.0]],
             &[[0.0, 0.0], [4.0, 0.0], [2.0, 1.0], [0.0, 4.0]],
-            // Two legs on one base line, joined by a bridge.
+            // Two legs on one base line, joined by a bridge: begun at either end of it.
             &[
                 [0.0, 0.0],
                 [5.0, 0.0],
@@ -121,14 +119,38 @@ mod tests {
                 [1.0, 2.0],
                 [0.0, 2.0],
             ],
+            &[
+                [0.75, -1.0],
+                [0.75, 0.5],
+                [0.25, 0.25],
+                [1.0 / 14.0, -1.0],
+                [-1.0 / 14.0, -1.0],
+                [-0.25, 0.25],
+                [-0.5, 0.25],
+                [-0.5, -1.0],
+            ],
         ];
         for outline in cases {
             let ring = texels(outline);
-            let sum: f64 = triangles(ring.clone()).iter().map(|t| area(t)).sum();
+            let triangles = triangles(ring.clone());
+            let sum: f64 = triangles.iter().map(|t| area(t)).sum();
             assert!(
                 (sum - area(&ring).abs()).abs() < 1e-12,
                 "{outline:?}: {sum}"
             );
+            for [a, b, c] in triangles {
+                let middle = [0, 1].map(|i| (a.0[i] + b.0[i] + c.0[i]) / 3.0);
+                assert!(winds_around(&ring, middle), "{middle:?} is in {outline:?}");
+            }
         }
+    }
+
+    fn winds_around(ring: &[Texel], p: [f64; 2]) -> bool {
+        let n = ring.len();
+        let crossings = (0..n).filter(|&i| {
+            let ([x1, y1], [x2, y2]) = (ring[i].0, ring[(i + 1) % n].0);
+            (y1 > p[1]) != (y2 > p[1]) && p[0] < x1 + (p[1] - y1) / (y2 - y1) * (x2 - x1)
+        });
+        crossings.count() % 2 == 1
     }
 }

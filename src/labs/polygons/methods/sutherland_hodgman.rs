@@ -291,7 +291,12 @@ pub fn marks<V: Corner>(
     }
     marks.push(Mark::new(Role::Ink, Shape::Outline(outline(&state.input))).linked("input"));
     marks.push(Mark::new(Role::Accent, Shape::Path(outline(&state.output))).linked("output"));
-    marks.extend(names(&state.input));
+    let shown = match (state.test, state.first) {
+        (Some(test), _) => test.idx.to_vec(),
+        (None, Some(_)) => vec![0],
+        (None, None) => Vec::new(),
+    };
+    marks.extend(names(&state.input, &shown));
     marks.extend(moment(state, event));
     marks
 }
