@@ -142,10 +142,10 @@ mod tests {
                     .len()
             })
         };
-        draw(&square);
+        let _ = draw(&square);
         assert_eq!(n_kept(), 1);
         for i in 0..20 {
-            draw(&[vec![[0.0, 0.0], [1.0, 0.0], [f64::from(i), 1.0]]]);
+            let _ = draw(&[vec![[0.0, 0.0], [1.0, 0.0], [f64::from(i), 1.0]]]);
         }
         assert_eq!(n_kept(), MOST_KEPT);
     }

@@ -59,13 +59,7 @@ impl Bench {
         dropped_files: Vec<egui::DroppedFileHandle>,
     ) -> usize {
         self.time += secs;
-        // As a window's system reports them: beside the events.
-        let modifiers = events.iter().find_map(|event| match event {
-            Event::PointerButton { modifiers, .. } => Some(*modifiers),
-            _ => None,
-        });
         let input = RawInput {
-            modifiers: modifiers.unwrap_or_default(),
             screen_rect: Some(Rect::from_min_size(Pos2::ZERO, self.size)),
             time: Some(self.time),
             events,

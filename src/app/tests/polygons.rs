@@ -45,7 +45,8 @@ impl Bench {
     }
 
     fn click(&mut self, at: Pos2, modifiers: Modifiers) {
-        self.frame(0.5, vec![Event::PointerMoved(at)]);
+        let moved = Event::PointerMoved(at);
+        self.frame(0.5, vec![moved, Event::ModifiersChanged(modifiers)]);
         for pressed in [true, false] {
             let button = Event::PointerButton {
                 pos: at,
@@ -55,7 +56,8 @@ impl Bench {
             };
             self.frame(0.02, vec![button]);
         }
-        self.frame(0.02, Vec::new());
+        let none = Event::ModifiersChanged(Modifiers::NONE);
+        self.frame(0.02, vec![none]);
     }
 
     fn click_at(&mut self, world: [f64; 2]) {
