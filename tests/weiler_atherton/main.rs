@@ -3,9 +3,11 @@
 //! - `cases`: every degeneracy by name, with the answer written out.
 //! - `properties`: random polygons on small grids, against an exact rational oracle and i_overlay.
 //! - `floats`: what is promised for any finite numbers.
+//! - `logs`: event logs of worked examples, as text.
 
 mod cases;
 mod floats;
+mod logs;
 mod oracle;
 mod properties;
 mod shapes;
