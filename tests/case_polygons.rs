@@ -208,22 +208,20 @@ fn refusal(case: &str) -> [String; 2] {
     [word("code"), word("field")]
 }
 
+fn line(id: &str, fields: &str) -> String {
+    format!(r#"{{"algorithm":"{id}",{fields}}}"#)
+}
+
+/// Cases with their codes and places.
+fn refused_as(cases: &[(String, &str, &str)]) {
+    for (case, code, field) in cases {
+        assert_eq!(refusal(case), [*code, *field], "{case:.200}");
+    }
+}
+
 #[test]
-fn every_mistake_is_named_with_its_place() {
-    let line = |id: &str, fields: &str| format!(r#"{{"algorithm":"{id}",{fields}}}"#);
-    let sh = |fields: &str| {
-        line(
-            "sutherland-hodgman",
-            &format!(r#""window":[0,0,1,1],{fields}"#),
-        )
-    };
+fn a_polygons_mistakes_are_named_with_their_places() {
     let ear = |polygon: &str| line("ear-clipping", &format!(r#""polygon":{polygon}"#));
-    let wa = |fields: &str| {
-        line(
-            "weiler-atherton",
-            &format!(r#""window":[0,0,1,1],"polygon":{TRIANGLE},{fields}"#),
-        )
-    };
     let pieces = |clip: &str| {
         line(
             "triangulate-and-clip",
@@ -231,13 +229,7 @@ fn every_mistake_is_named_with_its_place() {
         )
     };
     let many = |n: usize| format!("[{}[0,0]]", "[0,0],".repeat(n - 1));
-    for (case, code, field) in [
-        (sh(r#""uv":[]"#), "missing-field", "polygon"),
-        (
-            line("sutherland-hodgman", r#""polygon":[]"#),
-            "missing-field",
-            "window",
-        ),
+    refused_as(&[
         (
             line("ear-clipping", r#""window":[0,0,1,1]"#),
             "unknown-field",
@@ -264,6 +256,32 @@ fn every_mistake_is_named_with_its_place() {
             "polygon[0]",
         ),
         (ear(&many(10_001)), "too-large", "polygon"),
+        (pieces("[[0,0],[4,0],[1,1],[0,4]]"), "not-convex", "clip[2]"),
+        (pieces("[[0,0],[1,0]]"), "degenerate", "clip"),
+    ]);
+}
+
+#[test]
+fn mistakes_in_holes_and_texture_coordinates_are_too() {
+    let sh = |fields: &str| {
+        line(
+            "sutherland-hodgman",
+            &format!(r#""window":[0,0,1,1],{fields}"#),
+        )
+    };
+    let wa = |fields: &str| {
+        line(
+            "weiler-atherton",
+            &format!(r#""window":[0,0,1,1],"polygon":{TRIANGLE},{fields}"#),
+        )
+    };
+    refused_as(&[
+        (sh(r#""uv":[]"#), "missing-field", "polygon"),
+        (
+            line("sutherland-hodgman", r#""polygon":[]"#),
+            "missing-field",
+            "window",
+        ),
         (wa(r#""holes":7"#), "wrong-type", "holes"),
         (wa(r#""holes":[[[0,0],[1,0]]]"#), "degenerate", "holes[0]"),
         (
@@ -289,8 +307,6 @@ fn every_mistake_is_named_with_its_place() {
             "self-intersecting",
             "clip[0]",
         ),
-        (pieces("[[0,0],[4,0],[1,1],[0,4]]"), "not-convex", "clip[2]"),
-        (pieces("[[0,0],[1,0]]"), "degenerate", "clip"),
         (
             sh(&format!(r#""polygon":{TRIANGLE},"uv":[[0,0]]"#)),
             "wrong-length",
@@ -308,10 +324,7 @@ fn every_mistake_is_named_with_its_place() {
             "not-finite",
             "uv[1][1]",
         ),
-    ] {
-        let found = refusal(&case);
-        assert_eq!(found, [code, field], "{case:.200}");
-    }
+    ]);
 }
 
 #[test]
@@ -326,10 +339,10 @@ fn two_edges_that_meet_are_named() {
 fn as_much_as_ten_thousand_vertices_against_a_window_is_answered() {
     let vertex = |i: usize| {
         let (sin, cos) = (std::f64::consts::TAU * i as f64 / 1e4).sin_cos();
-        let radius = if i % 2 == 0 { 2.0 } else { 1.5 };
+        let radius = if i.is_multiple_of(2) { 2.0 } else { 1.5 };
         json!([radius * cos, radius * sin])
     };
-    let polygon = Json::from_iter((0..10_000).map(vertex)).to_string();
+    let polygon = (0..10_000).map(vertex).collect::<Json>().to_string();
     let style = Style {
         detail: Detail::Answers,
         ..JSON

@@ -89,18 +89,16 @@ impl WatchSection {
 /// Sections from top to bottom.
 pub type Watch = Vec<WatchSection>;
 
-/// Marks the rows whose values differ from the step before.
+/// Marks the rows whose values differ from the step before: those of a name, under the same header.
 pub fn mark_changes(now: &mut Watch, before: &Watch) {
-    let old = |name: &Value| {
-        before
-            .iter()
-            .flat_map(|section| &section.rows)
-            .find(|row| &row.name == name)
-    };
-    for row in now.iter_mut().flat_map(|section| &mut section.rows) {
-        let was = old(&row.name);
-        row.changed = row.cells.iter().enumerate().any(|(i, cell)| {
-            cell.is_some() && was.is_none_or(|was| was.cells.get(i) != Some(cell))
-        });
+    for section in now {
+        let same = before.iter().filter(|old| old.header == section.header);
+        let old: Vec<&WatchRow> = same.flat_map(|section| &section.rows).collect();
+        for row in &mut section.rows {
+            let was = old.iter().find(|old| old.name == row.name);
+            row.changed = row.cells.iter().enumerate().any(|(i, cell)| {
+                cell.is_some() && was.is_none_or(|was| was.cells.get(i) != Some(cell))
+            });
+        }
     }
 }

@@ -39,6 +39,9 @@ fn area(pieces: &Pieces) -> f64 {
     pieces.rings().map(double_area).sum::<f64>() / 2.0
 }
 
+/// A name, a window, and the pieces of the triangle in it, each from its lowest vertex on the left.
+type Case = (&'static str, [f64; 4], &'static [&'static [[f64; 2]]]);
+
 /// Two teeth of a comb reach into the window: Sutherland–Hodgman joins them.
 const COMB: [[i64; 2]; 8] = [
     [0, 0],
@@ -89,7 +92,7 @@ fn no_bridge_is_left() {
 #[test]
 fn inside_outside_and_touching() {
     let triangle = [[0, 0], [4, 0], [0, 4]];
-    let cases: [(&str, [f64; 4], &[&[[f64; 2]]]); 5] = [
+    let cases: [Case; 5] = [
         (
             "the window around the triangle",
             [-1.0, -1.0, 5.0, 5.0],

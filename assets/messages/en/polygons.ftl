@@ -227,6 +227,7 @@ wa-inserted-vertex = In the clip polygon’s list, { $node } is the vertex { $ve
 wa-entering = { $node } is entering: the subject goes from { $before } to { $after }.
 wa-leaving = { $node } is leaving: the subject goes from { $before } to { $after }.
 wa-touching = { $node } only touches: the subject goes from { $before } to { $after }, and stays on the same side.
+wa-touching-same = { $node } only touches: the subject stays { $before }.
 wa-pinching = { $node } pinches: each border passes through the inside of the other, and two corners of the result meet.
 wa-inside = inside
 wa-outside = outside

@@ -230,6 +230,7 @@ wa-inserted-vertex = En la lista del polígono de recorte, { $node } es el vért
 wa-entering = { $node } es entrante: el sujeto pasa de { $before } a { $after }.
 wa-leaving = { $node } es saliente: el sujeto pasa de { $before } a { $after }.
 wa-touching = { $node } solo toca: el sujeto pasa de { $before } a { $after } y sigue en el mismo lado.
+wa-touching-same = { $node } solo toca: el sujeto sigue { $before }.
 wa-pinching = { $node } es un estrangulamiento: cada borde pasa por el interior del otro, y dos esquinas del resultado se tocan.
 wa-inside = dentro
 wa-outside = fuera

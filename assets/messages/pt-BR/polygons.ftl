@@ -228,6 +228,7 @@ wa-inserted-vertex = Na lista do polígono de recorte, { $node } é o vértice {
 wa-entering = { $node } é de entrada: o polígono passa de { $before } para { $after }.
 wa-leaving = { $node } é de saída: o polígono passa de { $before } para { $after }.
 wa-touching = { $node } apenas toca: o polígono passa de { $before } para { $after } e continua do mesmo lado.
+wa-touching-same = { $node } apenas toca: o sujeito continua { $before }.
 wa-pinching = { $node } é um estrangulamento: cada contorno passa pelo interior do outro, e dois vértices do resultado se tocam.
 wa-inside = dentro
 wa-outside = fora

@@ -230,6 +230,7 @@ wa-inserted-vertex = 在裁剪多边形的顶点表中，{ $node } 就是顶点 
 wa-entering = { $node } 是入点：被裁剪多边形由{ $before }转到{ $after }。
 wa-leaving = { $node } 是出点：被裁剪多边形由{ $before }转到{ $after }。
 wa-touching = { $node } 只是相接：被裁剪多边形由{ $before }转到{ $after }，仍在同一侧。
+wa-touching-same = { $node } 只是相接：被裁剪多边形前后都在{ $before }。
 wa-pinching = { $node } 是捏合点：两条边界各自穿过对方内部，结果的两个角在此相接。
 wa-inside = 内部
 wa-outside = 外部

@@ -7,32 +7,27 @@ use crate::{
 
 use super::{Method, Scene};
 
-/// The clip region of `method`, and the subject's outlines as they were given.
+/// The clip region of `method`, if it has one, and the subject's outlines as they were given.
 #[must_use]
 pub fn backdrop(scene: &Scene, method: Method) -> Vec<Mark> {
-    let clip = region(scene, method);
+    let clip = region(scene, method).map(|clip| vec![outline(&clip)]);
     let subject = scene.rings().map(outline).collect();
-    vec![
-        Mark::new(Role::Ink, Shape::Area(vec![outline(&clip)])).linked("window"),
-        Mark::new(Role::Soft, Shape::Area(subject)).linked("subject"),
-    ]
+    let clip = clip.map(|clip| Mark::new(Role::Ink, Shape::Area(clip)).linked("window"));
+    let subject = Mark::new(Role::Soft, Shape::Area(subject)).linked("subject");
+    clip.into_iter().chain([subject]).collect()
 }
 
 /// The world rectangle that holds everything.
 #[must_use]
 pub fn bounds(scene: &Scene) -> [[f64; 2]; 2] {
     let clip = region(scene, scene.method);
-    let rings = scene.rings().chain([&clip]);
+    let rings = scene.rings().chain(&clip);
     extent(rings.flat_map(|ring| ring.vertices().iter().copied()))
 }
 
-/// What `method` clips against.
-fn region(scene: &Scene, method: Method) -> Polygon {
-    if method.info().takes_polygon {
-        scene.clip_outline()
-    } else {
-        Polygon::from(scene.window)
-    }
+/// What `method` clips against, if it clips.
+fn region(scene: &Scene, method: Method) -> Option<Polygon> {
+    method.info().clips.then(|| scene.clip_outline())
 }
 
 fn outline(polygon: &Polygon) -> Vec<[f64; 2]> {

@@ -9,8 +9,8 @@ use super::{Refusal, Scene};
 
 /// A polygon clipper that can be shown.
 pub trait PolygonDemo: Demo {
-    /// Can it use a clip polygon, or the window alone?
-    const TAKES_POLYGON: bool = true;
+    /// Does it clip: against the window, or a clip polygon in its place?
+    const CLIPS: bool = true;
     /// Does it carry texture coordinates along?
     const CARRIES_TEXTURE: bool = false;
     /// Does it know holes?

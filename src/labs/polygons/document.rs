@@ -17,16 +17,16 @@ impl Scene {
         [Some(self.method), self.compare].into_iter().flatten()
     }
 
-    /// The clip polygon, where there is one and a method on stage can use it.
+    /// The clip polygon, where there is one and a method on stage clips.
     #[must_use]
     pub fn clip_in_use(&self) -> Option<&Polygon> {
-        self.clip.as_ref().filter(|_| self.takes_polygon())
+        self.clip.as_ref().filter(|_| self.clips())
     }
 
-    /// Can a method on stage use a clip polygon?
+    /// Does a method on stage clip, so that there is a window or a clip polygon?
     #[must_use]
-    pub fn takes_polygon(&self) -> bool {
-        self.on_stage().any(|method| method.info().takes_polygon)
+    pub fn clips(&self) -> bool {
+        self.on_stage().any(|method| method.info().clips)
     }
 
     /// Does a method on stage know holes?
@@ -100,7 +100,8 @@ impl Document for Scene {
         handles.push(Handle::Subject);
         match self.clip_in_use() {
             Some(clip) => handles.extend((0..clip.vertices().len()).map(Handle::ClipVertex)),
-            None => handles.extend(Handle::of_window()),
+            None if self.clips() => handles.extend(Handle::of_window()),
+            None => {}
         }
         handles
     }

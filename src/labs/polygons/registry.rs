@@ -11,8 +11,8 @@ use super::{PolygonDemo, Scene, methods::faulty};
 pub struct MethodInfo {
     /// Names, source and pseudocode.
     pub card: MethodCard,
-    /// Can it use a clip polygon?
-    pub takes_polygon: bool,
+    /// Does it clip: against the window, or a clip polygon in its place?
+    pub clips: bool,
     /// Does it carry texture coordinates along?
     pub carries_texture: bool,
     /// Does it know holes?
@@ -23,7 +23,7 @@ pub struct MethodInfo {
 const fn info<A: PolygonDemo>() -> MethodInfo {
     MethodInfo {
         card: MethodCard::of::<A>(),
-        takes_polygon: A::TAKES_POLYGON,
+        clips: A::CLIPS,
         carries_texture: A::CARRIES_TEXTURE,
         knows_holes: A::KNOWS_HOLES,
         record: |scene| A::record(scene).unwrap_or_else(|refusal| refusal.run(scene)),

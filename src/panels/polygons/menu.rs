@@ -31,7 +31,7 @@ pub fn scene_menu(
         let button = Button::new(look.say(name_key)).right_text(key);
         let has_use = match outline {
             Outline::Subject => true,
-            Outline::Clip => scene.takes_polygon(),
+            Outline::Clip => scene.clips(),
             Outline::Hole => scene.knows_holes(),
         };
         if ui.add_enabled(has_use, button).clicked() {
@@ -76,7 +76,7 @@ fn holes(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PolygonsEdit> {
 
 fn clip(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PolygonsEdit> {
     let mut asked = None;
-    ui.add_enabled_ui(scene.takes_polygon(), |ui| {
+    ui.add_enabled_ui(scene.clips(), |ui| {
         ui.menu_button(look.say("region-title"), |ui| {
             let is_window = scene.clip.is_none();
             if ui.radio(is_window, look.say("region-window")).clicked() {

@@ -33,7 +33,7 @@ const MAX_ROWS: usize = 12;
 const FEW_ENOUGH: usize = 60;
 
 impl PolygonDemo for EarClipping {
-    const TAKES_POLYGON: bool = false;
+    const CLIPS: bool = false;
 
     fn input(scene: &Scene) -> Result<SimplePolygon, Refusal> {
         SimplePolygon::try_from(&scene.subject).map_err(|error| Refusal::new(Part::Subject, error))
@@ -300,8 +300,12 @@ fn ring_name(state: &State) -> Value {
 
 /// What this step is about.
 fn event_marks(step: &Step<'_, EarClipping>) -> Vec<Mark> {
-    let points = |triangle: Triangle| points_of(&step.state.cut_off, triangle);
-    let filled = |role, triangle| Mark::new(role, Shape::Polygon(points(triangle)));
+    let state = step.state;
+    let points = |triangle: Triangle| points_of(&state.cut_off, triangle);
+    let candidate = |role| {
+        let area = |triangle| Mark::new(role, Shape::Area(vec![points(triangle)]));
+        state.candidate.map(area).into_iter().collect()
+    };
     match step.event {
         Some(Event::Classify {
             vertex_idx,
@@ -312,64 +316,52 @@ fn event_marks(step: &Step<'_, EarClipping>) -> Vec<Mark> {
             let corner = points([prev_idx, vertex_idx, next_idx]);
             vec![Mark::new(Role::Signal, Shape::Path(corner))]
         }
-        Some(Event::Candidate { triangle } | Event::Last { triangle }) => {
-            vec![filled(Role::Signal, triangle)]
-        }
+        Some(Event::Candidate { .. } | Event::Last { .. }) => candidate(Role::Signal),
+        Some(Event::Blocked { .. }) => candidate(Role::Discarded),
+        Some(Event::Ear { .. }) => candidate(Role::Accepted),
         Some(Event::Cut { triangle, .. }) => {
-            let [from, _, to] = step.state.cut_off.corners(triangle).map(Point::to_array);
-            let diagonal = Mark::new(Role::Signal, Shape::Segment([from, to]));
-            vec![filled(Role::Accepted, triangle), diagonal]
-        }
-        Some(Event::Blocked { .. }) => {
-            let ring_of = |triangle| Shape::Outline(points(triangle));
-            let candidate = step.state.candidate.into_iter();
-            candidate
-                .map(|triangle| Mark::new(Role::Discarded, ring_of(triangle)))
-                .collect()
-        }
-        Some(Event::Ear { .. }) => {
-            let candidate = step.state.candidate.into_iter();
-            candidate.map(|t| filled(Role::Accent, t)).collect()
+            let [from, _, to] = state.cut_off.corners(triangle).map(Point::to_array);
+            vec![Mark::new(Role::Signal, Shape::Segment([from, to]))]
         }
         Some(Event::Round { .. } | Event::Pass { .. } | Event::Done { .. }) | None => Vec::new(),
     }
 }
 
-/// The vertices of what is left: a ring where one is not convex, a dot where it is; only those of this step
-/// where there are many.
+/// A dot for a convex vertex, a ring for any other, grey where it has been cut off. Where there are many only this
+/// step's have one.
 fn vertex_marks(step: &Step<'_, EarClipping>) -> Vec<Mark> {
     let state = step.state;
-    if state.is_done {
-        return Vec::new();
-    }
     let this_step: Vec<usize> = match step.event {
-        Some(Event::Classify { vertex_idx, .. } | Event::Pass { vertex_idx, .. }) => {
-            vec![vertex_idx]
-        }
+        Some(
+            Event::Classify { vertex_idx, .. }
+            | Event::Pass { vertex_idx, .. }
+            | Event::Ear { vertex_idx },
+        ) => vec![vertex_idx],
         Some(Event::Blocked {
             vertex_idx, by_idx, ..
         }) => vec![vertex_idx, by_idx],
-        Some(Event::Ear { vertex_idx }) => vec![vertex_idx],
         Some(Event::Candidate { triangle }) => vec![triangle[1]],
         _ => Vec::new(),
     };
-    let shown: Vec<usize> = if state.ring.len() <= FEW_ENOUGH {
-        state.ring.iter().collect()
+    let cut_off = state.cut_off.triangles().iter().map(|triangle| triangle[1]);
+    let shown: Vec<usize> = if state.corners.len() <= FEW_ENOUGH {
+        let cut_off = cut_off.filter(|&i| !state.ring.contains(i));
+        state.ring.iter().chain(cut_off).collect()
     } else {
         this_step.clone()
     };
-    shown
-        .into_iter()
-        .map(|i| {
-            let role = if this_step.contains(&i) {
-                Role::Signal
-            } else {
-                Role::Ink
-            };
-            let is_convex = state.corners[i].is_none_or(|corner| corner == Corner::Convex);
-            vertex_mark(role, is_convex, state.cut_off.at(i))
-                .labelled(vertex_name(i))
-                .linked(vertex_link(i))
-        })
-        .collect()
+    let mark = |i: usize| {
+        let role = if this_step.contains(&i) {
+            Role::Signal
+        } else if state.ring.contains(i) {
+            Role::Ink
+        } else {
+            Role::Soft
+        };
+        let is_convex = state.corners[i].is_none_or(|corner| corner == Corner::Convex);
+        vertex_mark(role, is_convex, state.cut_off.at(i))
+            .labelled(vertex_name(i))
+            .linked(vertex_link(i))
+    };
+    shown.into_iter().map(mark).collect()
 }

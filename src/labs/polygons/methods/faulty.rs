@@ -4,10 +4,15 @@
 use serde_json::Value as Json;
 
 use crate::{
-    algo::polygon::{
-        ClippedRing, SutherlandHodgman, SutherlandHodgmanEvent as Event,
-        SutherlandHodgmanInput as Input, SutherlandHodgmanState as State,
-        faulty::{CutsTwice, DropsOnBorder, EndFirst, Faulty, KeepsUv, LeavesOpen, WalksClockwise},
+    algo::{
+        line::Ratio,
+        polygon::{
+            ClippedRing, SutherlandHodgman, SutherlandHodgmanEvent as Event,
+            SutherlandHodgmanInput as Input, SutherlandHodgmanState as State,
+            faulty::{
+                CutsTwice, DropsOnBorder, EndFirst, Faulty, KeepsUv, LeavesOpen, WalksClockwise,
+            },
+        },
     },
     figure::{Caption, Frame, Mark, Run, Tick, Watch},
     geom::Point,
@@ -15,13 +20,13 @@ use crate::{
         self, CodeLine, Demo, Step,
         polygons::{PolygonDemo, Refusal, Scene},
     },
-    text::Message,
+    text::{Formula, Message},
     trace::{Algorithm, Counts},
 };
 
 use super::{
     clip_edge::Look,
-    skin::Corner,
+    skin::{Corner, Named},
     sutherland_hodgman::{
         CODE, SOURCE, caption, input, line_of, marks, opening, textured, tick, watch,
     },
@@ -41,6 +46,12 @@ pub type EndBeforeCrossing = Faulty<EndFirst>;
 impl Corner for KeepsUv {
     fn uv(&self) -> Option<[f64; 2]> {
         Some(self.uv)
+    }
+
+    fn uv_formula(&self, ends: [&Named<Self>; 2], _: Ratio) -> Option<Formula> {
+        let owner = ends.into_iter().find(|end| end.vertex.uv == self.uv)?;
+        let formula = Formula::default().sym(format!("uv(I) = uv({}) = ", owner.symbol));
+        Some(formula.point(self.uv))
     }
 }
 

@@ -56,18 +56,21 @@ fn point<V: Vertex>(vertex: &V) -> Value {
     Value::Point(vertex.at().to_array())
 }
 
-/// Input list and output list. Where they are long: the input about `current`, and the output's end.
-pub fn rows<V: Vertex>(input: &[V], output: &[V], current: usize) -> Vec<WatchSection> {
+/// Input list and output list, with their places in the texture where they have such. Where they are long: the
+/// input about `current`, and the output's end.
+pub fn rows<V: Corner>(input: &[V], output: &[V], current: usize) -> Vec<WatchSection> {
     let n = input.len().max(output.len());
     if n <= FEW {
-        let row = |i: usize| {
-            let cells = vec![input.get(i).map(point), output.get(i).map(point)];
-            WatchRow::table(name(subscript(i + 1)), cells).linked(vertex_link(i))
+        let table = |header: [&'static str; 2], value: fn(&V) -> Option<Value>| {
+            let row = |i: usize| {
+                let cells = [input, output].map(|list| list.get(i).and_then(value));
+                WatchRow::table(name((i + 1).to_string()), cells.to_vec()).linked(vertex_link(i))
+            };
+            WatchSection::table(header.to_vec(), (0..n).map(row).collect())
         };
-        return vec![WatchSection::table(
-            vec!["V", "V′"],
-            (0..n).map(row).collect(),
-        )];
+        let places = table(["V", "V′"], |v| Some(point(v)));
+        let texels = V::IS_TEXTURED.then(|| table(["uv", "uv′"], |v| v.uv().map(Value::Point)));
+        return std::iter::once(places).chain(texels).collect();
     }
     let start = current
         .saturating_sub(ROWS / 2)
@@ -129,29 +132,46 @@ pub fn result<V: Vertex>(
     }
 }
 
-/// Edges along the region's border that run against the ring's own winding: they are walked there and back, and
-/// have no area. Where they are many, the first few.
+/// Edges along the region's border that run against the ring's own winding, over others that run with it: they
+/// are walked there and back, and have no area. Where they are many, the first few; the first has the name.
 fn bridges<V: Vertex>(ring: &[V], region: &ClipRegion) -> Vec<Mark> {
     let n = ring.len();
-    let edge = |i: usize| [i, (i + 1) % n].map(|k| ring[k].at());
-    let is_counter_clockwise = (0..n).map(|i| cross(edge(i), ring[0].at())).sum::<f64>() > 0.0;
-    let is_bridge = |ends: &[Point; 2]| {
-        ends[0] != ends[1]
-            && (0..region.n_edges()).any(|idx| {
-                let edge = ClipEdge::new(region, idx, Look::default());
-                edge.carries(*ends) && edge.runs_forward(*ends) != is_counter_clockwise
-            })
+    let edges: Vec<[Point; 2]> = (0..n)
+        .map(|i| [i, (i + 1) % n].map(|k| ring[k].at()))
+        .filter(|ends| ends[0] != ends[1])
+        .collect();
+    let is_counter_clockwise = edges.iter().map(|&e| cross(e, ring[0].at())).sum::<f64>() > 0.0;
+    let borders: Vec<_> = (0..region.n_edges())
+        .map(|idx| ClipEdge::new(region, idx, Look::default()))
+        .collect();
+    let is_bridge = |&ends: &[Point; 2]| {
+        let mut borders = borders.iter().filter(|border| border.carries(ends));
+        borders.any(|border| {
+            border.runs_forward(ends) != is_counter_clockwise
+                && edges.iter().any(|&back| {
+                    border.carries(back)
+                        && border.runs_forward(back) == is_counter_clockwise
+                        && overlap(ends, back)
+                })
+        })
     };
-    let mark = |ends: [Point; 2]| {
-        let shape = Shape::Segment(ends.map(Point::to_array));
-        Mark::new(Role::Signal, shape).labelled(Value::Term("sh-bridge"))
+    let found = edges.iter().copied().filter(is_bridge).take(NAMED);
+    let mark = |(i, ends): (usize, [Point; 2])| {
+        let mark = Mark::new(Role::Signal, Shape::Segment(ends.map(Point::to_array)));
+        if i == 0 {
+            mark.labelled(Value::Term("sh-bridge"))
+        } else {
+            mark
+        }
     };
-    (0..n)
-        .map(edge)
-        .filter(is_bridge)
-        .take(NAMED)
-        .map(mark)
-        .collect()
+    found.enumerate().map(mark).collect()
+}
+
+/// Have two edges of one line more than a point in common?
+fn overlap([a, b]: [Point; 2], other: [Point; 2]) -> bool {
+    let along = |p: Point| (p.x() - a.x()) * (b.x() - a.x()) + (p.y() - a.y()) * (b.y() - a.y());
+    let [p, q] = other.map(along);
+    p.min(q) < along(b) && p.max(q) > 0.0
 }
 
 fn cross(ends: [Point; 2], origin: Point) -> f64 {

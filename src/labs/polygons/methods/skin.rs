@@ -3,9 +3,13 @@
 use serde::Serialize;
 
 use crate::{
-    algo::polygon::{Textured, Vertex},
+    algo::{
+        line::Ratio,
+        polygon::{Textured, Vertex},
+    },
     figure::{Mark, Role, Shape, Texel},
     geom::Point,
+    text::Formula,
 };
 
 /// Rings with more vertices than this are shown without their texture: to cut them into triangles takes time
@@ -19,6 +23,25 @@ pub trait Corner: Vertex + Serialize + 'static {
 
     /// Where in the texture.
     fn uv(&self) -> Option<[f64; 2]>;
+
+    /// How a crossing came to its place in the texture: `uv(I) = 1/4 · (0, 0) + 3/4 · (1, 1/4) = (3/4, 3/16)`.
+    fn uv_formula(&self, [s, p]: [&Named<Self>; 2], t: Ratio) -> Option<Formula> {
+        let [uv, uv_s, uv_p] = [self.uv()?, s.vertex.uv()?, p.vertex.uv()?];
+        let formula = Formula::default()
+            .sym("uv(I) = ")
+            .ratio(t.den - t.num, t.den);
+        let formula = formula.sym(" · ").point(uv_s).sym(" + ");
+        let formula = formula.ratio(t.num, t.den).sym(" · ").point(uv_p);
+        Some(formula.sym(" = ").point(uv))
+    }
+}
+
+/// A vertex, and how it is called.
+pub struct Named<V> {
+    /// `V₃`
+    pub symbol: String,
+    /// The vertex.
+    pub vertex: V,
 }
 
 impl Corner for Point {

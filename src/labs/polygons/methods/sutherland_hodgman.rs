@@ -24,7 +24,7 @@ use super::{
     faulty,
     lists::{input_symbol, names, outline, output_symbol, result, rows, vertex_link},
     rules::{side_term, starts_inside, test_caption},
-    skin::{Corner, skin},
+    skin::{Corner, Named, skin},
 };
 
 const EACH: usize = 0;
@@ -204,7 +204,7 @@ pub fn caption<V: Corner>(
             distances,
             rule,
         } => test_caption(&edge, idx, ends.map(|v| v.at()), distances, rule),
-        Event::Cross { at, t } => cross_caption(&edge, before, at.at(), t),
+        Event::Cross { at, t } => cross_caption(&edge, before, at, t),
         Event::Output { at } => {
             let symbol = output_symbol(before.output.len());
             let message = Message::new("sh-output")
@@ -229,21 +229,27 @@ pub fn caption<V: Corner>(
 fn cross_caption<V: Corner>(
     edge: &ClipEdge<'_>,
     before: &State<V>,
-    at: Point,
+    crossing: V,
     t: Ratio,
 ) -> Caption {
+    let at = crossing.at();
     // A crossing follows a test.
     let (idx, distances) = before
         .test
         .map_or(([0; 2], [0.0; 2]), |test| (test.idx, test.distances));
-    let ends = idx.map(|i| before.input.get(i).map_or(at, V::at));
+    let ends = idx.map(|i| Named {
+        symbol: input_symbol(i),
+        vertex: before.input.get(i).copied().unwrap_or(crossing),
+    });
     let message = Message::new("sh-cross")
-        .with("from", name(input_symbol(idx[0])))
-        .with("to", name(input_symbol(idx[1])))
+        .with("from", name(ends[0].symbol.clone()))
+        .with("to", name(ends[1].symbol.clone()))
         .with("border", edge.border());
-    let formulas = edge.crossing(ends, distances, t, at);
+    let points = [ends[0].vertex.at(), ends[1].vertex.at()];
+    let formulas = edge.crossing(points, distances, t, at);
     formulas
         .into_iter()
+        .chain(crossing.uv_formula([&ends[0], &ends[1]], t))
         .fold(Caption::new(message), Caption::so)
 }
 

@@ -231,19 +231,13 @@ fn piece_marks(pieces: &Pieces) -> Vec<Mark> {
     rings.map(mark).collect()
 }
 
-/// The answer: the pieces merged, with the seams as thin lines.
+/// The answer: the pieces merged.
 fn merged_marks(pieces: &Pieces) -> Vec<Mark> {
-    if pieces.is_empty() {
+    let rings: Vec<Vec<[f64; 2]>> = pieces.merged().iter().map(|ring| points(ring)).collect();
+    if rings.is_empty() {
         return Vec::new();
     }
-    let merged = pieces.merged();
-    let area = Shape::Area(merged.iter().map(|ring| points(ring)).collect());
-    let mut marks = vec![Mark::new(Role::Accepted, area)];
-    if pieces.len() <= FEW_ENOUGH {
-        let seam = |ring| Mark::new(Role::Faint, Shape::Outline(points(ring)));
-        marks.extend(pieces.rings().map(seam));
-    }
-    marks
+    vec![Mark::new(Role::Accepted, Shape::Area(rings))]
 }
 
 fn points(ring: &[Point]) -> Vec<[f64; 2]> {

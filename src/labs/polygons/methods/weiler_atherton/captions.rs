@@ -231,6 +231,9 @@ fn labelled(node_idx: u32, label: Label, [before, after]: [Side; 2], state: &Sta
     let key = match label {
         Label::Entering => "wa-entering",
         Label::Leaving => "wa-leaving",
+        Label::Touching if before == after && matches!(before, Side::Inside | Side::Outside) => {
+            "wa-touching-same"
+        }
         Label::Touching => "wa-touching",
         Label::Pinching => "wa-pinching",
     };
