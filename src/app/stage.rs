@@ -8,6 +8,7 @@ use crate::{
     labs::{Handle, Lock, MethodCard, Scene},
     paint::Viewport,
     panels::{Reach, polygons::Sketch, spots},
+    text::Message,
     widgets::{
         Canvas, CanvasShown, Spot, View, caption, caption_height, caption_text, column_title,
         gripped, number_line, number_line_height,
@@ -123,9 +124,9 @@ impl StageState {
                 marks,
             });
         }
-        let is_drawing = self.sketch.is_some();
+        let is_bare = self.sketch.is_some() || model.playback.is_late();
         let layers = &mut self.layers[column];
-        if is_drawing {
+        if is_bare {
             return &layers.marks[..layers.n_under];
         }
         if layers.step != step {
@@ -227,10 +228,9 @@ impl Column<'_> {
         frame: &Frame,
     ) -> CanvasShown {
         let look = model.look;
-        let hint = state
-            .sketch
-            .as_ref()
-            .map(|drawn| Caption::new(drawn.hint()));
+        let hint = state.sketch.as_ref().map(Sketch::hint);
+        let late = || (model.playback.is_late()).then(|| Message::new("run-later"));
+        let hint = hint.or_else(late).map(Caption::new);
         let said = hint.as_ref().unwrap_or(&frame.caption);
         let n_rows = self.caption_rows(model);
         let whole = if self.is_one_of_two {
@@ -309,7 +309,8 @@ impl Column<'_> {
     ) -> Vec<Spot> {
         let reach = Reach {
             viewport,
-            pointer: ui.ctx().pointer_latest_pos(),
+            // What a drag takes hold of is where the button went down.
+            pointer: ui.input(|input| input.pointer.press_origin().or(input.pointer.latest_pos())),
             focused: self.hands.focused,
             selected: state.selected,
             gripped: gripped(ui, id),

@@ -3,6 +3,7 @@
 //! - `cases`: every degeneracy by name, with the answer written out.
 //! - `properties`: random polygons on small grids, against an exact rational oracle and i_overlay.
 //! - `floats`: what is promised for any finite numbers.
+//! - `logs`: event logs of worked examples, as text.
 #![allow(
     clippy::unreadable_literal,
     reason = "failing cases stand as they were found, digit for digit"
@@ -10,6 +11,7 @@
 
 mod cases;
 mod floats;
+mod logs;
 mod oracle;
 mod properties;
 mod shapes;

@@ -155,6 +155,10 @@ fn backspace_takes_a_point_back_and_escape_leaves_everything_as_it_was() {
 #[test]
 fn a_clip_polygon_and_a_hole_are_drawn_the_same_way() {
     let mut bench = Bench::polygons();
+    bench.key(Key::H);
+    assert_eq!(bench.hint(), None, "Sutherland–Hodgman knows no holes");
+    assert!(!bench.app.notices.is_empty(), "and that is said");
+    bench.command(Command::Edit(Edit::Method("weiler-atherton"), None));
     for (key, outline) in [(Key::C, Outline::Clip), (Key::H, Outline::Hole)] {
         bench.key(key);
         assert!(bench.hint().is_some(), "{outline:?}");
