@@ -138,7 +138,7 @@ impl App {
     fn useless(&self, outline: Outline) -> Option<Value> {
         let scene = self.document.now().as_polygons()?;
         match outline {
-            Outline::Clip if !scene.takes_polygon() => Some(Value::Term("part-clip")),
+            Outline::Clip if !scene.clips() => Some(Value::Term("part-clip")),
             Outline::Hole if !scene.knows_holes() => Some(Value::Term("part-hole")),
             _ => None,
         }
