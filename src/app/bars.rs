@@ -4,6 +4,7 @@ use egui::{Align, Button, Layout, Rect, RichText, Ui, UiBuilder, pos2, vec2};
 
 use crate::{
     labs::{Lab, Scene},
+    lesson::CodeView,
     paint::theme,
     panels::{
         Edit, compare_picker, lines, method_picker,
@@ -91,7 +92,7 @@ fn tab(model: &Model<'_>, ui: &mut Ui, lab: Lab, bar: Rect, commands: &mut Vec<C
 }
 
 fn pickers(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
-    let edit = method_picker(ui, model.look, model.scene);
+    let edit = method_picker(ui, model.look, model.scene, model.code == CodeView::Hidden);
     commands.extend(edit.map(|edit| Command::Edit(edit, None)));
     if ui.available_width() > 150.0 * model.look.theme.text_scale {
         let edit = compare_picker(ui, model.look, model.scene);

@@ -99,6 +99,8 @@ struct Column {
     method: &'static MethodCard,
     frame: Frame,
     at_end: bool,
+    /// Could the method take the scene? What it has not done has no cost.
+    has_run: bool,
 }
 
 impl Column {
@@ -107,6 +109,7 @@ impl Column {
             method,
             frame: run.frame(step.min(run.n_steps())),
             at_end: step >= run.n_steps(),
+            has_run: run.n_steps() > 0,
         }
     }
 }
@@ -163,7 +166,7 @@ impl Page<'_> {
         ui.painter().hline(rect.x_range(), strip_top, hairline);
         let at = pos2(rect.left() + margin_x, caption_top);
         ui.painter().galley(at, caption, self.look.theme.ink);
-        if self.is_comparison {
+        if self.is_comparison && column.has_run {
             self.cost(ui, pos2(at.x, bottom), &frame.counts);
         }
     }

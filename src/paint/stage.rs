@@ -166,7 +166,7 @@ impl<'a> Stage<'a> {
     fn stroke(&self, mark: &Mark) -> Stroke {
         let living = matches!(mark.role, Role::Accent | Role::Accepted);
         let width = match (&mark.shape, mark.role) {
-            (Shape::Segment(_), _) if living => 3.0,
+            (Shape::Segment(_) | Shape::Path(_), _) if living => 3.0,
             (_, Role::Faint) => 1.0,
             (Shape::Cross(_) | Shape::Segment(_), Role::Discarded) => 1.75,
             _ => 2.0,

@@ -13,14 +13,20 @@ use super::Edit;
 const LIST_PTS: f32 = 560.0;
 
 /// The scene's method; the change that was asked for.
-pub fn method_picker(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<Edit> {
+/// Where `asks` first, a faulty one is not called by its fault.
+pub fn method_picker(ui: &mut Ui, look: Look<'_>, scene: &Scene, asks: bool) -> Option<Edit> {
     let mut asked = None;
     let name = |card: &MethodCard| look.say(card.name_key);
     let now = *scene.methods().first()?;
+    let shown = if asks && now.is_faulty {
+        look.say("faulty-unnamed")
+    } else {
+        name(now)
+    };
     let combo = ComboBox::from_id_salt("method")
         .height(LIST_PTS)
         .icon(chevron)
-        .selected_text(name(now))
+        .selected_text(shown)
         .show_ui(ui, |ui| {
             for card in scene.lab().methods() {
                 if card.is_faulty {

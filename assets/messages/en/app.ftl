@@ -132,6 +132,7 @@ help-draw-close = While drawing: close the outline
 help-draw-back = While drawing: take the last vertex back
 help-edge = Double click or Ctrl and click on an edge: a new vertex there
 faulty-title = What is wrong here?
+faulty-unnamed = A student’s program
 differs-from = differs from step { $step } on
 differs-nowhere = same steps on this input
 run-later = Let go: the run of so large a scene is recorded again then.

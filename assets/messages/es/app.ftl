@@ -132,6 +132,7 @@ help-draw-close = Al dibujar: cerrar el contorno
 help-draw-back = Al dibujar: deshacer el último vértice
 help-edge = Doble clic, o Ctrl y clic, en una arista: un vértice nuevo ahí
 faulty-title = ¿Qué falla aquí?
+faulty-unnamed = El programa de un estudiante
 differs-from = difiere desde el paso { $step }
 differs-nowhere = mismos pasos con esta entrada
 run-later = Al soltar se registra de nuevo la ejecución: la escena es demasiado grande para hacerlo mientras se arrastra.

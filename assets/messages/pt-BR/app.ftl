@@ -132,6 +132,7 @@ help-draw-close = Ao desenhar: fechar o contorno
 help-draw-back = Ao desenhar: desfazer o último vértice
 help-edge = Clique duplo, ou Ctrl e clique, em uma aresta: um novo vértice ali
 faulty-title = O que está errado aqui?
+faulty-unnamed = O programa de um estudante
 differs-from = difere a partir do passo { $step }
 differs-nowhere = mesmos passos com esta entrada
 run-later = Ao soltar, a execução é registrada de novo: a cena é grande demais para isso durante o arraste.

@@ -124,6 +124,7 @@ help-draw-close = 绘制时：闭合轮廓
 help-draw-back = 绘制时：撤回上一个顶点
 help-edge = 双击一条边，或按住 Ctrl 单击：在该处插入顶点
 faulty-title = 这里错在哪里？
+faulty-unnamed = 某位学生的程序
 differs-from = 从第 { $step } 步起不同
 differs-nowhere = 对此输入，各步相同
 run-later = 松开后重新记录：场景太大，无法边拖动边运行。

@@ -9,11 +9,17 @@ use super::{Method, Scene};
 
 /// The clip region of `method`, if it has one, and the subject's outlines as they were given.
 #[must_use]
-pub fn backdrop(scene: &Scene, method: Method) -> Vec<Mark> {
+pub fn backdrop(scene: &Scene, method: Method, at_end: bool) -> Vec<Mark> {
     let clip = region(scene, method).map(|clip| vec![outline(&clip)]);
     let subject = scene.rings().map(outline).collect();
     let clip = clip.map(|clip| Mark::new(Role::Ink, Shape::Area(clip)).linked("window"));
-    let subject = Mark::new(Role::Soft, Shape::Area(subject)).linked("subject");
+    // What is not covered by the result has been cut off.
+    let role = if at_end && method.info().clips {
+        Role::Discarded
+    } else {
+        Role::Soft
+    };
+    let subject = Mark::new(role, Shape::Area(subject)).linked("subject");
     clip.into_iter().chain([subject]).collect()
 }
 

@@ -82,9 +82,9 @@ impl Document for Scene {
         self.on_stage().map(|method| method.record(self)).collect()
     }
 
-    fn backdrop(&self, column: usize, _at_end: bool) -> Vec<Mark> {
+    fn backdrop(&self, column: usize, at_end: bool) -> Vec<Mark> {
         let method = self.on_stage().nth(column).unwrap_or(self.method);
-        backdrop(self, method)
+        backdrop(self, method, at_end)
     }
 
     fn bounds(&self) -> [[f64; 2]; 2] {

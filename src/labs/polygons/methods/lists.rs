@@ -134,7 +134,7 @@ pub fn result<V: Vertex>(
 
 /// Edges along the region's border that run against the ring's own winding, over others that run with it: they
 /// are walked there and back, and have no area. Where they are many, the first few; the first has the name.
-fn bridges<V: Vertex>(ring: &[V], region: &ClipRegion) -> Vec<Mark> {
+pub fn bridges<V: Vertex>(ring: &[V], region: &ClipRegion) -> Vec<Mark> {
     let n = ring.len();
     let edges: Vec<[Point; 2]> = (0..n)
         .map(|i| [i, (i + 1) % n].map(|k| ring[k].at()))

@@ -22,7 +22,7 @@ use crate::{
 use super::{
     clip_edge::{ClipEdge, Look},
     faulty,
-    lists::{input_symbol, names, outline, output_symbol, result, rows, vertex_link},
+    lists::{bridges, input_symbol, names, outline, output_symbol, result, rows, vertex_link},
     rules::{side_term, starts_inside, test_caption},
     skin::{Corner, Named, skin},
 };
@@ -303,6 +303,9 @@ pub fn marks<V: Corner>(
         (None, None) => Vec::new(),
     };
     marks.extend(names(&state.input, &shown));
+    if let Some(Event::Pass { .. }) = event {
+        marks.extend(bridges(&state.input, &input.region));
+    }
     marks.extend(moment(state, event));
     marks
 }

@@ -116,14 +116,25 @@ fn found(event: &Event, input: &Input) -> Caption {
                 List::Clip => (u, c),
             };
             let ends = names::border(input, list).edge(edge_idx);
+            let other_idx = if list == List::Subject { c } else { s };
+            let other = names::border(input, list.other()).edge(other_idx);
+            let coordinate = |axis| {
+                let [[a, _], [b, _]] = other.map(|p| along(p, axis));
+                if a == b {
+                    // Along an upright edge nothing is left to compute.
+                    let formula = Formula::default().sym(axis_symbol(axis)).sym(" = ");
+                    return formula.num(a);
+                }
+                mean(axis, ends, ratio, at)
+            };
             let message = message("wa-found-crossing")
                 .with("subject", name(subject))
                 .with("clip", name(clip));
             Caption::new(message)
                 .so(parameter("t", "a", t))
                 .so(parameter("u", "b", u))
-                .so(mean(Axis::X, ends, ratio, at))
-                .so(mean(Axis::Y, ends, ratio, at))
+                .so(coordinate(Axis::X))
+                .so(coordinate(Axis::Y))
         }
         Contact::SubjectVertex => {
             let message = message("wa-found-on-edge")

@@ -38,7 +38,14 @@ pub fn marks(step: &Step<'_, WeilerAtherton>) -> Vec<Mark> {
     if let Some((list, place)) = state.position
         && let Some(entry) = state.lists[list.idx()].get(place as usize)
     {
-        marks.push(Mark::new(Role::Signal, Shape::Dot(entry.at.to_array())));
+        // Hollow where it leaves, as the intersection itself is drawn.
+        let label = entry.node.and_then(|node| state.labels.get(node as usize));
+        let at = entry.at.to_array();
+        let shape = match label {
+            Some(label) if label.label == Label::Leaving => Shape::Ring(at),
+            _ => Shape::Dot(at),
+        };
+        marks.push(Mark::new(Role::Signal, shape));
     }
     marks
 }
