@@ -189,12 +189,7 @@ pub fn run() {
         ));
         desk.seek(desk.n_steps() / 2);
         let took = doing.frames(&mut desk, N_POLYGON_FRAMES);
-        row(
-            "a polygon of 10,000 vertices",
-            doing,
-            &took,
-            POLYGON_TARGET,
-        );
+        row("a polygon of 10,000 vertices", doing, &took, POLYGON_TARGET);
     }
     println!();
 }

@@ -43,15 +43,15 @@ struct Kind {
 
 const KINDS: [Kind; 3] = [
     Kind {
-        name: "stars whose edges cross everywhere",
+        name: "stars with long spikes",
         make: |n| [star(n, 1, 0.5, [0.0; 2]), star(n, 2, 0.5, [0.01, 0.02])],
     },
     Kind {
-        name: "rough discs beside each other, few crossings",
+        name: "rough discs that overlap",
         make: |n| [star(n, 1, 0.02, [0.0; 2]), star(n, 2, 0.02, [0.9, 0.3])],
     },
     Kind {
-        name: "combs, tooth through tooth",
+        name: "combs, tooth across tooth",
         make: |n| [comb(n, false), comb(n, true)],
     },
 ];
