@@ -147,8 +147,8 @@ pub fn run() {
         "The lines lab at 1280 × 720, layout and tessellation, milliseconds; medians of {N_FRAMES} frames, of \
          {N_CROWDED_FRAMES} with {N_CROWD} segments, of {N_POLYGON_FRAMES} with {N_VERTICES} vertices.\n"
     );
-    println!("| scene | doing | layout | tessellation | both | 95 % under | target | |");
-    println!("|---|---|--:|--:|--:|--:|--:|---|");
+    println!("| scene | doing | layout | tessellation | both | 95 % under | slowest | target | |");
+    println!("|---|---|--:|--:|--:|--:|--:|--:|---|");
     for (name, lesson, step) in [
         ("Cohen–Sutherland", CUTTING[0], CUTTING[1]),
         ("Liang–Barsky", "05-intervals", "entering"),
@@ -187,7 +187,8 @@ pub fn run() {
             }),
             None,
         ));
-        desk.seek(desk.n_steps() / 2);
+        let n_steps = desk.n_steps();
+        desk.seek(n_steps / 2);
         let took = doing.frames(&mut desk, N_POLYGON_FRAMES);
         row("a polygon of 10,000 vertices", doing, &took, POLYGON_TARGET);
     }
@@ -204,12 +205,13 @@ fn edited(edit: Edit) -> Desk {
 fn row(scene: &str, doing: Doing, took: &[Took], target: Target) {
     let ms = |part: fn(&Took) -> f64| 1e3 * median(took.iter().map(part));
     let both = ms(|took| took.both());
+    let slowest = 1e3 * quantile(took.iter().map(|took| took.both()), 0.999_999);
     println!(
-        "| {scene} | {} | {:.2} | {:.2} | {both:.2} | {:.2} | {} |",
+        "| {scene} | {} | {:.2} | {:.2} | {both:.2} | {:.2} | {slowest:.2} | {} |",
         doing.name(),
         ms(|took| took.layout),
         ms(|took| took.tessellation),
         1e3 * quantile(took.iter().map(|took| took.both()), 0.95),
-        target.cells(both),
+        target.cells(if scene.contains("10,000") { slowest } else { both }),
     );
 }

@@ -5,8 +5,11 @@ use egui::Context;
 use crate::{
     labs::{Handle, Lab},
     lesson::scene_to_toml,
-    panels::{Edit, polygons::Sketch},
-    text::{Catalog, Message},
+    panels::{
+        Edit,
+        polygons::{Outline, Sketch},
+    },
+    text::{Catalog, Message, Value},
 };
 
 use super::{
@@ -109,7 +112,11 @@ impl App {
             .edit(gesture, now, size, |scene| edit.apply(scene));
         match changed {
             Ok(true) => {
-                self.playback.rerecord(self.document.now());
+                if is_drag && self.document.is_in_gesture() {
+                    self.playback.follow(self.document.now());
+                } else {
+                    self.playback.rerecord(self.document.now());
+                }
                 if fits {
                     self.stage.fit(self.document.now());
                 }
@@ -127,18 +134,34 @@ impl App {
         }
     }
 
+    /// The name of what no method on stage can use.
+    fn useless(&self, outline: Outline) -> Option<Value> {
+        let scene = self.document.now().as_polygons()?;
+        match outline {
+            Outline::Clip if !scene.clips() => Some(Value::Term("part-clip")),
+            Outline::Hole if !scene.knows_holes() => Some(Value::Term("part-hole")),
+            _ => None,
+        }
+    }
+
     /// Draws an outline: the scene changes when it is closed.
     fn sketch(&mut self, ctx: &Context, command: &Command, now: f64) {
         if self.document.now().lab() != Lab::Polygons {
             return;
         }
         if let Command::Draw(outline) = *command {
+            if let Some(part) = self.useless(outline) {
+                let message = Message::new("draw-no-use").with("part", part);
+                let text = self.catalog().message(&message);
+                self.notices.push(Notice::passing(text, now));
+                return;
+            }
             self.stage.sketch = Some(Sketch::new(outline));
             self.stage.selected = None;
             self.shown.room = Room::Stage;
             self.playback.transport_mut().pause();
             // Enter closes the outline: it must not press a button.
-            ctx.memory_mut(|memory| memory.stop_text_input());
+            ctx.memory_mut(egui::Memory::stop_text_input);
             return;
         }
         let Some(sketch) = &mut self.stage.sketch else {

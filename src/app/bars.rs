@@ -60,8 +60,9 @@ pub fn top(
                 });
                 for lab in Lab::ALL {
                     tab(model, ui, lab, bar, commands);
+                    ui.add_space(12.0);
                 }
-                ui.add_space(16.0);
+                ui.add_space(4.0);
             }
             pickers(model, ui, commands);
         });

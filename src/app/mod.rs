@@ -216,6 +216,9 @@ impl App {
         self.take_changed_course(now);
         self.pass_time(&ctx, now);
         let is_dragging = self.document.is_in_gesture();
+        if self.playback.is_late() && !is_dragging {
+            self.playback.rerecord(self.document.now());
+        }
         self.playback.compare(self.document.now(), is_dragging);
         self.playback.prepare();
 

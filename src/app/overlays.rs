@@ -14,6 +14,9 @@ use crate::{
 
 use super::{App, BINDINGS, Command, Dialog, notice::Notice};
 
+/// Width of the list of keys at text scale 1, where there is room.
+const WIDTH: f32 = 528.0;
+
 /// Draws whatever is open.
 pub fn show(app: &mut App, ui: &mut Ui, commands: &mut Vec<Command>) {
     let ctx = ui.ctx().clone();
@@ -97,6 +100,7 @@ fn text(ui: &mut Ui, look: Look<'_>, notice: &Notice) {
 fn help(ctx: &Context, look: Look<'_>, commands: &mut Vec<Command>) {
     let response = modal("help", look).show(ctx, |ui| {
         let height = ctx.content_rect().height() - 120.0;
+        ui.set_max_width(WIDTH * look.theme.text_scale);
         heading(ui, look, "help-title", commands);
         ScrollArea::vertical()
             .max_height(height.max(60.0))
@@ -124,7 +128,8 @@ fn help(ctx: &Context, look: Look<'_>, commands: &mut Vec<Command>) {
                     });
                 ui.add_space(8.0);
                 for note in ["help-drag", "help-edge"] {
-                    ui.label(RichText::new(look.say(note)).color(look.theme.soft));
+                    let text = RichText::new(look.say(note)).color(look.theme.soft);
+                    ui.add(egui::Label::new(text).wrap());
                 }
             });
     });
@@ -134,9 +139,10 @@ fn help(ctx: &Context, look: Look<'_>, commands: &mut Vec<Command>) {
 }
 
 fn heading(ui: &mut Ui, look: Look<'_>, key: &str, commands: &mut Vec<Command>) {
-    /// As wide as the list of keys, where there is room.
-    const WIDTH: f32 = 528.0;
-    let size = vec2(ui.available_width().min(WIDTH), 32.0);
+    let size = vec2(
+        ui.available_width().min(WIDTH * look.theme.text_scale),
+        32.0,
+    );
     ui.allocate_ui_with_layout(size, Layout::right_to_left(Align::Center), |ui| {
         if icon_button(ui, look, Icon::Close, &look.say("action-close"), true).clicked() {
             commands.push(Command::Show(None));

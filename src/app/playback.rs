@@ -3,6 +3,7 @@
 use crate::{
     figure::{Frame, Run, Tick},
     labs::{Difference, MethodCard, Scene},
+    panels::Stopwatch,
     trace::{Counts, Transport},
 };
 
@@ -20,6 +21,10 @@ pub struct Playback {
     /// Frames of the step they were made for.
     frames: Vec<Frame>,
     framed_at: Option<usize>,
+    /// How many of the last recordings one after the other took too long for a drag.
+    n_slow: usize,
+    /// The scene has changed since: what is recorded is of an earlier one.
+    is_late: bool,
     /// When time last passed, in seconds.
     clock: Option<f64>,
 }
@@ -35,6 +40,12 @@ enum Compared {
 
 /// More phases than this are not marked on the timeline.
 const MOST_PHASES: usize = 400;
+/// A scene of at most this size is recorded in time, whatever the machine does meanwhile.
+const LARGE: usize = 1000;
+/// What a recording may take while something is dragged: half of a frame.
+const MOST_SECS: f64 = 0.008;
+/// One slow recording may be the machine's doing: so many are the scene's.
+const PATIENCE: usize = 3;
 /// Runs up to this length are compared while the scene is being dragged.
 const SHORT: usize = 1000;
 
@@ -52,6 +63,8 @@ impl Playback {
             baseline: scene.baseline(),
             frames: Vec::new(),
             framed_at: None,
+            n_slow: 0,
+            is_late: false,
             clock: None,
         };
         playback.transport.seek(position);
@@ -60,7 +73,11 @@ impl Playback {
 
     /// Records the changed scene; the cursor stays at the same moment where it comes again.
     pub fn rerecord(&mut self, scene: &Scene) {
+        let stopwatch = Stopwatch::start();
         let (main, other) = runs(scene);
+        let is_slow = stopwatch.secs() > MOST_SECS;
+        self.n_slow = if is_slow { self.n_slow + 1 } else { 0 };
+        self.is_late = false;
         let before = self.transport.position();
         let position = main.corresponding(&*self.main, before);
         self.transport.rebase(main.n_steps(), position);
@@ -69,6 +86,21 @@ impl Playback {
         self.difference = Compared::NotYet;
         self.baseline = scene.baseline();
         self.framed_at = None;
+    }
+
+    /// The same while a handle is dragged: a large scene whose run takes too long waits until it is let go.
+    pub fn follow(&mut self, scene: &Scene) {
+        if scene.size() > LARGE && self.n_slow >= PATIENCE {
+            (self.is_late, self.framed_at) = (true, None);
+        } else {
+            self.rerecord(scene);
+        }
+    }
+
+    /// Is what is recorded of an earlier scene?
+    #[must_use]
+    pub const fn is_late(&self) -> bool {
+        self.is_late
     }
 
     /// Where the cursor stands, and how fast it goes.

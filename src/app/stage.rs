@@ -8,9 +8,10 @@ use crate::{
     labs::{Handle, Lock, MethodCard, Scene},
     paint::Viewport,
     panels::{Reach, polygons::Sketch, spots},
+    text::Message,
     widgets::{
         Canvas, CanvasShown, Spot, View, caption, caption_height, caption_text, column_title,
-        gripped, number_line, number_line_height,
+        gripped, second_view, second_view_height,
     },
 };
 
@@ -123,9 +124,9 @@ impl StageState {
                 marks,
             });
         }
-        let is_drawing = self.sketch.is_some();
+        let is_bare = self.sketch.is_some() || model.playback.is_late();
         let layers = &mut self.layers[column];
-        if is_drawing {
+        if is_bare {
             return &layers.marks[..layers.n_under];
         }
         if layers.step != step {
@@ -167,6 +168,11 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
     state.canvas_ids.clear();
     state.handle_ids.clear();
     let width = rect.width() / frames.len().max(1) as f32;
+    // As much room under both stages, so that they show the same place.
+    let seconds = frames.iter().filter_map(|frame| frame.second.as_ref());
+    let second_height = seconds
+        .map(|second| second_view_height(model.look.theme, width, second))
+        .reduce(f32::max);
     for (i, (frame, method)) in frames.iter().zip(methods).enumerate() {
         let left = (rect.left() + i as f32 * width).round();
         let right = (rect.left() + (i + 1) as f32 * width).round();
@@ -174,7 +180,7 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
         let column = Column {
             index: i,
             is_one_of_two: frames.len() > 1,
-            second_view: frames.iter().any(|frame| frame.number_line.is_some()),
+            second_height,
             rect: column,
             method,
             hands: &hands,
@@ -211,8 +217,8 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
 struct Column<'a> {
     index: usize,
     is_one_of_two: bool,
-    /// Does any column have a second view?
-    second_view: bool,
+    /// Height of the second view, if any column has one.
+    second_height: Option<f32>,
     rect: Rect,
     method: &'static MethodCard,
     hands: &'a Hands<'a>,
@@ -227,10 +233,9 @@ impl Column<'_> {
         frame: &Frame,
     ) -> CanvasShown {
         let look = model.look;
-        let hint = state
-            .sketch
-            .as_ref()
-            .map(|drawn| Caption::new(drawn.hint()));
+        let hint = state.sketch.as_ref().map(Sketch::hint);
+        let late = || (model.playback.is_late()).then(|| Message::new("run-later"));
+        let hint = hint.or_else(late).map(Caption::new);
         let said = hint.as_ref().unwrap_or(&frame.caption);
         let n_rows = self.caption_rows(model);
         let whole = if self.is_one_of_two {
@@ -242,24 +247,23 @@ impl Column<'_> {
             whole,
             caption_height(look.theme, n_rows).min(0.4 * self.rect.height()),
         );
-        let second = number_line_height(look.theme);
-        let (stage, below) = match &frame.number_line {
-            Some(line) if stage.height() - second >= LEAST_STAGE => {
-                let (stage, below) = split(stage, second);
-                (stage, Some((line, below)))
-            }
-            // Room that another column needs: both stages show the same place.
-            None if self.second_view && stage.height() - second >= LEAST_STAGE => {
-                let (stage, blank) = split(stage, second);
-                ui.painter().rect_filled(blank, 0.0, look.theme.background);
-                (stage, None)
-            }
-            _ => (stage, None),
+        let height = self.second_height.unwrap_or(0.0);
+        let (stage, below) = if height > 0.0 && stage.height() - height >= LEAST_STAGE {
+            let (stage, below) = split(stage, height);
+            (stage, Some(below))
+        } else {
+            (stage, None)
         };
         let shown = self.canvas(model, ui, state, frame, said, stage);
-        if let Some((line, below)) = below {
-            let pointed = number_line(ui, look, below, line, state.lit);
-            state.pointed_on_stage = state.pointed_on_stage.or(pointed);
+        match (&frame.second, below) {
+            (Some(second), Some(below)) => {
+                let pointed = second_view(ui, look, below, second, state.lit);
+                state.pointed_on_stage = state.pointed_on_stage.or(pointed);
+            }
+            (None, Some(blank)) => {
+                ui.painter().rect_filled(blank, 0.0, look.theme.background);
+            }
+            (_, None) => {}
         }
         ui.painter().rect_filled(rest, 0.0, look.theme.background);
         let line = Stroke::new(1.0, look.theme.hairline);
@@ -309,7 +313,8 @@ impl Column<'_> {
     ) -> Vec<Spot> {
         let reach = Reach {
             viewport,
-            pointer: ui.ctx().pointer_latest_pos(),
+            // What a drag takes hold of is where the button went down.
+            pointer: ui.input(|input| input.pointer.press_origin().or(input.pointer.latest_pos())),
             focused: self.hands.focused,
             selected: state.selected,
             gripped: gripped(ui, id),

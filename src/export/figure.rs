@@ -10,7 +10,7 @@ use crate::{
     paint::{Headless, Image, Theme, ThemeKind, Viewport, stage},
     text::{Catalog, Lang},
     trace::Counts,
-    widgets::{Look, caption_job, column_title, number_line, number_line_height},
+    widgets::{Look, caption_job, column_title, second_view, second_view_height},
 };
 
 /// A figure is laid out on a page of this size in points, or larger along one side as its shape asks, and
@@ -57,19 +57,21 @@ pub fn draw(table: &mut Headless, picture: &Picture<'_>) -> Image {
             _ => Column::new(method, &**run, run.beside(&*runs[0], picture.step)),
         })
         .collect();
+    let theme = Theme::of(picture.theme);
+    let column_width = size.x / pixels_per_point / columns.len() as f32;
     let page = Page {
         scene,
         look: Look {
-            theme: Theme::of(picture.theme),
+            theme,
             catalog: Catalog::of(picture.lang),
         },
         is_comparison: columns.len() > 1,
         difference: Difference::between(&scene.methods(), &all),
-        line_height: if columns.iter().any(|c| c.frame.number_line.is_some()) {
-            number_line_height(Theme::of(picture.theme))
-        } else {
-            0.0
-        },
+        second_height: columns
+            .iter()
+            .filter_map(|column| column.frame.second.as_ref())
+            .map(|second| second_view_height(theme, column_width, second))
+            .fold(0.0, f32::max),
     };
     table.draw(size / pixels_per_point, pixels_per_point, |ui| {
         let whole = ui.max_rect();
@@ -115,7 +117,7 @@ struct Page<'a> {
     is_comparison: bool,
     difference: Option<Difference>,
     /// Height of the second view: the same under both stages, so that they show the same place.
-    line_height: f32,
+    second_height: f32,
 }
 
 impl Page<'_> {
@@ -146,16 +148,16 @@ impl Page<'_> {
         };
         let stage_rect = rect
             .with_min_y(rect.top() + title_height)
-            .with_max_y(strip_top - self.line_height);
+            .with_max_y(strip_top - self.second_height);
         if self.is_comparison {
             self.title(ui, rect, index, column.method);
         }
         self.stage(ui, stage_rect, index, column);
-        if let Some(line) = &frame.number_line {
+        if let Some(second) = &frame.second {
             let rect = rect
-                .with_min_y(strip_top - self.line_height)
+                .with_min_y(strip_top - self.second_height)
                 .with_max_y(strip_top);
-            number_line(ui, self.look, rect, line, None);
+            second_view(ui, self.look, rect, second, None);
         }
         let hairline = self.look.theme.stroke(1.0, self.look.theme.hairline);
         ui.painter().hline(rect.x_range(), strip_top, hairline);

@@ -1,11 +1,11 @@
 //! Everything that one step shows.
 
 use crate::{
-    text::{Formula, Message, Value},
+    text::{Formula, Message},
     trace::Counts,
 };
 
-use super::{Link, Mark, Watch};
+use super::{Mark, Second, Watch};
 
 /// One sentence: the decision, then the arithmetic that led to it.
 #[derive(Clone, PartialEq, Debug)]
@@ -34,45 +34,6 @@ impl Caption {
     }
 }
 
-/// What a crossing does to the interval on a [`NumberLine`].
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Side {
-    /// The line comes in: pushes the lower end up.
-    Entering,
-    /// The line goes out: pulls the upper end down.
-    Leaving,
-}
-
-/// A value on a [`NumberLine`].
-#[derive(Clone, PartialEq, Debug)]
-pub struct LineTick {
-    /// Where.
-    pub u: f64,
-    /// Which bound it belongs to.
-    pub side: Side,
-    /// Does it hold the bound now?
-    pub holds: bool,
-    /// Is it this step's?
-    pub current: bool,
-    /// The border's name.
-    pub name: Value,
-    /// What it is about.
-    pub link: Option<Link>,
-}
-
-/// The second view of parametric clippers: the interval of the parameter that is left.
-#[derive(Clone, PartialEq, Debug)]
-pub struct NumberLine {
-    /// `u` or `t`.
-    pub symbol: &'static str,
-    /// Lower and upper bound so far; the interval is empty where they are out of order.
-    pub interval: [f64; 2],
-    /// Nothing is left: the bounds have passed each other.
-    pub empty: bool,
-    /// Every crossing computed so far.
-    pub ticks: Vec<LineTick>,
-}
-
 /// The display list of one step.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Frame {
@@ -85,7 +46,7 @@ pub struct Frame {
     /// The values that are alive.
     pub watch: Watch,
     /// The second view, where the method has one.
-    pub number_line: Option<NumberLine>,
+    pub second: Option<Second>,
     /// Operations done so far.
     pub counts: Counts,
 }

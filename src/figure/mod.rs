@@ -4,9 +4,11 @@
 mod frame;
 mod mark;
 mod run;
+mod second;
 mod watch;
 
-pub use frame::{Caption, Frame, LineTick, NumberLine, Side};
+pub use frame::{Caption, Frame};
 pub use mark::{Label, Link, Mark, Role, Shape, Texel};
 pub use run::{Moment, MomentError, Run, Tick};
+pub use second::{Clipper, ClipperRow, Fate, LineTick, NumberLine, Second, Side, Traveller};
 pub use watch::{Watch, WatchRow, WatchSection, mark_changes};

@@ -4,7 +4,7 @@ use serde::Serialize;
 use serde_json::Value as Json;
 
 use crate::{
-    figure::{Caption, Frame, Mark, NumberLine, Run, Tick, Watch, mark_changes},
+    figure::{Caption, Frame, Mark, Run, Second, Tick, Watch, mark_changes},
     trace::{Algorithm, Counts, Trace},
 };
 
@@ -42,7 +42,7 @@ pub trait Demo: Algorithm<Output: Answer, Event: Serialize> + Sized + 'static {
     /// The values that are alive.
     fn watch(step: &Step<'_, Self>) -> Watch;
     /// The second view, where there is one.
-    fn number_line(_step: &Step<'_, Self>) -> Option<NumberLine> {
+    fn second_view(_step: &Step<'_, Self>) -> Option<Second> {
         None
     }
 }
@@ -113,7 +113,7 @@ impl<A: Demo> Run for Recorded<A> {
             caption,
             code_line,
             watch,
-            number_line: A::number_line(&shown),
+            second: A::second_view(&shown),
             counts: trace.counts_at(step),
         }
     }

@@ -11,7 +11,6 @@ use lyon_tessellation::{
 const TOLERANCE_PTS: f32 = 0.1;
 
 /// Everything that an odd number of `outlines` goes round. Soft edges are left to the stroke over them.
-#[must_use]
 pub fn filled(outlines: &[Vec<Pos2>], colour: Color32) -> Shape {
     let outlines = outlines.iter().map(|outline| outline.iter().copied());
     triangles(outlines).mesh(colour, |at| at)

@@ -13,7 +13,6 @@ const SQUARES: usize = 8;
 const SIDE: usize = 256;
 
 /// The triangles with the board on them.
-#[must_use]
 pub fn textured(
     ctx: &Context,
     theme: &Theme,

@@ -26,7 +26,6 @@ const MOST_KEPT: usize = 8;
 struct Kept(Vec<(u64, Arc<Triangles>)>);
 
 /// Everything that an odd number of `outlines` goes round, in world coordinates.
-#[must_use]
 pub fn filled_large(
     ctx: &Context,
     viewport: &Viewport,

@@ -86,7 +86,11 @@ impl<'a> Stage<'a> {
                 None
             }
             Shape::HalfPlane([a, b]) => {
-                self.half_plane([self.at(*a), self.at(*b)], colour);
+                let tint = match mark.role {
+                    Role::Signal => self.theme.signal,
+                    _ => self.theme.accent,
+                };
+                self.half_plane([self.at(*a), self.at(*b)], tint);
                 let ends = self.ends(&Shape::Line([*a, *b]));
                 self.line(ends, stroke, false);
                 Some(Anchor::Line(ends))

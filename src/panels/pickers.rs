@@ -9,12 +9,16 @@ use crate::{
 
 use super::Edit;
 
+/// A list of methods may be this high: all of a lab's are seen at once, where the window has room.
+const LIST_PTS: f32 = 560.0;
+
 /// The scene's method; the change that was asked for.
 pub fn method_picker(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<Edit> {
     let mut asked = None;
     let name = |card: &MethodCard| look.say(card.name_key);
     let now = *scene.methods().first()?;
     let combo = ComboBox::from_id_salt("method")
+        .height(LIST_PTS)
         .icon(chevron)
         .selected_text(name(now))
         .show_ui(ui, |ui| {
@@ -39,6 +43,7 @@ pub fn compare_picker(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<Edit
     let (main, beside) = (*methods.first()?, methods.get(1));
     let shown = beside.map_or_else(|| look.say("cost-compare"), |card| name(card));
     let combo = ComboBox::from_id_salt("compare")
+        .height(LIST_PTS)
         .icon(chevron)
         .selected_text(shown)
         .show_ui(ui, |ui| {

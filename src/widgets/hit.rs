@@ -32,10 +32,10 @@ fn distance(viewport: &Viewport, shape: &Shape, at: Pos2) -> f32 {
         Shape::Segment([a, b])
         | Shape::Arrow([a, b])
         | Shape::Ray([a, b])
-        | Shape::Line([a, b]) => distance_to_segment(at, screen(*a), screen(*b)),
+        | Shape::Line([a, b])
+        | Shape::HalfPlane([a, b]) => distance_to_segment(at, screen(*a), screen(*b)),
         Shape::Border(Axis::X, x) => (at.x - screen([*x, 0.0]).x).abs(),
         Shape::Border(Axis::Y, y) => (at.y - screen([0.0, *y]).y).abs(),
-        Shape::HalfPlane([a, b]) => distance_to_segment(at, screen(*a), screen(*b)),
         Shape::Polygon(outline) | Shape::Outline(outline) => to_outline(viewport, outline, at),
         Shape::Area(outlines) => outlines
             .iter()

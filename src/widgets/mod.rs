@@ -3,6 +3,7 @@
 
 mod canvas;
 mod caption;
+mod clipper_row;
 mod cost;
 mod grid;
 mod handles;
@@ -12,6 +13,7 @@ mod lesson_text;
 mod number_line;
 mod picker;
 mod pseudocode;
+mod second_view;
 mod section;
 mod tick;
 mod timeline;
@@ -26,9 +28,9 @@ pub use handles::{Gesture, Moved, Snap, Spot, gripped};
 pub use hit::{distance_to_segment, link_at};
 pub use icon::{Icon, icon_button};
 pub use lesson_text::lesson_text;
-pub use number_line::{number_line, number_line_height};
 pub use picker::{language_menu, theme_menu};
 pub use pseudocode::{CodeLine, code_view_switch, pseudocode};
+pub use second_view::{second_view, second_view_height};
 pub use section::{rule, section};
 pub use timeline::Timeline;
 pub use title::column_title;

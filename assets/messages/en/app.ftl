@@ -134,3 +134,4 @@ help-edge = Double click or Ctrl and click on an edge: a new vertex there
 faulty-title = What is wrong here?
 differs-from = differs from step { $step } on
 differs-nowhere = same steps on this input
+run-later = Let go: the run of so large a scene is recorded again then.

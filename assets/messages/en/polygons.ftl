@@ -26,6 +26,7 @@ draw-subject = Click to place vertex { $number } of the new polygon; Backspace t
 draw-clip = Click to place vertex { $number } of the new clip polygon; Backspace takes one back, Escape gives up.
 draw-hole = Click to place vertex { $number } of the new hole; Backspace takes one back, Escape gives up.
 draw-close = Click to place vertex { $number }; Enter, a double click or a click on the first vertex closes the outline.
+draw-no-use = The algorithms on stage cannot use { $part }.
 refused-last-three = The vertex stays: a polygon needs at least three.
 refused-too-many = { $count } vertices are too many: at most { $most }.
 

@@ -134,3 +134,4 @@ help-edge = Doble clic, o Ctrl y clic, en una arista: un vértice nuevo ahí
 faulty-title = ¿Qué falla aquí?
 differs-from = difiere desde el paso { $step }
 differs-nowhere = mismos pasos con esta entrada
+run-later = Al soltar se registra de nuevo la ejecución: la escena es demasiado grande para hacerlo mientras se arrastra.

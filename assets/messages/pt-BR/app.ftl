@@ -134,3 +134,4 @@ help-edge = Clique duplo, ou Ctrl e clique, em uma aresta: um novo vértice ali
 faulty-title = O que está errado aqui?
 differs-from = difere a partir do passo { $step }
 differs-nowhere = mesmos passos com esta entrada
+run-later = Ao soltar, a execução é registrada de novo: a cena é grande demais para isso durante o arraste.

@@ -126,3 +126,4 @@ help-edge = 双击一条边，或按住 Ctrl 单击：在该处插入顶点
 faulty-title = 这里错在哪里？
 differs-from = 从第 { $step } 步起不同
 differs-nowhere = 对此输入，各步相同
+run-later = 松开后重新记录：场景太大，无法边拖动边运行。

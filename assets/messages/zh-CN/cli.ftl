@@ -27,7 +27,7 @@ case-not-finite = { $number } 超出 64 位浮点数的范围：每个坐标都�
 case-empty-window = 窗口为空：{ $low } = { $min } 必须小于 { $high } = { $max }。
 case-too-many = 有 { $found } 个顶点：最多处理 { $max } 个。
 case-too-many-pairs = 边与裁剪边共有 { $found } 对：最多处理 { $max } 对。
-case-uv-length = 应为 { $expected } 个顶点各给出一个 [u, v]，实际有 { $found } 个。
+case-uv-length = 应为 { $expected } 个顶点各给出一个 [u, v]，这里有 { $found } 个。
 json-number = 数
 json-numbers = 数的列表
 json-points = 点的列表

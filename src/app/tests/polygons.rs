@@ -1,6 +1,6 @@
-//! The polygons lab: outlines drawn by clicking, vertices put in and taken out, very large polygons.
+//! The polygons lab: outlines drawn by clicking, vertices put in and taken out, presets, mistakes.
 
-use egui::{Event, Key, Modifiers, PointerButton, Pos2, vec2};
+use egui::{Event, Key, Modifiers, PointerButton, Pos2};
 
 use super::{Bench, SIZE, ctrl};
 use crate::{
@@ -19,19 +19,19 @@ use crate::{
 
 impl Bench {
     /// The polygons lab on its first scene.
-    fn polygons() -> Self {
+    pub(super) fn polygons() -> Self {
         let mut bench = Self::new(SIZE);
         bench.command(Command::Lab(Lab::Polygons));
         bench
     }
 
-    fn command(&mut self, command: Command) {
+    pub(super) fn command(&mut self, command: Command) {
         let ctx = self.ctx.clone();
         self.app.apply(&ctx, command);
         self.settle();
     }
 
-    fn edit(&mut self, edit: PolygonsEdit) {
+    pub(super) fn edit(&mut self, edit: PolygonsEdit) {
         self.command(Command::Edit(Edit::Polygons(edit), None));
     }
 
@@ -39,7 +39,7 @@ impl Bench {
         self.app.scene().as_polygons().expect("the polygons lab")
     }
 
-    fn subject(&self) -> Vec<[f64; 2]> {
+    pub(super) fn subject(&self) -> Vec<[f64; 2]> {
         let vertices = self.polygon().subject.vertices().iter();
         vertices.map(|p| p.to_array()).collect()
     }
@@ -155,6 +155,10 @@ fn backspace_takes_a_point_back_and_escape_leaves_everything_as_it_was() {
 #[test]
 fn a_clip_polygon_and_a_hole_are_drawn_the_same_way() {
     let mut bench = Bench::polygons();
+    bench.key(Key::H);
+    assert_eq!(bench.hint(), None, "Sutherland–Hodgman knows no holes");
+    assert!(!bench.app.notices.is_empty(), "and that is said");
+    bench.command(Command::Edit(Edit::Method("weiler-atherton"), None));
     for (key, outline) in [(Key::C, Outline::Clip), (Key::H, Outline::Hole)] {
         bench.key(key);
         assert!(bench.hint().is_some(), "{outline:?}");
@@ -352,47 +356,6 @@ fn an_idle_polygons_lab_asks_for_no_repaint() {
         "while drawing: in {} s",
         bench.wait_secs
     );
-}
-
-#[test]
-fn of_ten_thousand_vertices_the_near_ones_can_be_taken_hold_of() {
-    let mut bench = Bench::polygons();
-    bench.edit(PolygonsEdit::Random {
-        count: 10_000,
-        seed: 1,
-    });
-    assert_eq!(bench.subject().len(), 10_000);
-    let vertex = bench.subject()[4321];
-    let from = bench.on_screen(vertex);
-    bench.frame(0.1, vec![Event::PointerMoved(from)]);
-    assert!(bench.app.stage.handle_ids.len() < 100);
-    bench.command(Command::Snap(false));
-    bench.drag(from, from + vec2(30.0, 10.0));
-    let moved = bench.subject();
-    let n_moved = moved
-        .iter()
-        .filter(|p| (bench.on_screen(**p) - from - vec2(30.0, 10.0)).length() < 1.0);
-    assert!(
-        n_moved.count() >= 1,
-        "the vertex under the pointer went along"
-    );
-    bench.press(Key::Z, ctrl());
-    assert_eq!(bench.subject()[4321], vertex);
-}
-
-#[test]
-fn tab_walks_along_a_large_outline() {
-    let mut bench = Bench::polygons();
-    bench.edit(PolygonsEdit::Random {
-        count: 500,
-        seed: 1,
-    });
-    let n_others = bench.app.stage.handle_ids.len() - 1;
-    for _ in 0..n_others + 3 {
-        bench.key(Key::Tab);
-    }
-    let focused = bench.app.stage.focused.expect("a handle");
-    assert_eq!(focused, Handle::Vertex(2));
 }
 
 #[test]

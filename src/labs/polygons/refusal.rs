@@ -139,7 +139,7 @@ impl Run for Refused {
             caption: self.caption.clone(),
             code_line: None,
             watch: Vec::new(),
-            number_line: None,
+            second: None,
             counts: Counts::default(),
         }
     }

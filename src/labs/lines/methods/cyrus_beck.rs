@@ -8,9 +8,7 @@ use crate::{
         CyrusBeck, CyrusBeckEvent as Event, CyrusBeckInput as Input, CyrusBeckRow as Row,
         CyrusBeckState as State, End,
     },
-    figure::{
-        Caption, Link, Mark, NumberLine, Role, Shape, Side, Tick, Watch, WatchRow, WatchSection,
-    },
+    figure::{Caption, Link, Mark, Role, Second, Shape, Side, Tick, Watch, WatchRow, WatchSection},
     geom::{Point, Segment, extent},
     labs::{
         CodeLine, Demo, Step, code_line,
@@ -168,8 +166,8 @@ impl Demo for CyrusBeck {
         ]
     }
 
-    fn number_line(step: &Step<'_, Self>) -> Option<NumberLine> {
-        Some(interval(step).number_line())
+    fn second_view(step: &Step<'_, Self>) -> Option<Second> {
+        Some(Second::NumberLine(interval(step).number_line()))
     }
 }
 

@@ -5,7 +5,7 @@ use crate::{
     algo::line::{
         End, LiangBarsky, LiangBarskyEvent as Event, LiangBarskyState as State, Row, WindowInput,
     },
-    figure::{Caption, Mark, NumberLine, Role, Shape, Side, Tick, Watch, WatchRow, WatchSection},
+    figure::{Caption, Mark, Role, Second, Shape, Side, Tick, Watch, WatchRow, WatchSection},
     geom::{Axis, Edge, Point, Segment, Window},
     labs::{
         CodeLine, Demo, Step, code_line,
@@ -172,8 +172,8 @@ impl Demo for LiangBarsky {
         ]
     }
 
-    fn number_line(step: &Step<'_, Self>) -> Option<NumberLine> {
-        Some(interval(step).number_line())
+    fn second_view(step: &Step<'_, Self>) -> Option<Second> {
+        Some(Second::NumberLine(interval(step).number_line()))
     }
 }
 

@@ -64,7 +64,7 @@ pub fn rows<V: Corner>(input: &[V], output: &[V], current: usize) -> Vec<WatchSe
         let table = |header: [&'static str; 2], value: fn(&V) -> Option<Value>| {
             let row = |i: usize| {
                 let cells = [input, output].map(|list| list.get(i).and_then(value));
-                WatchRow::table(name(subscript(i + 1)), cells.to_vec()).linked(vertex_link(i))
+                WatchRow::table(name((i + 1).to_string()), cells.to_vec()).linked(vertex_link(i))
             };
             WatchSection::table(header.to_vec(), (0..n).map(row).collect())
         };

@@ -1,6 +1,7 @@
 //! One file a method: its sentences, marks and watched values.
 
 mod clip_edge;
+mod clippers;
 mod ear_clipping;
 pub mod faulty;
 mod lists;

@@ -5,7 +5,7 @@ use crate::{
         Pipeline, PipelineEvent as Event, PipelineState as State, RingOutcome, Rule,
         SutherlandHodgmanInput as Input,
     },
-    figure::{Caption, Mark, Role, Shape, Tick, Watch, WatchRow, WatchSection},
+    figure::{Caption, Mark, Role, Second, Shape, Tick, Watch, WatchRow, WatchSection},
     geom::Point,
     labs::{
         CodeLine, Demo, Step, code_line,
@@ -17,8 +17,9 @@ use crate::{
 
 use super::{
     clip_edge::{ClipEdge, Look},
+    clippers::{previous, row},
     lists::{input_symbol, names, outline, output_symbol, result},
-    rules::{rule_term, side_term, starts_inside},
+    rules::{is_crossed, rule_term, side_term, starts_inside},
     sutherland_hodgman::{SOURCE, done, input},
 };
 
@@ -174,12 +175,17 @@ impl Demo for Pipeline {
         marks
     }
 
+    fn second_view(step: &Step<'_, Self>) -> Option<Second> {
+        Some(Second::Clippers(row(step)))
+    }
+
     fn watch(step: &Step<'_, Self>) -> Watch {
         let state = step.state;
         let point = |p: Option<Point>| p.map(|p| Value::Point(p.to_array()));
         let stages = state.stages.iter().enumerate().map(|(i, stage)| {
             let edge = ClipEdge::new(&step.input.region, i, Look::default());
-            let row = WatchRow::table(edge.name(), vec![point(stage.first), point(stage.previous)]);
+            let held = vec![point(stage.first), point(previous(state, i))];
+            let row = WatchRow::table(edge.name(), held);
             let row = row.linked(edge.link());
             match (state.stage_idx == Some(i), stage.is_closed) {
                 (true, _) => row.noted(name("←")),
@@ -225,8 +231,7 @@ fn test_caption(
     rule: Rule,
     is_closing: bool,
 ) -> Caption {
-    let is_crossed = rule.changes_side() && distances.iter().all(|&d| d != 0.0);
-    let key = match (is_closing, is_crossed, rule.ends_inside()) {
+    let key = match (is_closing, is_crossed(rule, distances), rule.ends_inside()) {
         (true, true, _) => "pipe-closing-cross",
         (true, false, _) => "pipe-closing",
         (false, true, false) => "pipe-crossing",

@@ -20,8 +20,7 @@ pub fn test_caption(
 ) -> Caption {
     let symbols = idx.map(input_symbol);
     let is_closing = idx[1] == 0;
-    let is_crossed = rule.changes_side() && distances.iter().all(|&d| d != 0.0);
-    let key = rule_key(rule, is_crossed, is_closing);
+    let key = rule_key(rule, is_crossed(rule, distances), is_closing);
     let message = Message::new(key)
         .with("from", name(symbols[0].clone()))
         .with("to", name(symbols[1].clone()));
@@ -34,6 +33,11 @@ pub fn test_caption(
     let positions =
         (0..2).map(|i| edge.position(&(symbols[i].clone(), ends[i]), distances[i], is_inside[i]));
     positions.fold(Caption::new(message), Caption::so)
+}
+
+/// Does an edge that changes sides have a crossing? Not if it only touches the border with its inside end.
+pub fn is_crossed(rule: Rule, distances: [f64; 2]) -> bool {
+    rule.changes_side() && distances.iter().all(|&d| d != 0.0)
 }
 
 /// Catalogue key of the side on which a vertex lies.

@@ -1,0 +1,108 @@
+//! What is shown beside the geometry: a picture of what an algorithm holds, not of where things are.
+
+use crate::text::Value;
+
+use super::Link;
+
+/// A second view, under the stage.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Second {
+    /// What is left of a parameter's interval.
+    NumberLine(NumberLine),
+    /// A pipeline, and what flows through it.
+    Clippers(ClipperRow),
+}
+
+/// What a crossing does to the interval on a [`NumberLine`].
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Side {
+    /// The line comes in: pushes the lower end up.
+    Entering,
+    /// The line goes out: pulls the upper end down.
+    Leaving,
+}
+
+/// A value on a [`NumberLine`].
+#[derive(Clone, PartialEq, Debug)]
+pub struct LineTick {
+    /// Where.
+    pub u: f64,
+    /// Which bound it belongs to.
+    pub side: Side,
+    /// Does it hold the bound now?
+    pub holds: bool,
+    /// Is it this step's?
+    pub current: bool,
+    /// The border's name.
+    pub name: Value,
+    /// What it is about.
+    pub link: Option<Link>,
+}
+
+/// The second view of parametric clippers: the interval of the parameter that is left.
+#[derive(Clone, PartialEq, Debug)]
+pub struct NumberLine {
+    /// `u` or `t`.
+    pub symbol: &'static str,
+    /// Lower and upper bound so far; the interval is empty where they are out of order.
+    pub interval: [f64; 2],
+    /// Nothing is left: the bounds have passed each other.
+    pub empty: bool,
+    /// Every crossing computed so far.
+    pub ticks: Vec<LineTick>,
+}
+
+/// The second view of a pipeline: clippers in a row, what each of them holds, and what is on its way.
+///
+/// The arrows between them are numbered: 0 leads into the first clipper, 1 from it into the second, and as many as
+/// there are clippers out of the last one.
+#[derive(Clone, PartialEq, Debug)]
+pub struct ClipperRow {
+    /// From the first to the last.
+    pub clippers: Vec<Clipper>,
+    /// The one that looks at an edge, or is about to.
+    pub at_work: Option<usize>,
+    /// What is on its way, the foremost first; all on one arrow.
+    pub travellers: Vec<Traveller>,
+    /// What it all comes to: `V′`.
+    pub output: Value,
+    /// How many vertices have come out at the end.
+    pub n_out: usize,
+}
+
+/// A clipper of a [`ClipperRow`].
+#[derive(Clone, PartialEq, Debug)]
+pub struct Clipper {
+    /// Its border.
+    pub name: Value,
+    /// F, once it has come.
+    pub first: Option<[f64; 2]>,
+    /// S, once it has come.
+    pub previous: Option<[f64; 2]>,
+    /// Will no vertex come any more?
+    pub is_closed: bool,
+    /// What it is about.
+    pub link: Option<Link>,
+}
+
+/// A vertex on its way.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Traveller {
+    /// How this step's sentence calls it.
+    pub name: Value,
+    /// The arrow it is on.
+    pub arrow: usize,
+    /// Does it get to the arrow's end?
+    pub fate: Fate,
+}
+
+/// What becomes of a [`Traveller`].
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Fate {
+    /// It goes on.
+    GoesOn,
+    /// It will, as soon as it has been worked out.
+    Due,
+    /// It stays behind.
+    Dropped,
+}

@@ -1,0 +1,173 @@
+//! The pipeline's second view: its clippers in a row, and what flows between them.
+
+use crate::{
+    algo::polygon::{Pipeline, PipelineEvent as Event, PipelineState as State},
+    figure::{Clipper, ClipperRow, Fate, Traveller},
+    geom::Point,
+    labs::{Step, words::name},
+};
+
+use super::{
+    clip_edge::{ClipEdge, Look},
+    lists::{input_symbol, output_symbol},
+    rules::is_crossed,
+};
+
+/// The clippers at one step.
+pub fn row(step: &Step<'_, Pipeline>) -> ClipperRow {
+    let (region, state) = (&step.input.region, step.state);
+    let clipper = |idx: usize| {
+        let edge = ClipEdge::new(region, idx, Look::default());
+        Clipper {
+            name: edge.border(),
+            first: state.stages[idx].first.map(Point::to_array),
+            previous: previous(state, idx).map(Point::to_array),
+            is_closed: state.stages[idx].is_closed,
+            link: Some(edge.link()),
+        }
+    };
+    ClipperRow {
+        clippers: (0..state.stages.len()).map(clipper).collect(),
+        at_work: state.stage_idx,
+        travellers: step
+            .event
+            .map_or_else(Vec::new, |event| travellers(&event, state)),
+        output: name("V′"),
+        n_out: state.output.len(),
+    }
+}
+
+/// S as this step's sentence means it: where the edge that a clipper looks at begins. It takes the edge's end
+/// for its next S, but not before that edge is done with.
+pub fn previous(state: &State<Point>, idx: usize) -> Option<Point> {
+    match state.test {
+        Some((ends, ..)) if state.stage_idx == Some(idx) => Some(ends[0]),
+        _ => state.stages[idx].previous,
+    }
+}
+
+fn travellers(event: &Event<Point>, state: &State<Point>) -> Vec<Traveller> {
+    let on = |arrow: usize, symbol: String, fate: Fate| Traveller {
+        name: name(symbol),
+        arrow,
+        fate,
+    };
+    let p = |stage_idx: usize, is_inside: bool| {
+        let fate = if is_inside {
+            Fate::GoesOn
+        } else {
+            Fate::Dropped
+        };
+        on(stage_idx + 1, "P".to_owned(), fate)
+    };
+    match *event {
+        Event::Enter {
+            stage_idx,
+            vertex_idx,
+            ..
+        } => {
+            let symbol = vertex_idx.map_or_else(|| "P".to_owned(), input_symbol);
+            vec![on(stage_idx, symbol, Fate::GoesOn)]
+        }
+        Event::First {
+            stage_idx, inside, ..
+        } => vec![p(stage_idx, inside)],
+        Event::Test { stage_idx, .. } | Event::Cross { stage_idx, .. } => {
+            let Some((_, distances, rule)) = state.test else {
+                return Vec::new();
+            };
+            let fate = match state.crossing {
+                Some(_) => Fate::GoesOn,
+                None => Fate::Due,
+            };
+            let crossing = is_crossed(rule, distances);
+            let crossing = crossing.then(|| on(stage_idx + 1, "I".to_owned(), fate));
+            // Nothing follows it when the ring is closed: F has long gone on.
+            let end = state.moving.map(|_| p(stage_idx, rule.ends_inside()));
+            crossing.into_iter().chain(end).collect()
+        }
+        Event::Output { .. } => {
+            let symbol = output_symbol(state.output.len().saturating_sub(1));
+            vec![on(state.stages.len(), symbol, Fate::GoesOn)]
+        }
+        Event::Close { .. } | Event::Done { .. } => Vec::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        algo::polygon::SutherlandHodgmanInput,
+        figure::{Frame, Run, Second},
+        geom::{ConvexPolygon, GeomError, Polygon, Window},
+        labs::record,
+    };
+
+    fn run(region: impl Into<crate::algo::polygon::ClipRegion>) -> Result<Box<dyn Run>, GeomError> {
+        let polygon = Polygon::new(&[[-2.0, -1.0], [6.0, 1.0], [-2.0, 5.0]])?;
+        let input = SutherlandHodgmanInput::new(region.into(), &polygon);
+        Ok(record::<Pipeline>(input))
+    }
+
+    fn row(frame: Frame) -> ClipperRow {
+        match frame.second {
+            Some(Second::Clippers(row)) => row,
+            other => panic!("a row of clippers, not {other:?}"),
+        }
+    }
+
+    #[test]
+    fn a_crossing_takes_the_place_of_a_vertex_outside() -> Result<(), GeomError> {
+        let run = run(Window::new(-4.0, -3.0, 4.0, 3.0)?)?;
+        let is_cross = |&step: &usize| run.event_json(step)["event"] == "cross";
+        let step = (1..=run.n_steps()).find(is_cross).unwrap_or_default();
+        let at = |symbol: &str, fate| Traveller {
+            name: name(symbol),
+            arrow: 2,
+            fate,
+        };
+        let before = row(run.frame(step - 1));
+        assert_eq!(
+            before.travellers,
+            [at("I", Fate::Due), at("P", Fate::Dropped)]
+        );
+        let row = row(run.frame(step));
+        assert_eq!(
+            row.travellers,
+            [at("I", Fate::GoesOn), at("P", Fate::Dropped)]
+        );
+        assert_eq!((row.at_work, row.n_out), (Some(1), 1), "right; V₁ is out");
+        let right = &row.clippers[1];
+        let v1 = Some([-2.0, -1.0]);
+        assert_eq!((right.first, right.previous), (v1, v1), "as S → P has it");
+        assert_eq!(row.clippers[0].previous, Some([6.0, 1.0]), "V₂ has passed");
+        Ok(())
+    }
+
+    #[test]
+    fn what_flows_is_on_one_arrow_and_in_the_end_nothing_flows() -> Result<(), GeomError> {
+        let octagon = [
+            [2.0, -5.0],
+            [5.0, -2.0],
+            [5.0, 2.0],
+            [2.0, 5.0],
+            [-2.0, 5.0],
+            [-5.0, 2.0],
+            [-5.0, -2.0],
+            [-2.0, -5.0],
+        ];
+        let run = run(ConvexPolygon::new(&octagon)?)?;
+        for step in 0..=run.n_steps() {
+            let row = row(run.frame(step));
+            let arrows: Vec<usize> = row.travellers.iter().map(|t| t.arrow).collect();
+            assert!(
+                arrows.iter().all(|&a| a == arrows[0] && a <= 8),
+                "step {step}: {arrows:?}"
+            );
+        }
+        let end = row(run.frame(run.n_steps()));
+        assert!(end.travellers.is_empty() && end.clippers.iter().all(|c| c.is_closed));
+        Ok(())
+    }
+}
