@@ -212,6 +212,10 @@ fn row(scene: &str, doing: Doing, took: &[Took], target: Target) {
         ms(|took| took.layout),
         ms(|took| took.tessellation),
         1e3 * quantile(took.iter().map(|took| took.both()), 0.95),
-        target.cells(if scene.contains("10,000") { slowest } else { both }),
+        target.cells(if scene.contains("10,000") {
+            slowest
+        } else {
+            both
+        }),
     );
 }
