@@ -115,7 +115,9 @@ impl Desk {
 
     /// Where the first handle lies on the screen: the first end of the segment in focus, the first vertex.
     pub fn first_handle(&self) -> Pos2 {
-        self.app.on_screen(self.first_place()).expect("a frame has been drawn")
+        self.app
+            .on_screen(self.first_place())
+            .expect("a frame has been drawn")
     }
 
     /// Where it lies in the world.

@@ -190,12 +190,7 @@ pub fn run() {
         let n_steps = desk.n_steps();
         desk.seek(n_steps / 2);
         let took = doing.frames(&mut desk, N_POLYGON_FRAMES);
-        row(
-            "a polygon of 10,000 vertices",
-            doing,
-            &took,
-            POLYGON_TARGET,
-        );
+        row("a polygon of 10,000 vertices", doing, &took, POLYGON_TARGET);
     }
     println!();
 }
@@ -217,6 +212,10 @@ fn row(scene: &str, doing: Doing, took: &[Took], target: Target) {
         ms(|took| took.layout),
         ms(|took| took.tessellation),
         1e3 * quantile(took.iter().map(|took| took.both()), 0.95),
-        target.cells(if scene.contains("10,000") { slowest } else { both }),
+        target.cells(if scene.contains("10,000") {
+            slowest
+        } else {
+            both
+        }),
     );
 }

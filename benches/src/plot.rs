@@ -14,9 +14,9 @@ const HEIGHT: f64 = 300.0;
 const MARGIN: [f64; 2] = [52.0, 44.0];
 /// Told apart by dash and marker, not by colour alone.
 const STYLES: [(&str, &str, char); 4] = [
-    ("#0b62c4", "", '●'),
+    ("#0b62c4", "none", '●'),
     ("#0b62c4", "5 3", '○'),
-    ("#b3541e", "", '■'),
+    ("#b3541e", "none", '■'),
     ("#3b7d23", "2 3", '▲'),
 ];
 
@@ -46,7 +46,7 @@ pub fn growth(sizes: &[f64], panels: &[Panel]) -> String {
 fn draw(svg: &mut String, sizes: &[f64], panel: &Panel, left: f64, [low, high]: [f64; 2]) {
     let [x0, x1] = [sizes[0], sizes[sizes.len() - 1]].map(f64::log10);
     let x_at =
-        |n: f64| left + MARGIN[0] + (n.log10() - x0) / (x1 - x0) * (WIDTH - MARGIN[0] - 16.0);
+        |n: f64| left + MARGIN[0] + (n.log10() - x0) / (x1 - x0) * (WIDTH - MARGIN[0] - 22.0);
     let y_at = |us: f64| {
         HEIGHT - MARGIN[1] - (us.log10() - low) / (high - low) * (HEIGHT - MARGIN[1] - 30.0)
     };
@@ -60,7 +60,8 @@ fn draw(svg: &mut String, sizes: &[f64], panel: &Panel, left: f64, [low, high]: 
         let y = y_at(10f64.powi(decade));
         let label = match decade {
             ..3 => format!("{} µs", 10_i32.pow(decade.max(0) as u32)),
-            _ => format!("{} ms", 10_i32.pow(decade as u32 - 3)),
+            3..6 => format!("{} ms", 10_i32.pow(decade as u32 - 3)),
+            _ => format!("{} s", 10_i32.pow(decade as u32 - 6)),
         };
         let [from, to] = [x_at(sizes[0]), x_at(sizes[sizes.len() - 1])];
         let _ = writeln!(

@@ -43,15 +43,15 @@ struct Kind {
 
 const KINDS: [Kind; 3] = [
     Kind {
-        name: "stars whose edges cross everywhere",
+        name: "stars with long spikes",
         make: |n| [star(n, 1, 0.5, [0.0; 2]), star(n, 2, 0.5, [0.01, 0.02])],
     },
     Kind {
-        name: "rough discs beside each other, few crossings",
+        name: "rough discs that overlap",
         make: |n| [star(n, 1, 0.02, [0.0; 2]), star(n, 2, 0.02, [0.9, 0.3])],
     },
     Kind {
-        name: "combs, tooth through tooth",
+        name: "combs, tooth across tooth",
         make: |n| [comb(n, false), comb(n, true)],
     },
 ];
@@ -139,7 +139,7 @@ fn growth() {
 fn measure(outlines: &[Outline; 2], n_rounds: usize, names: &[&'static str]) -> Results {
     let input = prepared(outlines);
     let [subject, clip] = outlines;
-    let [geo_subject, geo_clip] = outlines.each_ref().map(|outline| as_geo(outline));
+    let [geo_subject, geo_clip] = outlines.each_ref().map(as_geo);
     let contender = |name: &'static str| match name {
         OURS => Contender::new(name, || {
             black_box(silent::<WeilerAtherton>(black_box(&input)));
@@ -182,7 +182,7 @@ fn as_geo(outline: &Outline) -> geo::Polygon<f64> {
 fn check(outlines: &[Outline; 2]) -> usize {
     let input = prepared(outlines);
     let ours = area(&silent::<WeilerAtherton>(&input));
-    let [s, c] = outlines.each_ref().map(|outline| as_geo(outline));
+    let [s, c] = outlines.each_ref().map(as_geo);
     let geo = s.intersection(&c).unsigned_area();
     let shapes = outlines[0].overlay(&outlines[1], OverlayRule::Intersect, FillRule::NonZero);
     let i_overlay: f64 = shapes
@@ -230,10 +230,9 @@ fn star(n: usize, seed: u64, depth: f64, [cx, cy]: [f64; 2]) -> Outline {
     (0..n).map(corner).collect()
 }
 
-/// Long teeth that lean a little; one comb stands, the other lies: every tooth crosses every tooth, as far as the
-/// square of their number allows for.
+/// Long teeth that hang from a back, notched finely so that there are `n` vertices; the other comb lies, so that
+/// every tooth crosses every tooth.
 fn comb(n: usize, lying: bool) -> Outline {
-    // √n long teeth; between them the border is finely notched, so that there are n vertices.
     let n_teeth = (n as f64).sqrt() as usize / 2;
     let n_notches = (n - 4 * n_teeth) / n_teeth;
     let mut outline = Vec::with_capacity(n);
@@ -248,11 +247,8 @@ fn comb(n: usize, lying: bool) -> Outline {
         outline.push([left + 0.5 * step, 0.0]);
         outline.push([left + 0.513 * step, 1.0]);
     }
-    // Closed around the teeth: the gaps are the comb's outside.
-    let right = outline.len();
     outline.push([1.1, 1.1]);
     outline.push([-0.1, 1.1]);
-    debug_assert!(right > 0);
     if lying {
         outline.iter().map(|&[x, y]| [y, x]).collect()
     } else {
