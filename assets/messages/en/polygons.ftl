@@ -214,6 +214,18 @@ faulty-open-differs = Step { $step } is the first that differs: the closing edge
 faulty-clockwise-differs = Step { $step } is the first that differs: the clip edges are walked clockwise, and the wrong side of each is taken for the inside.
 faulty-twice-differs = Step { $step } is the first that differs: the same crossing is put out a second time.
 faulty-end-first-differs = Step { $step } is the first that differs: the edge comes in, and its end is put out before its crossing.
+code-faulty-on-border = for each clip edge: output ← empty; inside is d > 0
+words-faulty-on-border = Take the edges of the clip region in turn, each with an empty output list. A vertex on the border counts as outside.
+code-faulty-open = for each edge S → P, up to the last vertex:
+words-faulty-open = Then follow the outline, edge by edge, up to the last vertex.
+code-faulty-clockwise = for each clip edge, clockwise: output ← empty
+words-faulty-clockwise = Take the edges of the clip region in turn, clockwise, with the inside to the left of each.
+code-faulty-twice-out = in → out: put out I, I
+words-faulty-twice-out = The edge leaves: put out where it crosses, twice.
+code-faulty-twice-in = out → in: put out I, I, P
+words-faulty-twice-in = The edge comes in: put out where it crosses, twice, then where it ends.
+code-faulty-end-first = out → in: put out P, I
+words-faulty-end-first = The edge comes in: put out where it ends, then where it crosses.
 ## Weiler–Atherton
 
 wa-opening = A polygon with { $n } vertices against one with { $m }: both become lists of vertices, counter-clockwise.

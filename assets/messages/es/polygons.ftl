@@ -216,6 +216,18 @@ faulty-open-differs = El paso { $step } es el primero que difiere: la arista de 
 faulty-clockwise-differs = El paso { $step } es el primero que difiere: los bordes se recorren en sentido horario, y se toma por interior el lado equivocado de cada uno.
 faulty-twice-differs = El paso { $step } es el primero que difiere: la misma intersección se emite por segunda vez.
 faulty-end-first-differs = El paso { $step } es el primero que difiere: la arista entra, y su final se emite antes que su intersección.
+code-faulty-on-border = para cada borde de recorte: salida ← vacía; dentro es d > 0
+words-faulty-on-border = Toma uno a uno los bordes de la región de recorte, cada uno con una lista de salida vacía. Un vértice sobre el borde cuenta como exterior.
+code-faulty-open = para cada arista S → P, hasta el último vértice:
+words-faulty-open = Después sigue el contorno, arista por arista, hasta el último vértice.
+code-faulty-clockwise = para cada borde de recorte, en sentido horario: salida ← vacía
+words-faulty-clockwise = Toma uno a uno los bordes de la región de recorte, en sentido horario, con el interior a la izquierda de cada uno.
+code-faulty-twice-out = dentro → fuera: emitir I, I
+words-faulty-twice-out = La arista sale: emite la intersección dos veces.
+code-faulty-twice-in = fuera → dentro: emitir I, I, P
+words-faulty-twice-in = La arista entra: emite la intersección dos veces y después su final.
+code-faulty-end-first = fuera → dentro: emitir P, I
+words-faulty-end-first = La arista entra: emite su final y después la intersección.
 
 ## Weiler–Atherton
 

@@ -214,6 +214,18 @@ faulty-open-differs = O passo { $step } é o primeiro que difere: a aresta de fe
 faulty-clockwise-differs = O passo { $step } é o primeiro que difere: as bordas são percorridas no sentido horário, e o lado errado de cada uma é tomado como interior.
 faulty-twice-differs = O passo { $step } é o primeiro que difere: a mesma interseção é emitida pela segunda vez.
 faulty-end-first-differs = O passo { $step } é o primeiro que difere: a aresta entra, e o seu fim é emitido antes da interseção.
+code-faulty-on-border = para cada borda de recorte: saída ← vazia; dentro é d > 0
+words-faulty-on-border = Tome as bordas da região de recorte uma a uma, cada uma com uma lista de saída vazia. Um vértice sobre a borda conta como fora.
+code-faulty-open = para cada aresta S → P, até o último vértice:
+words-faulty-open = Depois siga o contorno, aresta por aresta, até o último vértice.
+code-faulty-clockwise = para cada borda de recorte, no sentido horário: saída ← vazia
+words-faulty-clockwise = Tome as bordas da região de recorte uma a uma, no sentido horário, com o interior à esquerda de cada uma.
+code-faulty-twice-out = dentro → fora: emita I, I
+words-faulty-twice-out = A aresta sai: emita a interseção duas vezes.
+code-faulty-twice-in = fora → dentro: emita I, I, P
+words-faulty-twice-in = A aresta entra: emita a interseção duas vezes e depois o seu fim.
+code-faulty-end-first = fora → dentro: emita P, I
+words-faulty-end-first = A aresta entra: emita o seu fim e depois a interseção.
 
 ## Weiler–Atherton
 

@@ -217,6 +217,18 @@ faulty-open-differs = 第 { $step } 步首次出现差别：从最后一个顶�
 faulty-clockwise-differs = 第 { $step } 步首次出现差别：顺时针走裁剪边，于是每条边的错误一侧被当作内侧。
 faulty-twice-differs = 第 { $step } 步首次出现差别：同一个交点又输出了一次。
 faulty-end-first-differs = 第 { $step } 步首次出现差别：边进入内侧，却先输出终点，后输出交点。
+code-faulty-on-border = 对每条裁剪边：输出表 ← 空；内侧为 d > 0
+words-faulty-on-border = 依次取裁剪区域的每条边，每次从空的输出表开始。边界上的顶点算作在外侧。
+code-faulty-open = 对每条边 S → P，到最后一个顶点为止：
+words-faulty-open = 然后沿轮廓逐边前进，到最后一个顶点为止。
+code-faulty-clockwise = 对每条裁剪边（顺时针）：输出表 ← 空
+words-faulty-clockwise = 按顺时针依次取裁剪区域的每条边，把每条边的左侧当作内侧。
+code-faulty-twice-out = 内 → 外：输出 I、I
+words-faulty-twice-out = 边离开内侧：把交点输出两次。
+code-faulty-twice-in = 外 → 内：输出 I、I、P
+words-faulty-twice-in = 边进入内侧：先把交点输出两次，再输出终点。
+code-faulty-end-first = 外 → 内：输出 P、I
+words-faulty-end-first = 边进入内侧：先输出终点，再输出交点。
 ## Weiler–Atherton
 
 wa-opening = 用有 { $m } 个顶点的多边形裁剪有 { $n } 个顶点的多边形：两者都写成逆时针的顶点表。

@@ -17,7 +17,7 @@ use crate::{
     figure::{Caption, Frame, Mark, Run, Tick, Watch},
     geom::Point,
     labs::{
-        self, CodeLine, Demo, Step,
+        self, CodeLine, Demo, Step, code_line,
         polygons::{PolygonDemo, Refusal, Scene},
     },
     text::{Formula, Message},
@@ -28,7 +28,8 @@ use super::{
     clip_edge::Look,
     skin::{Corner, Named},
     sutherland_hodgman::{
-        CODE, SOURCE, caption, input, line_of, marks, opening, textured, tick, watch,
+        CODE, EACH, EDGES, IN_OUT, OUT_IN, SOURCE, caption, input, line_of, marks, opening,
+        textured, tick, watch,
     },
 };
 
@@ -71,6 +72,24 @@ trait Mistake: 'static {
     };
     /// Said at the first step that differs.
     const DIFFERS_KEY: &'static str;
+    /// The right pseudocode, but for the lines with the mistake.
+    const CODE: [CodeLine; CODE.len()];
+}
+
+/// The right pseudocode with other lines in some places.
+const fn but_for<const N: usize>(wrong: [(usize, CodeLine); N]) -> [CodeLine; CODE.len()] {
+    let mut lines = [CODE[0]; CODE.len()];
+    let mut i = 0;
+    while i < CODE.len() {
+        lines[i] = CODE[i];
+        i += 1;
+    }
+    let mut i = 0;
+    while i < N {
+        lines[wrong[i].0] = wrong[i].1;
+        i += 1;
+    }
+    lines
 }
 
 impl Mistake for DropsOnBorder {
@@ -81,12 +100,18 @@ impl Mistake for DropsOnBorder {
         is_strict: true,
     };
     const DIFFERS_KEY: &'static str = "faulty-on-border-differs";
+    const CODE: [CodeLine; CODE.len()] = but_for([(
+        EACH,
+        code_line(0, "code-faulty-on-border", "words-faulty-on-border"),
+    )]);
 }
 
 impl Mistake for LeavesOpen {
     const ID: &'static str = "faulty-open";
     const NAME_KEY: &'static str = "alg-faulty-open";
     const DIFFERS_KEY: &'static str = "faulty-open-differs";
+    const CODE: [CodeLine; CODE.len()] =
+        but_for([(EDGES, code_line(1, "code-faulty-open", "words-faulty-open"))]);
 }
 
 impl Mistake for WalksClockwise {
@@ -97,18 +122,36 @@ impl Mistake for WalksClockwise {
         is_strict: false,
     };
     const DIFFERS_KEY: &'static str = "faulty-clockwise-differs";
+    const CODE: [CodeLine; CODE.len()] = but_for([(
+        EACH,
+        code_line(0, "code-faulty-clockwise", "words-faulty-clockwise"),
+    )]);
 }
 
 impl Mistake for CutsTwice {
     const ID: &'static str = "faulty-twice";
     const NAME_KEY: &'static str = "alg-faulty-twice";
     const DIFFERS_KEY: &'static str = "faulty-twice-differs";
+    const CODE: [CodeLine; CODE.len()] = but_for([
+        (
+            IN_OUT,
+            code_line(2, "code-faulty-twice-out", "words-faulty-twice-out"),
+        ),
+        (
+            OUT_IN,
+            code_line(2, "code-faulty-twice-in", "words-faulty-twice-in"),
+        ),
+    ]);
 }
 
 impl Mistake for EndFirst {
     const ID: &'static str = "faulty-end-first";
     const NAME_KEY: &'static str = "alg-faulty-end-first";
     const DIFFERS_KEY: &'static str = "faulty-end-first-differs";
+    const CODE: [CodeLine; CODE.len()] = but_for([(
+        OUT_IN,
+        code_line(2, "code-faulty-end-first", "words-faulty-end-first"),
+    )]);
 }
 
 /// The right one's types.
@@ -134,7 +177,7 @@ where
     const ID: &'static str = L::ID;
     const NAME_KEY: &'static str = L::NAME_KEY;
     const SOURCE: &'static str = SOURCE;
-    const CODE: &'static [CodeLine] = CODE;
+    const CODE: &'static [CodeLine] = &L::CODE;
     const IS_FAULTY: bool = true;
 
     fn tick(event: &Event<Point>) -> Tick {

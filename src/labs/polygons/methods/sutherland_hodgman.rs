@@ -27,11 +27,13 @@ use super::{
     skin::{Corner, Named, skin},
 };
 
-const EACH: usize = 0;
+/// Lines of the pseudocode.
+pub const EACH: usize = 0;
 const FIRST: usize = 1;
+pub const EDGES: usize = 2;
 const IN_IN: usize = 3;
-const IN_OUT: usize = 4;
-const OUT_IN: usize = 5;
+pub const IN_OUT: usize = 4;
+pub const OUT_IN: usize = 5;
 const OUT_OUT: usize = 6;
 const PASS: usize = 7;
 
