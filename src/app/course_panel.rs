@@ -1,8 +1,8 @@
 //! The course: lessons, the steps of the open one, its text, its source.
 
 use egui::{
-    Align, Align2, Button, CursorIcon, Frame, Id, Layout, Panel, RichText, Role, ScrollArea, Sense,
-    TextStyle, Ui, Vec2, WidgetInfo, pos2, vec2,
+    Align, Align2, Button, CursorIcon, Frame, Id, Layout, Panel, Rect, Response, RichText, Role,
+    ScrollArea, Sense, TextStyle, Ui, Vec2, WidgetInfo, pos2, style::ScrollAnimation, vec2,
 };
 
 use crate::{
@@ -86,14 +86,29 @@ fn lessons(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
     let [open, _] = model.place.indices();
     for (i, lesson) in model.place.lessons().iter().enumerate() {
         let title = &lesson.text(model.settings.lang).title;
-        if row(ui, model.look, i + 1, title, i == open) {
+        let response = row(ui, model.look, i + 1, title, i == open);
+        if i == open {
+            bring_into_view(ui, open, response.rect);
+        }
+        if response.clicked() {
             commands.push(Command::Open([i, 0]));
         }
     }
 }
 
-/// A lesson's number and title; was it clicked?
-fn row(ui: &mut Ui, look: Look<'_>, number: usize, title: &str, is_open: bool) -> bool {
+/// Scrolls to the open lesson when it has become another one, and leaves the list alone after that.
+fn bring_into_view(ui: &Ui, open: usize, rect: Rect) {
+    let id = Id::unique("lesson in view");
+    if ui.data(|data| data.get_temp(id)) == Some(open) {
+        return;
+    }
+    ui.data_mut(|data| data.insert_temp(id, open));
+    ui.scroll_to_rect_animation(rect, Some(Align::Center), ScrollAnimation::none());
+    ui.ctx().request_repaint();
+}
+
+/// A lesson's number and title.
+fn row(ui: &mut Ui, look: Look<'_>, number: usize, title: &str, is_open: bool) -> Response {
     let theme = look.theme;
     let height = (28.0 * theme.text_scale.sqrt()).round();
     let (rect, response) =
@@ -135,12 +150,11 @@ fn row(ui: &mut Ui, look: Look<'_>, number: usize, title: &str, is_open: bool) -
     let at = pos2(left, rect.center().y - 0.5 * galley.size().y);
     ui.painter().galley(at, galley, colour);
     let response = response.on_hover_cursor(CursorIcon::PointingHand);
-    let response = if is_cut {
+    if is_cut {
         response.on_hover_text(title)
     } else {
         response
-    };
-    response.clicked()
+    }
 }
 
 /// One small disc a step, the open one filled; arrows at the right.
