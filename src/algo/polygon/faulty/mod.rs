@@ -1,7 +1,7 @@
 //! **Wrong on purpose.** Sutherland–Hodgman with one mistake each, as they are found in lecture notes and in
 //! programs that students hand in: to be stepped beside the right one, on the student's own input.
 //!
-//! They run through the very same step with one rule changed ([`Rules`] says which can be), and report the same
+//! They run through the very same step with one rule changed (`Rules` says which can be), and report the same
 //! events, so that the first differing step is the first differing event. Only the lab's "what is wrong here?"
 //! knows this room: `tests/architecture.rs` holds the rest of the house to that.
 //!
