@@ -57,10 +57,7 @@ use crate::{
     labs::{Lab, Scene},
     lesson::{CodeView, Course, Step},
     paint::ThemeKind,
-    panels::{
-        lines::{Batch, Measure},
-        polygons::Random,
-    },
+    panels::{Seeded, lines::Measure},
 };
 
 use document::Document;
@@ -98,8 +95,8 @@ struct LabState {
 /// The fields of the labs' menus.
 #[derive(Clone, Copy, Default)]
 struct Fields {
-    batch: Batch,
-    random: Random,
+    batch: Seeded,
+    random: Seeded,
 }
 
 /// What of the window is shown.

@@ -2,16 +2,21 @@
 
 use egui::Ui;
 
-use crate::{algo::line::BitOrder, labs::lines::Scene, widgets::Look};
+use crate::{
+    algo::line::BitOrder,
+    labs::lines::{MAX_SEGMENTS, Scene},
+    panels::Seeded,
+    widgets::Look,
+};
 
-use super::{Batch, LinesEdit};
+use super::LinesEdit;
 
 /// Segments, the random batch and the order of the bits; the change that was asked for.
 pub fn scene_menu(
     ui: &mut Ui,
     look: Look<'_>,
     scene: &Scene,
-    batch: &mut Batch,
+    batch: &mut Seeded,
 ) -> Option<LinesEdit> {
     let mut asked = None;
     if ui.button(look.say("action-add-segment")).clicked() {
@@ -23,8 +28,9 @@ pub fn scene_menu(
         asked = Some(LinesEdit::Remove);
     }
     ui.menu_button(look.say("batch-title"), |ui| {
-        if let Some(edit) = batch.show(ui, look) {
-            asked = Some(edit);
+        if batch.show(ui, look, ["batch-count", "batch-make"], 1..=MAX_SEGMENTS) {
+            let Seeded { count, seed } = *batch;
+            asked = Some(LinesEdit::Random { count, seed });
             ui.close();
         }
     });

@@ -4,10 +4,14 @@ use egui::{Button, RichText, Ui};
 
 use crate::{
     labs::polygons::{PRESETS, REGIONS, Scene, Texture},
+    panels::Seeded,
     widgets::Look,
 };
 
-use super::{Outline, PolygonsEdit, Random};
+use super::{Outline, PolygonsEdit};
+
+/// What a frame can draw in time, with its run and everything else beside it.
+const MAX_RANDOM: usize = 10_000;
 
 /// What a person asked for in the menu.
 #[derive(Clone, PartialEq, Debug)]
@@ -23,7 +27,7 @@ pub fn scene_menu(
     ui: &mut Ui,
     look: Look<'_>,
     scene: &Scene,
-    random: &mut Random,
+    random: &mut Seeded,
 ) -> Option<PolygonsAsk> {
     let mut asked = None;
     for (outline, name_key, key) in Outline::ALL {
@@ -46,7 +50,7 @@ pub fn scene_menu(
     edit.map(PolygonsAsk::Edit).or(asked)
 }
 
-fn presets(ui: &mut Ui, look: Look<'_>, random: &mut Random) -> Option<PolygonsEdit> {
+fn presets(ui: &mut Ui, look: Look<'_>, random: &mut Seeded) -> Option<PolygonsEdit> {
     let mut asked = None;
     ui.menu_button(look.say("preset-title"), |ui| {
         for (i, preset) in PRESETS.iter().enumerate() {
@@ -57,8 +61,9 @@ fn presets(ui: &mut Ui, look: Look<'_>, random: &mut Random) -> Option<PolygonsE
         }
         ui.separator();
         ui.menu_button(look.say("preset-random"), |ui| {
-            if let Some(edit) = random.show(ui, look) {
-                asked = Some(edit);
+            if random.show(ui, look, ["random-count", "random-make"], 3..=MAX_RANDOM) {
+                let Seeded { count, seed } = *random;
+                asked = Some(PolygonsEdit::Random { count, seed });
                 ui.close();
             }
         });

@@ -3,9 +3,7 @@
 mod edit;
 mod menu;
 mod outline;
-mod random;
 
 pub use edit::PolygonsEdit;
 pub use menu::{PolygonsAsk, scene_menu};
 pub use outline::{Outline, Sketch};
-pub use random::Random;
