@@ -8,6 +8,8 @@
 
 mod cases;
 mod dyadic;
+#[path = "../shared/event_log.rs"]
+mod event_log;
 mod floats;
 mod laws;
 mod logs;

@@ -9,6 +9,8 @@
 //! - `shared_edges`: what two polygons share, they still share.
 
 mod cases;
+#[path = "../shared/event_log.rs"]
+mod event_log;
 mod faulty;
 mod floats;
 mod grid;

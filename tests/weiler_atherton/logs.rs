@@ -1,44 +1,19 @@
 //! Event logs of worked examples, one JSON object a line, as `clipscope trace` prints them. After a change that is
 //! meant, `UPDATE_SNAPSHOTS=1 cargo test --no-default-features --test weiler_atherton` writes them anew.
 
-use std::{fs, path::PathBuf};
+use clipscope::algo::polygon::weiler_atherton::{WeilerAtherton, WeilerAthertonInput};
 
-use clipscope::{
-    algo::polygon::weiler_atherton::{WeilerAtherton, WeilerAthertonInput},
-    trace::Trace,
-};
-
-use super::shapes;
+use super::{event_log, shapes};
 
 type Outline<'a> = &'a [[i64; 2]];
 
 fn check(name: &str, subject: Outline, holes: &[Outline], clip: Outline) {
     let holes: Vec<shapes::Outline> = holes.iter().map(|hole| hole.to_vec()).collect();
-    let trace = Trace::<WeilerAtherton>::record(WeilerAthertonInput {
+    let input = WeilerAthertonInput {
         subject: shapes::region(subject, &holes).expect("a region"),
         clip: shapes::simple(clip).expect("simple"),
-    });
-    let mut log = String::new();
-    for event in trace.events() {
-        log += &serde_json::to_string(event).expect("an event is JSON");
-        log += "\n";
-    }
-    let counts = trace.counts_at(trace.events().len());
-    log += &serde_json::to_string(&counts).expect("counts are JSON");
-    log += "\n";
-    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR"))
-        .join(format!("tests/snapshots/weiler_atherton/{name}.ndjson"));
-    if std::env::var_os("UPDATE_SNAPSHOTS").is_some() {
-        fs::create_dir_all(path.parent().expect("a folder")).expect("the folder is made");
-        fs::write(&path, &log).expect("the log is written");
-    }
-    let expected = fs::read_to_string(&path).unwrap_or_default();
-    assert_eq!(
-        log,
-        expected,
-        "the events of {name}, as in {}",
-        path.display()
-    );
+    };
+    event_log::check::<WeilerAtherton>(&format!("weiler_atherton/{name}"), input);
 }
 
 #[test]

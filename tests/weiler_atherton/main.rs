@@ -10,6 +10,8 @@
 )]
 
 mod cases;
+#[path = "../shared/event_log.rs"]
+mod event_log;
 mod floats;
 mod logs;
 mod oracle;
