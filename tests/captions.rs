@@ -123,7 +123,7 @@ fn nothing_that_is_said_is_missing_from_a_catalogue() {
                         let values = row.cells.iter().flatten().chain(&row.note);
                         said.extend(values.chain([&row.name]).map(|v| catalog.value(v)));
                     }
-                    let labels = frame.marks.iter().filter_map(|mark| mark.label.as_ref());
+                    let labels = frame.marks().iter().filter_map(|mark| mark.label.as_ref());
                     said.extend(labels.map(|label| catalog.value(&label.text)));
                     for text in said {
                         assert!(

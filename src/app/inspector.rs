@@ -42,7 +42,10 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
             .inner
         {
             // The line of this step is about what happens at this step.
-            let mut signal = frame.marks.iter().filter(|mark| mark.role == Role::Signal);
+            let mut signal = frame
+                .marks()
+                .iter()
+                .filter(|mark| mark.role == Role::Signal);
             pointed = signal.find_map(|mark| mark.link);
         }
         rule(ui, look);

@@ -131,7 +131,7 @@ impl StageState {
         }
         if layers.step != step {
             layers.marks.truncate(layers.n_under);
-            layers.marks.extend(frame.marks.iter().cloned());
+            layers.marks.extend(frame.marks().iter().cloned());
             layers.step = step;
         }
         &layers.marks
@@ -169,9 +169,9 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
     state.handle_ids.clear();
     let width = rect.width() / frames.len().max(1) as f32;
     // As much room under both stages, so that they show the same place.
-    let seconds = frames.iter().filter_map(|frame| frame.second.as_ref());
-    let second_height = seconds
-        .map(|second| second_view_height(model.look.theme, width, second))
+    let beside = frames.iter().flat_map(|frame| frame.views.iter().skip(1));
+    let second_height = beside
+        .filter_map(|view| second_view_height(model.look.theme, width, view))
         .reduce(f32::max);
     for (i, (frame, method)) in frames.iter().zip(methods).enumerate() {
         let left = (rect.left() + i as f32 * width).round();
@@ -255,7 +255,7 @@ impl Column<'_> {
             (stage, None)
         };
         let shown = self.canvas(model, ui, state, frame, said, stage);
-        match (&frame.second, below) {
+        match (frame.views.get(1), below) {
             (Some(second), Some(below)) => {
                 let pointed = second_view(ui, look, below, second, state.lit);
                 state.pointed_on_stage = state.pointed_on_stage.or(pointed);

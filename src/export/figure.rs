@@ -69,8 +69,8 @@ pub fn draw(table: &mut Headless, picture: &Picture<'_>) -> Image {
         difference: Difference::between(&scene.methods(), &all),
         second_height: columns
             .iter()
-            .filter_map(|column| column.frame.second.as_ref())
-            .map(|second| second_view_height(theme, column_width, second))
+            .flat_map(|column| column.frame.views.iter().skip(1))
+            .filter_map(|view| second_view_height(theme, column_width, view))
             .fold(0.0, f32::max),
     };
     table.draw(size / pixels_per_point, pixels_per_point, |ui| {
@@ -156,7 +156,7 @@ impl Page<'_> {
             self.title(ui, rect, index, column.method);
         }
         self.stage(ui, stage_rect, index, column);
-        if let Some(second) = &frame.second {
+        if let Some(second) = frame.views.get(1) {
             let rect = rect
                 .with_min_y(strip_top - self.second_height)
                 .with_max_y(strip_top);
@@ -176,7 +176,7 @@ impl Page<'_> {
         let viewport = Viewport::fit(rect, self.scene.bounds());
         let painter = ui.painter().with_clip_rect(rect);
         let mut marks = self.scene.backdrop(index, *at_end);
-        marks.extend(frame.marks.iter().cloned());
+        marks.extend(frame.marks().iter().cloned());
         stage(
             &painter,
             &viewport,

@@ -5,7 +5,7 @@ use crate::{
     trace::Counts,
 };
 
-use super::{Mark, Second, Watch};
+use super::{Body, Mark, View, ViewId, Watch};
 
 /// One sentence: the decision, then the arithmetic that led to it.
 #[derive(Clone, PartialEq, Debug)]
@@ -37,16 +37,26 @@ impl Caption {
 /// The display list of one step.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Frame {
-    /// In painting order.
-    pub marks: Vec<Mark>,
+    /// From left to right, the drawing first; what stands beside it has the same places at every step of a run.
+    pub views: Vec<View>,
     /// This step's sentence.
     pub caption: Caption,
     /// Index into the method's pseudocode.
     pub code_line: Option<usize>,
     /// The values that are alive.
     pub watch: Watch,
-    /// The second view, where the method has one.
-    pub second: Option<Second>,
     /// Operations done so far.
     pub counts: Counts,
+}
+
+impl Frame {
+    /// The marks of the drawing in the plane; none where there is no such view.
+    #[must_use]
+    pub fn marks(&self) -> &[Mark] {
+        let plane = self.views.iter().find_map(|view| match &view.body {
+            Body::Plane(marks) if view.id == ViewId::PLANE => Some(&marks[..]),
+            _ => None,
+        });
+        plane.unwrap_or_default()
+    }
 }

@@ -1,14 +1,24 @@
-//! What a picture of a step says: a display list with roles, a caption, a watch table, a place in the
-//! pseudocode. No colours, no pixels, no language: those are chosen when it is drawn.
+//! What a picture of a step says: views with roles, a caption, a watch table, a place in the pseudocode. No
+//! colours, no pixels, no language: those are chosen when it is drawn.
 
+mod bits;
 mod frame;
+mod lists;
 mod mark;
+mod products;
 mod run;
-mod second;
+mod table;
+mod view;
 mod watch;
 
+pub use bits::{BitRow, Bits};
 pub use frame::{Caption, Frame};
+pub use lists::{List, ListEntry, ListLink, Lists, Marker};
 pub use mark::{Label, Link, Mark, Role, Shape, Texel};
+pub use products::{Measured, Product, Products, Vector};
 pub use run::{Moment, MomentError, Run, Tick};
-pub use second::{Clipper, ClipperRow, Fate, LineTick, NumberLine, Second, Side, Traveller};
+pub use table::{Cell, Table, TableNote, TableRow};
+pub use view::{
+    Body, Clipper, ClipperRow, Fate, LineTick, NumberLine, Side, Traveller, View, ViewId,
+};
 pub use watch::{Watch, WatchRow, WatchSection, mark_changes};

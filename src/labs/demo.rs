@@ -4,7 +4,7 @@ use serde::Serialize;
 use serde_json::Value as Json;
 
 use crate::{
-    figure::{Caption, Frame, Mark, Run, Second, Tick, Watch, mark_changes},
+    figure::{Caption, Frame, Run, Tick, View, Watch, mark_changes},
     trace::{Algorithm, Counts, Trace},
 };
 
@@ -37,14 +37,10 @@ pub trait Demo: Algorithm<Output: Answer, Event: Serialize> + Sized + 'static {
     fn caption(event: &Self::Event, before: &Self::State, input: &Self::Input) -> Caption;
     /// What is said before the first event.
     fn opening(input: &Self::Input) -> Caption;
-    /// What is drawn over the backdrop.
-    fn marks(step: &Step<'_, Self>) -> Vec<Mark>;
+    /// What is shown: first the drawing, without the backdrop, then what the algorithm holds.
+    fn views(step: &Step<'_, Self>) -> Vec<View>;
     /// The values that are alive.
     fn watch(step: &Step<'_, Self>) -> Watch;
-    /// The second view, where there is one.
-    fn second_view(_step: &Step<'_, Self>) -> Option<Second> {
-        None
-    }
 }
 
 /// A step to be shown: the input, the state now, and the event that led to it.
@@ -109,11 +105,10 @@ impl<A: Demo> Run for Recorded<A> {
             code_line = Some(A::code_line(&event, &before));
         }
         Frame {
-            marks: A::marks(&shown),
+            views: A::views(&shown),
             caption,
             code_line,
             watch,
-            second: A::second_view(&shown),
             counts: trace.counts_at(step),
         }
     }

@@ -181,6 +181,16 @@ impl Catalog {
         }
     }
 
+    /// Above or below the line of a quotient, as it stands in a line of text: in parentheses where it is more
+    /// than one thing.
+    fn part(&self, formula: &Formula, alone: fn(f64) -> Token) -> String {
+        match formula.0[..] {
+            [Token::Number(x)] => self.token(&alone(x)).into_owned(),
+            [_] => self.formula(formula),
+            _ => format!("({})", self.formula(formula)),
+        }
+    }
+
     fn token<'a>(&self, token: &'a Token) -> Cow<'a, str> {
         Cow::Owned(match token {
             Token::Sym(symbol) => return Cow::Borrowed(symbol),
@@ -196,6 +206,11 @@ impl Catalog {
                 }
             }
             Token::Ratio { num, den } => self.ratio(*num, *den),
+            Token::Over { num, den } => format!(
+                "{} / {}",
+                self.part(num, Token::Dividend),
+                self.part(den, Token::Divisor)
+            ),
             Token::Point(p) => self.point(*p),
             Token::List(numbers) => {
                 let shown: Vec<String> = numbers.iter().map(|&x| self.number(x)).collect();
@@ -307,6 +322,12 @@ mod tests {
             let formula = Formula::default().dividend(num).sym(" / ").divisor(den);
             assert_eq!(catalog.formula(&formula), expected);
         }
+        let difference = |a, b| Formula::default().num(a).sym(" − ").operand(b);
+        let stacked = Formula::default()
+            .over(difference(-1.0, -2.0), Formula::default().num(-4.0))
+            .sym(", ")
+            .over(Formula::default().sym("q"), Formula::default().num(0.75));
+        assert_eq!(catalog.formula(&stacked), "(−1 − (−2)) / (−4), q / (3/4)");
         let rounded = Formula::default().sym("sin 22,5° ").equals(0.382_683_432);
         assert_eq!(
             Catalog::of(Lang::Es).formula(&rounded),

@@ -125,6 +125,13 @@ pub enum Token {
         /// Denominator.
         den: f64,
     },
+    /// A quotient: stacked where it is set, `a / b` in a line of plain text.
+    Over {
+        /// Above the line.
+        num: Formula,
+        /// Below it.
+        den: Formula,
+    },
     /// What the arithmetic comes to: `= 3/8`, or `≈ 0.3827` where the shown number is rounded.
     /// Sets itself apart with a space if what stands before it does not end in one.
     Equals(f64),
@@ -165,6 +172,12 @@ impl Formula {
     #[must_use]
     pub fn ratio(self, num: f64, den: f64) -> Self {
         self.push(Token::Ratio { num, den })
+    }
+
+    /// Appends a quotient of two formulas.
+    #[must_use]
+    pub fn over(self, num: Self, den: Self) -> Self {
+        self.push(Token::Over { num, den })
     }
 
     /// Appends a point in the plane.

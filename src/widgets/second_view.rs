@@ -3,7 +3,7 @@
 use egui::{Rect, Ui};
 
 use crate::{
-    figure::{Link, Second},
+    figure::{Body, Link, View},
     paint::Theme,
 };
 
@@ -13,12 +13,15 @@ use super::{
     number_line::{number_line, number_line_height},
 };
 
-/// Height of the view in a column of this width.
+/// Height of the view in a column of this width, where it is one that stands under the stage.
 #[must_use]
-pub fn second_view_height(theme: &Theme, width: f32, second: &Second) -> f32 {
-    match second {
-        Second::NumberLine(_) => number_line_height(theme),
-        Second::Clippers(_) => clipper_row_height(theme, width),
+pub fn second_view_height(theme: &Theme, width: f32, view: &View) -> Option<f32> {
+    match view.body {
+        Body::NumberLine(_) => Some(number_line_height(theme)),
+        Body::Clippers(_) => Some(clipper_row_height(theme, width)),
+        Body::Plane(_) | Body::Bits(_) | Body::Table(_) | Body::Lists(_) | Body::Products(_) => {
+            None
+        }
     }
 }
 
@@ -27,11 +30,14 @@ pub fn second_view(
     ui: &mut Ui,
     look: Look<'_>,
     rect: Rect,
-    second: &Second,
+    second: &View,
     lit: Option<Link>,
 ) -> Option<Link> {
-    match second {
-        Second::NumberLine(line) => number_line(ui, look, rect, line, lit),
-        Second::Clippers(row) => clipper_row(ui, look, rect, row, lit),
+    match &second.body {
+        Body::NumberLine(line) => number_line(ui, look, rect, line, lit),
+        Body::Clippers(row) => clipper_row(ui, look, rect, row, lit),
+        Body::Plane(_) | Body::Bits(_) | Body::Table(_) | Body::Lists(_) | Body::Products(_) => {
+            None
+        }
     }
 }

@@ -3,7 +3,7 @@
 use serde_json::{Value as Json, json};
 
 use crate::{
-    figure::{Caption, Frame, Mark, Role, Run, Shape, Tick},
+    figure::{Caption, Frame, Mark, Role, Run, Shape, Tick, View},
     geom::{GeomError, Polygon},
     labs::words::{name, subscript, vertex_name},
     text::{Message, Value},
@@ -135,11 +135,10 @@ impl Run for Refused {
 
     fn frame(&self, _step: usize) -> Frame {
         Frame {
-            marks: self.marks.clone(),
+            views: vec![View::plane(self.marks.clone())],
             caption: self.caption.clone(),
             code_line: None,
             watch: Vec::new(),
-            second: None,
             counts: Counts::default(),
         }
     }

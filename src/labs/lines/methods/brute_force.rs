@@ -4,7 +4,7 @@ use crate::{
     algo::line::{
         BruteForce, BruteForceEvent as Event, BruteForceState as State, End, Ratio, WindowInput,
     },
-    figure::{Caption, Mark, Role, Shape, Tick, Watch, WatchRow, WatchSection},
+    figure::{Caption, Mark, Role, Shape, Tick, View, Watch, WatchRow, WatchSection},
     geom::{Edge, Segment},
     labs::{
         CodeLine, Demo, Step, code_line,
@@ -111,52 +111,8 @@ impl Demo for BruteForce {
         }
     }
 
-    fn marks(step: &Step<'_, Self>) -> Vec<Mark> {
-        let WindowInput { window, segment } = step.input;
-        let current = match step.event {
-            Some(
-                Event::Intersect { edge, .. }
-                | Event::Parallel { edge }
-                | Event::Keep { edge }
-                | Event::Cut { edge, .. }
-                | Event::Reject { edge },
-            ) => Some(edge),
-            _ => None,
-        };
-        let mut marks: Vec<Mark> = Edge::ALL
-            .into_iter()
-            .filter(|&edge| Some(edge) != current)
-            .map(|edge| {
-                let border = Shape::Border(edge.axis(), window.border(edge));
-                Mark::new(Role::Faint, border).linked(edge_link(edge))
-            })
-            .collect();
-        marks.push(Mark::new(
-            Role::Faint,
-            Shape::Line([segment.p1.to_array(), segment.p2.to_array()]),
-        ));
-        marks.extend(current.map(|edge| border_mark(window, edge)));
-        marks.extend(segment_marks(segment, step.state.ends, step.state.verdict));
-        for edge in Edge::ALL {
-            let Some((at, u)) = step.state.crossings[edge as usize] else {
-                continue;
-            };
-            let used = step.state.ends.contains(&at);
-            if used && step.state.verdict.is_some() {
-                continue;
-            }
-            marks.push(if Some(edge) == current && step.state.verdict.is_none() {
-                crossing_mark(at, "t", u).linked(edge_link(edge))
-            } else if used {
-                Mark::new(Role::Accent, Shape::Dot(at.to_array())).linked(edge_link(edge))
-            } else {
-                let label = Formula::default().sym("t = ").ratio(u.num, u.den);
-                Mark::new(Role::Discarded, Shape::Cross(at.to_array()))
-                    .labelled(label)
-                    .linked(edge_link(edge))
-            });
-        }
-        marks
+    fn views(step: &Step<'_, Self>) -> Vec<View> {
+        vec![View::plane(marks(step))]
     }
 
     fn watch(step: &Step<'_, Self>) -> Watch {
@@ -186,6 +142,55 @@ impl Demo for BruteForce {
             WatchSection::table(vec!["t", "P(t)"], table),
         ]
     }
+}
+
+/// The drawing.
+fn marks(step: &Step<'_, BruteForce>) -> Vec<Mark> {
+    let WindowInput { window, segment } = step.input;
+    let current = match step.event {
+        Some(
+            Event::Intersect { edge, .. }
+            | Event::Parallel { edge }
+            | Event::Keep { edge }
+            | Event::Cut { edge, .. }
+            | Event::Reject { edge },
+        ) => Some(edge),
+        _ => None,
+    };
+    let mut marks: Vec<Mark> = Edge::ALL
+        .into_iter()
+        .filter(|&edge| Some(edge) != current)
+        .map(|edge| {
+            let border = Shape::Border(edge.axis(), window.border(edge));
+            Mark::new(Role::Faint, border).linked(edge_link(edge))
+        })
+        .collect();
+    marks.push(Mark::new(
+        Role::Faint,
+        Shape::Line([segment.p1.to_array(), segment.p2.to_array()]),
+    ));
+    marks.extend(current.map(|edge| border_mark(window, edge)));
+    marks.extend(segment_marks(segment, step.state.ends, step.state.verdict));
+    for edge in Edge::ALL {
+        let Some((at, u)) = step.state.crossings[edge as usize] else {
+            continue;
+        };
+        let used = step.state.ends.contains(&at);
+        if used && step.state.verdict.is_some() {
+            continue;
+        }
+        marks.push(if Some(edge) == current && step.state.verdict.is_none() {
+            crossing_mark(at, "t", u).linked(edge_link(edge))
+        } else if used {
+            Mark::new(Role::Accent, Shape::Dot(at.to_array())).linked(edge_link(edge))
+        } else {
+            let label = Formula::default().sym("t = ").ratio(u.num, u.den);
+            Mark::new(Role::Discarded, Shape::Cross(at.to_array()))
+                .labelled(label)
+                .linked(edge_link(edge))
+        });
+    }
+    marks
 }
 
 /// `x₁′ = −1 < 1,  x₂ = 2 > 1`: both ends of what is left beside the border that they are compared with.

@@ -5,7 +5,7 @@ use crate::{
         BitOrder, CohenSutherland, CohenSutherlandEvent as Event, CohenSutherlandInput as Input,
         CohenSutherlandState as State, End, Outcode, Ratio,
     },
-    figure::{Caption, Mark, Role, Shape, Tick, Watch, WatchRow, WatchSection},
+    figure::{Caption, Mark, Role, Shape, Tick, View, Watch, WatchRow, WatchSection},
     geom::{Axis, Edge, Point, Segment},
     labs::{
         CodeLine, Demo, Step, code_line,
@@ -140,25 +140,8 @@ impl Demo for CohenSutherland {
         }
     }
 
-    fn marks(step: &Step<'_, Self>) -> Vec<Mark> {
-        let Input {
-            window,
-            segment,
-            bit_order,
-        } = *step.input;
-        let mut marks = regions(step, bit_order);
-        if let Some(Event::Choose { edge, .. } | Event::Cut { edge, .. }) = step.event {
-            marks.push(border_mark(&window, edge));
-        }
-        marks.extend(segment_marks(&segment, step.state.ends, step.state.verdict));
-        match step.event {
-            Some(Event::Code { end, at, .. }) => marks.push(signal_ring(end, at)),
-            Some(Event::Cut { end, u, to, .. }) => {
-                marks.push(crossing_mark(to, "t", u).linked(end_link(end)));
-            }
-            _ => {}
-        }
-        marks
+    fn views(step: &Step<'_, Self>) -> Vec<View> {
+        vec![View::plane(marks(step))]
     }
 
     fn watch(step: &Step<'_, Self>) -> Watch {
@@ -194,6 +177,28 @@ impl Demo for CohenSutherland {
         }
         vec![WatchSection::list(rows)]
     }
+}
+
+/// The drawing.
+fn marks(step: &Step<'_, CohenSutherland>) -> Vec<Mark> {
+    let Input {
+        window,
+        segment,
+        bit_order,
+    } = *step.input;
+    let mut marks = regions(step, bit_order);
+    if let Some(Event::Choose { edge, .. } | Event::Cut { edge, .. }) = step.event {
+        marks.push(border_mark(&window, edge));
+    }
+    marks.extend(segment_marks(&segment, step.state.ends, step.state.verdict));
+    match step.event {
+        Some(Event::Code { end, at, .. }) => marks.push(signal_ring(end, at)),
+        Some(Event::Cut { end, u, to, .. }) => {
+            marks.push(crossing_mark(to, "t", u).linked(end_link(end)));
+        }
+        _ => {}
+    }
+    marks
 }
 
 /// "P₁ is above left: code₁ = 1001", and the comparisons that say so.

@@ -8,7 +8,9 @@ use crate::{
         CyrusBeck, CyrusBeckEvent as Event, CyrusBeckInput as Input, CyrusBeckRow as Row,
         CyrusBeckState as State, End,
     },
-    figure::{Caption, Link, Mark, Role, Second, Shape, Side, Tick, Watch, WatchRow, WatchSection},
+    figure::{
+        Body, Caption, Link, Mark, Role, Shape, Side, Tick, View, Watch, WatchRow, WatchSection,
+    },
     geom::{Point, Segment, extent},
     labs::{
         CodeLine, Demo, Step, code_line,
@@ -136,12 +138,11 @@ impl Demo for CyrusBeck {
         }
     }
 
-    fn marks(step: &Step<'_, Self>) -> Vec<Mark> {
-        let segment = &step.input.segment;
-        let current = current_edge(step.event);
-        let mut marks = normals(step, current);
-        marks.extend(interval(step).marks(segment));
-        marks
+    fn views(step: &Step<'_, Self>) -> Vec<View> {
+        vec![
+            View::plane(marks(step)),
+            View::new("axis", Body::NumberLine(interval(step).number_line())),
+        ]
     }
 
     fn watch(step: &Step<'_, Self>) -> Watch {
@@ -165,10 +166,15 @@ impl Demo for CyrusBeck {
             WatchSection::list(rows),
         ]
     }
+}
 
-    fn second_view(step: &Step<'_, Self>) -> Option<Second> {
-        Some(Second::NumberLine(interval(step).number_line()))
-    }
+/// The drawing.
+fn marks(step: &Step<'_, CyrusBeck>) -> Vec<Mark> {
+    let segment = &step.input.segment;
+    let current = current_edge(step.event);
+    let mut marks = normals(step, current);
+    marks.extend(interval(step).marks(segment));
+    marks
 }
 
 fn interval(step: &Step<'_, CyrusBeck>) -> Interval {

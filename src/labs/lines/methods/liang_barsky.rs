@@ -5,7 +5,7 @@ use crate::{
     algo::line::{
         End, LiangBarsky, LiangBarskyEvent as Event, LiangBarskyState as State, Row, WindowInput,
     },
-    figure::{Caption, Mark, Role, Second, Shape, Side, Tick, Watch, WatchRow, WatchSection},
+    figure::{Body, Caption, Mark, Role, Shape, Side, Tick, View, Watch, WatchRow, WatchSection},
     geom::{Axis, Edge, Point, Segment, Window},
     labs::{
         CodeLine, Demo, Step, code_line,
@@ -131,15 +131,11 @@ impl Demo for LiangBarsky {
         }
     }
 
-    fn marks(step: &Step<'_, Self>) -> Vec<Mark> {
-        let WindowInput { window, segment } = step.input;
-        let mut marks = vec![Mark::new(
-            Role::Faint,
-            Shape::Line([segment.p1.to_array(), segment.p2.to_array()]),
-        )];
-        marks.extend(current_edge(step.event).map(|edge| border_mark(window, edge)));
-        marks.extend(interval(step).marks(segment));
-        marks
+    fn views(step: &Step<'_, Self>) -> Vec<View> {
+        vec![
+            View::plane(marks(step)),
+            View::new("axis", Body::NumberLine(interval(step).number_line())),
+        ]
     }
 
     fn watch(step: &Step<'_, Self>) -> Watch {
@@ -171,10 +167,18 @@ impl Demo for LiangBarsky {
             WatchSection::list(rows),
         ]
     }
+}
 
-    fn second_view(step: &Step<'_, Self>) -> Option<Second> {
-        Some(Second::NumberLine(interval(step).number_line()))
-    }
+/// The drawing.
+fn marks(step: &Step<'_, LiangBarsky>) -> Vec<Mark> {
+    let WindowInput { window, segment } = step.input;
+    let mut marks = vec![Mark::new(
+        Role::Faint,
+        Shape::Line([segment.p1.to_array(), segment.p2.to_array()]),
+    )];
+    marks.extend(current_edge(step.event).map(|edge| border_mark(window, edge)));
+    marks.extend(interval(step).marks(segment));
+    marks
 }
 
 fn interval(step: &Step<'_, LiangBarsky>) -> Interval {

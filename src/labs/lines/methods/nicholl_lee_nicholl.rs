@@ -5,7 +5,7 @@ use crate::{
         CornerLine, End, NichollLeeNicholl, NichollLeeNichollEvent as Event,
         NichollLeeNichollState as State, Question, Region, Turn, WindowInput,
     },
-    figure::{Caption, Mark, Role, Shape, Tick, Watch, WatchRow, WatchSection},
+    figure::{Caption, Mark, Role, Shape, Tick, View, Watch, WatchRow, WatchSection},
     geom::{Axis, Edge, Point, Segment},
     labs::{
         CodeLine, Demo, Step, code_line,
@@ -117,44 +117,8 @@ impl Demo for NichollLeeNicholl {
         }
     }
 
-    fn marks(step: &Step<'_, Self>) -> Vec<Mark> {
-        let WindowInput { window, segment } = step.input;
-        let state = step.state;
-        let p1 = segment.p1;
-        let mut marks: Vec<Mark> = Vec::new();
-        if state.regions[0].is_some() {
-            marks.extend(sectors::marks(p1, window));
-        }
-        let asked = state.lines.iter().flatten();
-        let current = match step.event {
-            Some(Event::Side { line, .. }) => Some(line.corner),
-            Some(Event::Reject { corner, .. }) => corner,
-            _ => None,
-        };
-        for (_, line) in asked.filter(|(_, line)| line.corner != p1) {
-            let role = if current == Some(line.corner) {
-                Role::Signal
-            } else {
-                Role::Soft
-            };
-            marks.push(ray(role, p1, line.corner));
-            marks.push(Mark::new(role, Shape::Dot(line.corner.to_array())).labelled(name("C")));
-        }
-        if let Some(Event::Cut { edge, .. }) = step.event {
-            marks.push(border_mark(window, edge));
-        }
-        marks.extend(segment_marks(segment, state.ends, state.verdict));
-        match step.event {
-            Some(Event::Region { end, .. }) => {
-                let at = end.of(segment).to_array();
-                marks.push(Mark::new(Role::Signal, Shape::Ring(at)).linked(end_link(end)));
-            }
-            Some(Event::Cut { end, u, to, .. }) => {
-                marks.push(crossing_mark(to, "t", u).linked(end_link(end)));
-            }
-            _ => {}
-        }
-        marks
+    fn views(step: &Step<'_, Self>) -> Vec<View> {
+        vec![View::plane(marks(step))]
     }
 
     fn watch(step: &Step<'_, Self>) -> Watch {
@@ -191,6 +155,47 @@ impl Demo for NichollLeeNicholl {
         }
         watch
     }
+}
+
+/// The drawing.
+fn marks(step: &Step<'_, NichollLeeNicholl>) -> Vec<Mark> {
+    let WindowInput { window, segment } = step.input;
+    let state = step.state;
+    let p1 = segment.p1;
+    let mut marks: Vec<Mark> = Vec::new();
+    if state.regions[0].is_some() {
+        marks.extend(sectors::marks(p1, window));
+    }
+    let asked = state.lines.iter().flatten();
+    let current = match step.event {
+        Some(Event::Side { line, .. }) => Some(line.corner),
+        Some(Event::Reject { corner, .. }) => corner,
+        _ => None,
+    };
+    for (_, line) in asked.filter(|(_, line)| line.corner != p1) {
+        let role = if current == Some(line.corner) {
+            Role::Signal
+        } else {
+            Role::Soft
+        };
+        marks.push(ray(role, p1, line.corner));
+        marks.push(Mark::new(role, Shape::Dot(line.corner.to_array())).labelled(name("C")));
+    }
+    if let Some(Event::Cut { edge, .. }) = step.event {
+        marks.push(border_mark(window, edge));
+    }
+    marks.extend(segment_marks(segment, state.ends, state.verdict));
+    match step.event {
+        Some(Event::Region { end, .. }) => {
+            let at = end.of(segment).to_array();
+            marks.push(Mark::new(Role::Signal, Shape::Ring(at)).linked(end_link(end)));
+        }
+        Some(Event::Cut { end, u, to, .. }) => {
+            marks.push(crossing_mark(to, "t", u).linked(end_link(end)));
+        }
+        _ => {}
+    }
+    marks
 }
 
 fn ray(role: Role, from: Point, through: Point) -> Mark {

@@ -99,7 +99,7 @@ mod tests {
     use super::*;
     use crate::{
         algo::polygon::SutherlandHodgmanInput,
-        figure::{Frame, Run, Second},
+        figure::{Body, Frame, Run},
         geom::{ConvexPolygon, GeomError, Polygon, Window},
         labs::record,
     };
@@ -111,10 +111,12 @@ mod tests {
     }
 
     fn row(frame: Frame) -> ClipperRow {
-        match frame.second {
-            Some(Second::Clippers(row)) => row,
-            other => panic!("a row of clippers, not {other:?}"),
-        }
+        let bodies = frame.views.into_iter().map(|view| view.body);
+        let rows = bodies.filter_map(|body| match body {
+            Body::Clippers(row) => Some(row),
+            _ => None,
+        });
+        rows.last().expect("a row of clippers")
     }
 
     #[test]

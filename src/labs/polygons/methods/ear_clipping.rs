@@ -5,7 +5,7 @@ use crate::{
         Corner, EarClipping, EarClippingEvent as Event, EarClippingState as State, Triangle,
         Triangulation,
     },
-    figure::{Caption, Link, Mark, Role, Shape, Tick, Watch, WatchRow, WatchSection},
+    figure::{Caption, Link, Mark, Role, Shape, Tick, View, Watch, WatchRow, WatchSection},
     geom::{Point, SimplePolygon},
     labs::{
         Answer, CodeLine, Demo, Step, code_line,
@@ -157,16 +157,8 @@ impl Demo for EarClipping {
         }
     }
 
-    fn marks(step: &Step<'_, Self>) -> Vec<Mark> {
-        let state = step.state;
-        let mut marks = cut_off_marks(&state.cut_off);
-        if !state.is_done && state.ring.len() > 2 {
-            let left = state.ring.iter().map(|i| state.cut_off.at(i).to_array());
-            marks.push(Mark::new(Role::Accent, Shape::Outline(left.collect())));
-        }
-        marks.extend(event_marks(step));
-        marks.extend(vertex_marks(step));
-        marks
+    fn views(step: &Step<'_, Self>) -> Vec<View> {
+        vec![View::plane(marks(step))]
     }
 
     fn watch(step: &Step<'_, Self>) -> Watch {
@@ -197,6 +189,19 @@ impl Demo for EarClipping {
         watch.extend(triangles_section(&state.cut_off));
         watch
     }
+}
+
+/// The drawing.
+pub fn marks(step: &Step<'_, EarClipping>) -> Vec<Mark> {
+    let state = step.state;
+    let mut marks = cut_off_marks(&state.cut_off);
+    if !state.is_done && state.ring.len() > 2 {
+        let left = state.ring.iter().map(|i| state.cut_off.at(i).to_array());
+        marks.push(Mark::new(Role::Accent, Shape::Outline(left.collect())));
+    }
+    marks.extend(event_marks(step));
+    marks.extend(vertex_marks(step));
+    marks
 }
 
 /// Three of the given points and the vertex that was asked about: `V₄ = (3, 2)`, `turn(V₁, V₂, V₄) = 12 ≥ 0` …

@@ -14,7 +14,7 @@ use crate::{
             },
         },
     },
-    figure::{Caption, Frame, Mark, Run, Tick, Watch},
+    figure::{Caption, Frame, Run, Tick, View, Watch},
     geom::Point,
     labs::{
         self, CodeLine, Demo, Step, code_line,
@@ -28,8 +28,8 @@ use super::{
     clip_edge::Look,
     skin::{Corner, Named},
     sutherland_hodgman::{
-        CODE, EACH, EDGES, IN_OUT, OUT_IN, SOURCE, caption, input, line_of, marks, opening,
-        textured, tick, watch,
+        CODE, EACH, EDGES, IN_OUT, OUT_IN, SOURCE, caption, input, line_of, opening, textured,
+        tick, views, watch,
     },
 };
 
@@ -196,8 +196,8 @@ where
         caption(event, before, &input.region, L::LOOK)
     }
 
-    fn marks(step: &Step<'_, Self>) -> Vec<Mark> {
-        marks(step.input, step.state, step.event, L::LOOK)
+    fn views(step: &Step<'_, Self>) -> Vec<View> {
+        views(step.input, step.state, step.event, L::LOOK)
     }
 
     fn watch(step: &Step<'_, Self>) -> Watch {

@@ -5,7 +5,7 @@ use crate::{
         Pipeline, PipelineEvent as Event, PipelineState as State, RingOutcome, Rule,
         SutherlandHodgmanInput as Input,
     },
-    figure::{Caption, Mark, Role, Second, Shape, Tick, Watch, WatchRow, WatchSection},
+    figure::{Body, Caption, Mark, Role, Shape, Tick, View, Watch, WatchRow, WatchSection},
     geom::Point,
     labs::{
         CodeLine, Demo, Step, code_line,
@@ -158,25 +158,11 @@ impl Demo for Pipeline {
         }
     }
 
-    fn marks(step: &Step<'_, Self>) -> Vec<Mark> {
-        let (input, state) = (step.input, step.state);
-        if let Some(outcome) = state.outcome {
-            return result(&state.output, outcome, &input.region, &input.vertices);
-        }
-        let mut marks = Vec::new();
-        if let Some(stage_idx) = state.stage_idx {
-            let edge = ClipEdge::new(&input.region, stage_idx, Look::default());
-            marks.push(edge.mark(Role::Soft));
-        }
-        marks.push(Mark::new(Role::Accent, Shape::Path(outline(&state.output))).linked("output"));
-        marks.extend(names(&input.vertices, &[]));
-        marks.extend(memory(state));
-        marks.extend(moment(state));
-        marks
-    }
-
-    fn second_view(step: &Step<'_, Self>) -> Option<Second> {
-        Some(Second::Clippers(row(step)))
+    fn views(step: &Step<'_, Self>) -> Vec<View> {
+        vec![
+            View::plane(marks(step)),
+            View::new("clippers", Body::Clippers(row(step))),
+        ]
     }
 
     fn watch(step: &Step<'_, Self>) -> Watch {
@@ -206,6 +192,24 @@ impl Demo for Pipeline {
         watch.push(WatchSection::list(ring.collect()));
         watch
     }
+}
+
+/// The drawing.
+fn marks(step: &Step<'_, Pipeline>) -> Vec<Mark> {
+    let (input, state) = (step.input, step.state);
+    if let Some(outcome) = state.outcome {
+        return result(&state.output, outcome, &input.region, &input.vertices);
+    }
+    let mut marks = Vec::new();
+    if let Some(stage_idx) = state.stage_idx {
+        let edge = ClipEdge::new(&input.region, stage_idx, Look::default());
+        marks.push(edge.mark(Role::Soft));
+    }
+    marks.push(Mark::new(Role::Accent, Shape::Path(outline(&state.output))).linked("output"));
+    marks.extend(names(&input.vertices, &[]));
+    marks.extend(memory(state));
+    marks.extend(moment(state));
+    marks
 }
 
 fn distance_row(symbol: &'static str, distance: f64, is_inside: bool) -> WatchRow {

@@ -9,7 +9,7 @@ use crate::{
             SutherlandHodgmanState as State, Textured,
         },
     },
-    figure::{Caption, Mark, Role, Run, Shape, Tick, Watch, WatchRow, WatchSection},
+    figure::{Caption, Mark, Role, Run, Shape, Tick, View, Watch, WatchRow, WatchSection},
     geom::Point,
     labs::{
         self, CodeLine, Demo, Step, code_line,
@@ -119,8 +119,8 @@ impl<V: Corner> Demo for SutherlandHodgman<V> {
         caption(event, before, &input.region, Look::default())
     }
 
-    fn marks(step: &Step<'_, Self>) -> Vec<Mark> {
-        marks(step.input, step.state, step.event, Look::default())
+    fn views(step: &Step<'_, Self>) -> Vec<View> {
+        views(step.input, step.state, step.event, Look::default())
     }
 
     fn watch(step: &Step<'_, Self>) -> Watch {
@@ -274,6 +274,15 @@ pub fn done(outcome: RingOutcome, n_vertices: usize, n_edges: usize) -> Caption 
     };
     let message = Message::new(key).with("n", n_vertices);
     Caption::new(message.with("edges", n_edges))
+}
+
+pub fn views<V: Corner>(
+    input: &Input<V>,
+    state: &State<V>,
+    event: Option<Event<V>>,
+    look: Look,
+) -> Vec<View> {
+    vec![View::plane(marks(input, state, event, look))]
 }
 
 pub fn marks<V: Corner>(

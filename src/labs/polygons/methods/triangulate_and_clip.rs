@@ -8,7 +8,7 @@ use crate::{
         SutherlandHodgmanInput, Triangle, TriangulateAndClip, TriangulateAndClipEvent as Event,
         TriangulateAndClipInput as Input, TriangulateAndClipState as State,
     },
-    figure::{Caption, Mark, Role, Shape, Tick, Watch, WatchRow, WatchSection},
+    figure::{Caption, Mark, Role, Shape, Tick, View, Watch, WatchRow, WatchSection},
     geom::{Point, SimplePolygon},
     labs::{
         Answer, CodeLine, Demo, Step, code_line,
@@ -20,7 +20,7 @@ use crate::{
 
 use super::{
     clip_edge::Look,
-    sutherland_hodgman,
+    ear_clipping, sutherland_hodgman,
     triangles::{points_of, triangle_link, triangle_name},
 };
 
@@ -100,29 +100,8 @@ impl Demo for TriangulateAndClip {
         }
     }
 
-    fn marks(step: &Step<'_, Self>) -> Vec<Mark> {
-        let state = step.state;
-        if let Some(Event::Triangulate(_)) | None = step.event {
-            return EarClipping::marks(&ears(step));
-        }
-        if state.is_done {
-            return merged_marks(&state.pieces);
-        }
-        let mut marks = triangle_marks(state);
-        marks.extend(piece_marks(&state.pieces));
-        if let (Some(clip), Some(corners)) = (&state.clip, corners(state)) {
-            let event = match step.event {
-                Some(Event::Clip(event)) => Some(event),
-                _ => None,
-            };
-            let input = SutherlandHodgmanInput {
-                region: state.region.clone(),
-                vertices: corners.to_vec(),
-            };
-            let look = Look::default();
-            marks.extend(sutherland_hodgman::marks(&input, clip, event, look));
-        }
-        marks
+    fn views(step: &Step<'_, Self>) -> Vec<View> {
+        vec![View::plane(marks(step))]
     }
 
     fn watch(step: &Step<'_, Self>) -> Watch {
@@ -143,6 +122,32 @@ impl Demo for TriangulateAndClip {
         }
         watch
     }
+}
+
+/// The drawing.
+fn marks(step: &Step<'_, TriangulateAndClip>) -> Vec<Mark> {
+    let state = step.state;
+    if let Some(Event::Triangulate(_)) | None = step.event {
+        return ear_clipping::marks(&ears(step));
+    }
+    if state.is_done {
+        return merged_marks(&state.pieces);
+    }
+    let mut marks = triangle_marks(state);
+    marks.extend(piece_marks(&state.pieces));
+    if let (Some(clip), Some(corners)) = (&state.clip, corners(state)) {
+        let event = match step.event {
+            Some(Event::Clip(event)) => Some(event),
+            _ => None,
+        };
+        let input = SutherlandHodgmanInput {
+            region: state.region.clone(),
+            vertices: corners.to_vec(),
+        };
+        let look = Look::default();
+        marks.extend(sutherland_hodgman::marks(&input, clip, event, look));
+    }
+    marks
 }
 
 /// The triangulation alone.

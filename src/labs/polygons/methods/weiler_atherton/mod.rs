@@ -11,7 +11,7 @@ use crate::{
         Clipped, Label, List, Relation, WeilerAtherton, WeilerAthertonEvent as Event,
         WeilerAthertonInput as Input, WeilerAthertonState as State,
     },
-    figure::{Caption, Mark, Tick, Watch, WatchRow, WatchSection},
+    figure::{Caption, Tick, View, Watch, WatchRow, WatchSection},
     geom::{GeomError, Point, Polygon, Region, SimplePolygon},
     labs::{
         Answer, CodeLine, Demo, Step, code_line,
@@ -145,8 +145,8 @@ impl Demo for WeilerAtherton {
         captions::caption(event, before, input)
     }
 
-    fn marks(step: &Step<'_, Self>) -> Vec<Mark> {
-        marks::marks(step)
+    fn views(step: &Step<'_, Self>) -> Vec<View> {
+        vec![View::plane(marks::marks(step))]
     }
 
     fn watch(step: &Step<'_, Self>) -> Watch {

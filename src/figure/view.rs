@@ -1,12 +1,60 @@
-//! What is shown beside the geometry: a picture of what an algorithm holds, not of where things are.
+//! What a step shows: one view or several, side by side. A view is a picture of where things are, or of what an
+//! algorithm holds.
 
 use crate::text::Value;
 
-use super::Link;
+use super::{Bits, Link, Lists, Mark, Products, Table};
 
-/// A second view, under the stage.
+/// A name that a view keeps from step to step, and from one method to the one beside it: pan, zoom and orbit are
+/// remembered under it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, PartialOrd, Ord)]
+pub struct ViewId(pub &'static str);
+
+impl ViewId {
+    /// The drawing that every lab of the plane has.
+    pub const PLANE: Self = Self("plane");
+}
+
+/// One view of a step.
 #[derive(Clone, PartialEq, Debug)]
-pub enum Second {
+pub struct View {
+    /// The same at every step of a run.
+    pub id: ViewId,
+    /// What it shows.
+    pub body: Body,
+}
+
+impl View {
+    /// The drawing in the plane.
+    #[must_use]
+    pub const fn plane(marks: Vec<Mark>) -> Self {
+        Self {
+            id: ViewId::PLANE,
+            body: Body::Plane(marks),
+        }
+    }
+
+    /// A view under this name.
+    #[must_use]
+    pub const fn new(id: &'static str, body: Body) -> Self {
+        let id = ViewId(id);
+        Self { id, body }
+    }
+}
+
+/// The kinds of views.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Body {
+    /// Marks in the coordinates of a plane.
+    Plane(Vec<Mark>),
+    /// Codes over each other, bit by bit.
+    Bits(Bits),
+    /// Rows and columns of values.
+    Table(Table),
+    /// Vertex lists and what links them.
+    Lists(Lists),
+    /// Dot products, each with its own small drawing.
+    Products(Products),
     /// What is left of a parameter's interval.
     NumberLine(NumberLine),
     /// A pipeline, and what flows through it.
