@@ -13,6 +13,7 @@ mod stage;
 mod texture;
 pub mod theme;
 mod triangle;
+mod typeset;
 mod viewport;
 
 pub use cpu::CpuPainter;
@@ -20,4 +21,5 @@ pub use headless::Headless;
 pub use image::Image;
 pub use stage::stage;
 pub use theme::{Theme, ThemeKind};
+pub use typeset::Typeset;
 pub use viewport::Viewport;
