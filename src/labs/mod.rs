@@ -8,6 +8,7 @@ mod document;
 mod handle;
 pub mod lines;
 pub mod polygons;
+mod split_mix;
 mod words;
 
 pub use card::{CodeLine, MethodCard};

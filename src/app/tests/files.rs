@@ -8,7 +8,7 @@ use super::{Bench, SIZE, ctrl};
 use crate::{
     app::{App, Command, Desktop, Dialog, Settings},
     labs::{Scene, lines},
-    lesson::{Course, random_segments},
+    lesson::Course,
 };
 
 #[derive(Debug)]
@@ -47,7 +47,7 @@ fn a_scene_that_is_dropped_is_opened_and_can_be_undone() {
     let mut bench = Bench::new(SIZE);
     let before = bench.app.scene().clone();
     let lines = before.as_lines().expect("the first lab");
-    let segments = random_segments(&lines.window, 3, 7);
+    let segments = lines::random_segments(&lines.window, 3, 7);
     let scene = lines::Scene::new(lines.method, lines.window, segments).expect("three segments");
     let scene = Scene::Lines(scene);
     let text = crate::lesson::scene_to_toml(&scene).into_bytes();

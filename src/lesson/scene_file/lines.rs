@@ -7,10 +7,9 @@ use crate::{
     geom::{ConvexPolygon, Segment, Window},
     labs::{
         Lab,
-        lines::{MAX_SEGMENTS, Method, Scene},
+        lines::{MAX_SEGMENTS, Method, Scene, random_segments},
     },
     lesson::{
-        random::random_segments,
         sink::Sink,
         toml_fields::{Fields, Item, list, numbers, one_of, whole, wrong_type},
     },

@@ -6,10 +6,9 @@ use crate::{
     geom::{Polygon, Window},
     labs::{
         Lab,
-        polygons::{MAX_VERTICES, Method, Scene, Texture},
+        polygons::{MAX_VERTICES, Method, Scene, Texture, random_polygon},
     },
     lesson::{
-        random::random_polygon,
         sink::Sink,
         toml_fields::{Fields, Item, list, one_of, whole},
     },

@@ -143,32 +143,6 @@ segments = [[-0.0, 0.1, 5e-324, 0.30000000000000004], [1e15, 9007199254740993, 0
 }
 
 #[test]
-fn random_segments_are_the_same_every_time() {
-    use crate::geom::Window;
-    let window = Window::new(-1.0, -1.0, 1.0, 1.0).expect("a window");
-    let segments = random_segments(&window, 1_000, 7);
-    assert_eq!(segments, random_segments(&window, 1_000, 7));
-    assert_ne!(segments, random_segments(&window, 1_000, 8));
-    assert_eq!(segments[0].to_array(), [-0.44, -1.93, 1.6, 0.33]);
-    let numbers = segments.iter().flat_map(|s| s.to_array());
-    assert!(numbers.clone().all(|x| (-2.0..=2.0).contains(&x)));
-    assert!(numbers.clone().any(|x| x > 1.9) && numbers.clone().any(|x| x < -1.9));
-    for [a, b] in [
-        [-1e308, 1e308],
-        [1.0, 1.0 + f64::EPSILON],
-        [-f64::MAX, f64::MAX],
-        [0.0, 5e-324],
-    ] {
-        let window = Window::new(a, a, b, b).expect("a window");
-        assert_eq!(
-            random_segments(&window, 100, 1).len(),
-            100,
-            "[{a}, {b}]: finite"
-        );
-    }
-}
-
-#[test]
 fn the_embedded_course_is_in_order_and_complete() {
     let loaded = Course::load(&Embedded);
     if Embedded

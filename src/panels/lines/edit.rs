@@ -3,8 +3,7 @@
 use crate::{
     algo::line::BitOrder,
     geom::{GeomError, Segment},
-    labs::lines::Scene,
-    lesson::random_segments,
+    labs::lines::{Scene, random_segments},
     panels::EditError,
 };
 

@@ -6,8 +6,7 @@ use std::hint::black_box;
 use crate::{
     algo::line::batch::{Clipped, Segments, clip_all},
     geom::Segment,
-    labs::lines::{Method, Pass, Scene},
-    lesson::random_segments,
+    labs::lines::{Method, Pass, Scene, random_segments},
     panels::Stopwatch,
     trace::Counts,
 };

@@ -4,9 +4,8 @@ use crate::{
     geom::{Point, Polygon},
     labs::{
         Handle,
-        polygons::{PRESETS, Preset, REGIONS, Scene, SceneError, Texture},
+        polygons::{PRESETS, Preset, REGIONS, Scene, SceneError, Texture, random_polygon},
     },
-    lesson::random_polygon,
     panels::EditError,
 };
 
