@@ -8,7 +8,7 @@ use crate::{
     paint::ThemeKind,
     panels::{Edit, polygons::Outline},
     text::Lang,
-    widgets::View,
+    widgets::PanZoom,
 };
 
 use super::{dialog::Dialog, document::Gesture};
@@ -90,7 +90,7 @@ pub enum Command {
     /// Handles keep to the grid, or not.
     Snap(bool),
     /// Looks elsewhere.
-    View(View),
+    View(PanZoom),
     /// Looks at the whole scene.
     FitView,
     /// Looks nearer, or from farther away.

@@ -10,8 +10,8 @@ use crate::{
     panels::{Reach, polygons::Sketch, spots},
     text::Message,
     widgets::{
-        Canvas, CanvasShown, Spot, View, caption, caption_height, caption_text, column_title,
-        gripped, second_view, second_view_height,
+        Canvas, CanvasShown, PanZoom, Spot, caption, caption_height, caption_text, column_title,
+        gripped, strip_height, view,
     },
 };
 
@@ -24,7 +24,7 @@ const LEAST_STAGE: f32 = 140.0;
 #[derive(Default)]
 pub struct StageState {
     /// As panned and zoomed; `None` fits `bounds`.
-    view: Option<View>,
+    view: Option<PanZoom>,
     /// What was to be seen when the scene was opened: dragging a handle does not move the view.
     bounds: [[f64; 2]; 2],
     /// What stands out.
@@ -87,7 +87,7 @@ impl StageState {
                     let pointer = ctx.input(|input| input.pointer.hover_pos());
                     let around = pointer.filter(|&at| seen.rect.contains(at));
                     let around = around.unwrap_or_else(|| seen.rect.center());
-                    self.view = Some(View::of(&seen).zoomed(seen.rect, factor, around));
+                    self.view = Some(PanZoom::of(&seen).zoomed(seen.rect, factor, around));
                 }
             }
             _ => {}
@@ -171,7 +171,7 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
     // As much room under both stages, so that they show the same place.
     let beside = frames.iter().flat_map(|frame| frame.views.iter().skip(1));
     let second_height = beside
-        .filter_map(|view| second_view_height(model.look.theme, width, view))
+        .filter_map(|view| strip_height(model.look.theme, width, view))
         .reduce(f32::max);
     for (i, (frame, method)) in frames.iter().zip(methods).enumerate() {
         let left = (rect.left() + i as f32 * width).round();
@@ -257,7 +257,7 @@ impl Column<'_> {
         let shown = self.canvas(model, ui, state, frame, said, stage);
         match (frame.views.get(1), below) {
             (Some(second), Some(below)) => {
-                let pointed = second_view(ui, look, below, second, state.lit);
+                let pointed = view(ui, look, below, second, state.lit);
                 state.pointed_on_stage = state.pointed_on_stage.or(pointed);
             }
             (None, Some(blank)) => {

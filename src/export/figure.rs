@@ -10,7 +10,7 @@ use crate::{
     paint::{Headless, Image, Theme, ThemeKind, Viewport, stage},
     text::{Catalog, Lang},
     trace::Counts,
-    widgets::{Look, caption_job, column_title, second_view, second_view_height},
+    widgets::{Look, caption_job, column_title, strip_height, view},
 };
 
 /// A figure is laid out on a page of this size in points, or larger along one side as its shape asks, and
@@ -70,7 +70,7 @@ pub fn draw(table: &mut Headless, picture: &Picture<'_>) -> Image {
         second_height: columns
             .iter()
             .flat_map(|column| column.frame.views.iter().skip(1))
-            .filter_map(|view| second_view_height(theme, column_width, view))
+            .filter_map(|view| strip_height(theme, column_width, view))
             .fold(0.0, f32::max),
     };
     table.draw(size / pixels_per_point, pixels_per_point, |ui| {
@@ -160,7 +160,7 @@ impl Page<'_> {
             let rect = rect
                 .with_min_y(strip_top - self.second_height)
                 .with_max_y(strip_top);
-            second_view(ui, self.look, rect, second, None);
+            view(ui, self.look, rect, second, None);
         }
         let hairline = self.look.theme.stroke(1.0, self.look.theme.hairline);
         ui.painter().hline(rect.x_range(), strip_top, hairline);

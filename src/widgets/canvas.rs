@@ -1,6 +1,6 @@
 //! The stage surface: pan, zoom, grid, handles, and the figure's marks over them.
 
-use egui::{Id, PointerButton, Pos2, Rect, Response, Role, Sense, StrokeKind, Ui, WidgetInfo};
+use egui::{Id, PointerButton, Pos2, Response, Role, Sense, StrokeKind, Ui, WidgetInfo};
 
 use crate::{
     figure::{Link, Mark},
@@ -11,66 +11,11 @@ use super::{
     Look, grid,
     handles::{Handles, Moved, Spot, snapped},
     hit,
+    pan_zoom::PanZoom,
 };
 
 /// Grid dots are at least this far apart, in points.
 const GRID_PTS: f64 = 40.0;
-/// The largest and the smallest scale, as factors of a view that fits the world's size.
-const SCALES: [f64; 2] = [1e-9, 1e9];
-
-/// What part of the world a canvas shows, kept by its owner.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct View {
-    /// The world point in the middle.
-    pub centre: [f64; 2],
-    /// Points on the screen for one unit of the world.
-    pub scale: f64,
-}
-
-impl View {
-    /// The view of a viewport.
-    #[must_use]
-    pub const fn of(viewport: &Viewport) -> Self {
-        Self {
-            centre: viewport.centre,
-            scale: viewport.scale,
-        }
-    }
-
-    /// This view in a rectangle on the screen.
-    #[must_use]
-    pub const fn on(self, rect: Rect) -> Viewport {
-        Viewport {
-            rect,
-            centre: self.centre,
-            scale: self.scale,
-        }
-    }
-
-    /// Moved with the pointer, by points on the screen.
-    #[must_use]
-    pub fn panned(self, by: egui::Vec2) -> Self {
-        Self {
-            centre: [
-                self.centre[0] - f64::from(by.x) / self.scale,
-                self.centre[1] + f64::from(by.y) / self.scale,
-            ],
-            ..self
-        }
-    }
-
-    /// Zoomed by a factor; the world point under `around` stays there.
-    #[must_use]
-    pub fn zoomed(self, rect: Rect, factor: f64, around: Pos2) -> Self {
-        let fixed = self.on(rect).to_world(around);
-        let scale = (self.scale * factor).clamp(SCALES[0], SCALES[1]);
-        let kept = self.scale / scale;
-        Self {
-            centre: std::array::from_fn(|i| fixed[i] + (self.centre[i] - fixed[i]) * kept),
-            scale,
-        }
-    }
-}
 
 /// A stage to be shown.
 pub struct Canvas<'a> {
@@ -124,7 +69,7 @@ pub struct CanvasShown {
     /// As it was drawn.
     pub viewport: Viewport,
     /// The view that the person asked for by panning or zooming.
-    pub view: Option<View>,
+    pub view: Option<PanZoom>,
     /// A handle was moved.
     pub moved: Option<Moved>,
     /// The drag of a handle has ended.
@@ -214,8 +159,8 @@ fn pan_and_zoom(
     response: &Response,
     viewport: &Viewport,
     holds_handle: bool,
-) -> Option<View> {
-    let mut view = View::of(viewport);
+) -> Option<PanZoom> {
+    let mut view = PanZoom::of(viewport);
     let drags_background = response.dragged_by(PointerButton::Primary) && !holds_handle;
     if drags_background || response.dragged_by(PointerButton::Middle) {
         view = view.panned(response.drag_delta());
@@ -226,39 +171,5 @@ fn pan_and_zoom(
             .zoomed(viewport.rect, f64::from(factor), at)
             .panned(scroll);
     }
-    (view != View::of(viewport)).then_some(view)
-}
-
-#[cfg(test)]
-mod tests {
-    use egui::{pos2, vec2};
-
-    use super::*;
-
-    const RECT: Rect = Rect::from_min_max(Pos2::ZERO, pos2(400.0, 300.0));
-
-    #[test]
-    fn zooming_keeps_the_point_under_the_pointer() {
-        let view = View {
-            centre: [1.0, 2.0],
-            scale: 10.0,
-        };
-        let pointer = pos2(350.0, 40.0);
-        let before = view.on(RECT).to_world(pointer);
-        let after = view.zoomed(RECT, 1.5, pointer).on(RECT).to_world(pointer);
-        assert!((before[0] - after[0]).abs() < 1e-9 && (before[1] - after[1]).abs() < 1e-9);
-    }
-
-    #[test]
-    fn panning_moves_the_world_with_the_pointer() {
-        let view = View {
-            centre: [0.0; 2],
-            scale: 10.0,
-        };
-        let moved = view.panned(vec2(20.0, 10.0));
-        assert_eq!(
-            moved.on(RECT).to_screen([0.0; 2]),
-            RECT.center() + vec2(20.0, 10.0)
-        );
-    }
+    (view != PanZoom::of(viewport)).then_some(view)
 }

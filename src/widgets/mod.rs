@@ -1,6 +1,7 @@
 //! Parts of the window that know figures and runs, but no lab: each draws one thing and says what was
 //! done to it. None keeps state that undo would miss.
 
+mod bits;
 mod canvas;
 mod caption;
 mod clipper_row;
@@ -10,31 +11,36 @@ mod handles;
 mod hit;
 mod icon;
 mod lesson_text;
+mod lists;
 mod number_line;
+mod pan_zoom;
 mod picker;
+mod products;
 mod pseudocode;
-mod second_view;
 mod section;
+mod table;
 mod tick;
 mod timeline;
 mod title;
 mod transport;
+mod view;
 mod watch;
 
-pub use canvas::{Canvas, CanvasShown, Click, View, place_at};
+pub use canvas::{Canvas, CanvasShown, Click, place_at};
 pub use caption::{caption, caption_height, caption_job, caption_text};
 pub use cost::{Cost, cost};
 pub use handles::{Gesture, Moved, Snap, Spot, gripped};
 pub use hit::{distance_to_segment, link_at};
 pub use icon::{Icon, icon_button};
 pub use lesson_text::lesson_text;
+pub use pan_zoom::PanZoom;
 pub use picker::{language_menu, theme_menu};
 pub use pseudocode::{CodeLine, code_view_switch, pseudocode};
-pub use second_view::{second_view, second_view_height};
 pub use section::{rule, section};
 pub use timeline::Timeline;
 pub use title::column_title;
 pub use transport::{Press, speed_menu, transport_buttons, transport_width};
+pub use view::{strip_height, view};
 pub use watch::watch;
 
 use crate::{paint::Theme, text::Catalog};
