@@ -3,6 +3,7 @@
 use egui::{Pos2, Ui};
 
 use crate::{
+    figure::ViewId,
     geom::Polygon,
     labs::{Handle, Lock, Scene, lines, polygons},
     paint::Viewport,
@@ -10,7 +11,7 @@ use crate::{
     widgets::{CanvasShown, Click, Gesture as HandleGesture, distance_to_segment, place_at},
 };
 
-use super::{Command, document::Gesture, model::Model, stage::StageState};
+use super::{Command, document::Gesture, model::Model, stage_state::StageState};
 
 /// A click this near to a segment or an edge, in points, is on it.
 const CLICK_REACH: f32 = 8.0;
@@ -24,7 +25,7 @@ pub fn ask(
     state: &StageState,
     commands: &mut Vec<Command>,
 ) {
-    commands.extend(shown.view.map(Command::View));
+    commands.extend(shown.view.map(|view| Command::View(ViewId::PLANE, view)));
     if let Some(moved) = shown.moved {
         let handle = handles[moved.spot];
         let gesture = match moved.by {

@@ -3,6 +3,7 @@
 use egui::{Key, Modifiers};
 
 use crate::{
+    figure::ViewId,
     labs::{Handle, Lab},
     lesson::CodeView,
     paint::ThemeKind,
@@ -90,7 +91,7 @@ pub enum Command {
     /// Handles keep to the grid, or not.
     Snap(bool),
     /// Looks elsewhere.
-    View(PanZoom),
+    View(ViewId, PanZoom),
     /// Looks at the whole scene.
     FitView,
     /// Looks nearer, or from farther away.

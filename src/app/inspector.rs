@@ -10,7 +10,7 @@ use crate::{
     widgets::{CodeLine, Cost, code_view_switch, cost, pseudocode, rule, section, watch},
 };
 
-use super::{Command, model::Model, stage::StageState};
+use super::{Command, model::Model, stage_state::StageState};
 
 /// Draws the panel.
 pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &mut Vec<Command>) {

@@ -4,7 +4,10 @@ use egui::{CentralPanel, Frame, Margin, Panel, Ui, Vec2};
 
 use crate::widgets::{Icon, transport_width};
 
-use super::{App, Command, Fields, bars, course_panel, inspector, model::Model, overlays, stage};
+use super::{
+    App, Command, Fields, bars, course_panel, inspector, model::Model, overlays, stage,
+    stage_state::StageState,
+};
 
 /// In windows narrower than this, in points, the course and the inspector take the stage's place.
 const NARROW: f32 = 860.0;
@@ -83,12 +86,7 @@ pub fn show(app: &mut App, ui: &mut Ui, commands: &mut Vec<Command>) {
     app.lab.fields = fields;
 }
 
-fn centre(
-    model: &Model<'_>,
-    ui: &mut Ui,
-    state: &mut stage::StageState,
-    commands: &mut Vec<Command>,
-) {
+fn centre(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &mut Vec<Command>) {
     CentralPanel::no_frame().show(ui, |ui| stage::show(model, ui, state, commands));
 }
 
@@ -96,7 +94,7 @@ fn centre(
 fn presentation(
     model: &Model<'_>,
     ui: &mut Ui,
-    state: &mut stage::StageState,
+    state: &mut StageState,
     commands: &mut Vec<Command>,
 ) {
     let frame = Frame::new()
@@ -146,12 +144,7 @@ fn bottom(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
         });
 }
 
-fn sides(
-    model: &Model<'_>,
-    ui: &mut Ui,
-    state: &mut stage::StageState,
-    commands: &mut Vec<Command>,
-) {
+fn sides(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &mut Vec<Command>) {
     let width = ui.ctx().content_rect().width();
     let widest = 0.28 * width;
     // Larger text wants wider panels, as far as three fifths are left to the stage.

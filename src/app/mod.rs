@@ -34,6 +34,7 @@ mod reload;
 mod settings;
 mod sketch;
 mod stage;
+mod stage_state;
 #[cfg(test)]
 mod tests;
 #[cfg(target_arch = "wasm32")]
@@ -66,7 +67,7 @@ use layout::Room;
 use notice::Notices;
 use place::Place;
 use playback::Playback;
-use stage::StageState;
+use stage_state::StageState;
 
 /// The whole app, without a window of its own.
 pub struct App {

@@ -3,6 +3,7 @@
 use egui::{Pos2, Shape, Stroke, Ui};
 
 use crate::{
+    figure::ViewId,
     paint::Viewport,
     panels::polygons::Sketch,
     widgets::{CanvasShown, place_at},
@@ -25,7 +26,7 @@ pub fn ask(
     sketch: &Sketch,
     commands: &mut Vec<Command>,
 ) {
-    commands.extend(shown.view.map(Command::View));
+    commands.extend(shown.view.map(|view| Command::View(ViewId::PLANE, view)));
     let Some(click) = shown.clicked else {
         return;
     };

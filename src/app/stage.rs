@@ -1,142 +1,24 @@
 //! The stage: the figure, a second view below it where the method has one, and the caption. Two of each
 //! where two methods stand side by side.
 
-use egui::{Align2, Context, Id, Rect, Stroke, Ui, UiBuilder, pos2, vec2};
+use egui::{Align2, Id, Rect, Stroke, Ui, UiBuilder, pos2, vec2};
 
 use crate::{
-    figure::{Caption, Frame, Link, Mark},
-    labs::{Handle, Lock, MethodCard, Scene},
+    figure::{Caption, Frame, ViewId},
+    labs::{Handle, Lock, MethodCard},
     paint::Viewport,
     panels::{Reach, polygons::Sketch, spots},
     text::Message,
     widgets::{
-        Canvas, CanvasShown, PanZoom, Spot, caption, caption_height, caption_text, column_title,
-        gripped, strip_height, view,
+        Canvas, CanvasShown, Spot, caption, caption_height, caption_text, column_title, gripped,
+        strip_height, view,
     },
 };
 
-use super::{Command, clicks, model::Model, sketch};
+use super::{Command, clicks, model::Model, sketch, stage_state::StageState};
 
 /// The least height that a stage keeps when a second view wants room.
 const LEAST_STAGE: f32 = 140.0;
-
-/// What the stage remembers between frames. None of it is part of the document.
-#[derive(Default)]
-pub struct StageState {
-    /// As panned and zoomed; `None` fits `bounds`.
-    view: Option<PanZoom>,
-    /// What was to be seen when the scene was opened: dragging a handle does not move the view.
-    bounds: [[f64; 2]; 2],
-    /// What stands out.
-    pub lit: Option<Link>,
-    /// What the pointer is on, on the stage and in the inspector.
-    pub pointed_on_stage: Option<Link>,
-    /// See above.
-    pub pointed_in_inspector: Option<Link>,
-    /// Widgets that are stages, and those that are handles.
-    pub canvas_ids: Vec<Id>,
-    /// See above.
-    pub handle_ids: Vec<Id>,
-    /// The handle that had the keyboard's focus in the last frame.
-    pub focused: Option<Handle>,
-    /// The vertex that was clicked or dragged last: what Insert and Delete are about.
-    pub selected: Option<Handle>,
-    /// Half an outline, while one is drawn.
-    pub sketch: Option<Sketch>,
-    /// Does the scene come from elsewhere than the lesson's step?
-    pub is_foreign: bool,
-    seen: Option<Viewport>,
-    layers: Vec<Layers>,
-}
-
-/// The marks of one column, kept until something changes: a large scene is not clipped again every frame.
-struct Layers {
-    under: (u64, &'static str, bool),
-    n_under: usize,
-    step: usize,
-    marks: Vec<Mark>,
-}
-
-impl StageState {
-    /// A stage that shows all of a scene.
-    #[must_use]
-    pub fn new(scene: &Scene) -> Self {
-        Self {
-            bounds: scene.bounds(),
-            ..Self::default()
-        }
-    }
-
-    /// Shows all of a scene.
-    pub fn fit(&mut self, scene: &Scene) {
-        (self.view, self.bounds) = (None, scene.bounds());
-    }
-
-    /// What keys are about.
-    pub fn chosen(&self) -> Option<Handle> {
-        self.focused.or(self.selected)
-    }
-
-    /// Looks elsewhere.
-    pub fn look(&mut self, ctx: &Context, scene: &Scene, command: &Command) {
-        match *command {
-            Command::View(view) => self.view = Some(view),
-            Command::FitView => self.fit(scene),
-            Command::Zoom(factor) => {
-                if let Some(seen) = self.seen {
-                    let pointer = ctx.input(|input| input.pointer.hover_pos());
-                    let around = pointer.filter(|&at| seen.rect.contains(at));
-                    let around = around.unwrap_or_else(|| seen.rect.center());
-                    self.view = Some(PanZoom::of(&seen).zoomed(seen.rect, factor, around));
-                }
-            }
-            _ => {}
-        }
-    }
-
-    /// The part of the world that was shown last.
-    pub const fn seen(&self) -> Option<Viewport> {
-        self.seen
-    }
-
-    fn viewport(&self, rect: Rect) -> Viewport {
-        self.view
-            .map_or_else(|| Viewport::fit(rect, self.bounds), |view| view.on(rect))
-    }
-
-    /// What is drawn in a column: the backdrop, and this step's marks over it.
-    fn marks(&mut self, column: usize, model: &Model<'_>, frame: &Frame) -> &[Mark] {
-        let transport = model.playback.transport();
-        let step = transport.position();
-        let method = model.scene.methods().get(column).map_or("", |card| card.id);
-        let under = (model.revision, method, step >= transport.n_steps());
-        let known = self
-            .layers
-            .get(column)
-            .filter(|layers| layers.under == under);
-        if known.is_none() {
-            let marks = model.scene.backdrop(column, under.2);
-            self.layers.truncate(column);
-            self.layers.push(Layers {
-                under,
-                n_under: marks.len(),
-                step: usize::MAX,
-                marks,
-            });
-        }
-        let is_bare = self.sketch.is_some() || model.playback.is_late();
-        let layers = &mut self.layers[column];
-        if is_bare {
-            return &layers.marks[..layers.n_under];
-        }
-        if layers.step != step {
-            layers.marks.truncate(layers.n_under);
-            layers.marks.extend(frame.marks().iter().cloned());
-            layers.step = step;
-        }
-        &layers.marks
-    }
-}
 
 /// What can be taken hold of.
 struct Hands<'a> {
@@ -333,7 +215,7 @@ impl Column<'_> {
         rect: Rect,
     ) -> CanvasShown {
         let look = model.look;
-        let viewport = state.viewport(rect);
+        let viewport = state.viewport(ViewId::PLANE, rect);
         let lit = state.lit;
         let id = Id::unique(("stage", self.index));
         let spots = self.spots(model, ui, state, id, &viewport);
@@ -360,7 +242,7 @@ impl Column<'_> {
             sketch::draw(model, ui, &viewport, drawn);
         }
         state.pointed_on_stage = state.pointed_on_stage.or(shown.pointed);
-        state.seen = Some(shown.viewport);
+        state.saw(ViewId::PLANE, shown.viewport);
         shown
     }
 }

@@ -1,0 +1,147 @@
+//! What the stage remembers between frames.
+
+use std::collections::BTreeMap;
+
+use egui::{Context, Id, Rect};
+
+use crate::{
+    figure::{Frame, Link, Mark, ViewId},
+    labs::{Handle, Scene},
+    paint::Viewport,
+    panels::polygons::Sketch,
+    widgets::PanZoom,
+};
+
+use super::{Command, model::Model};
+
+/// What the stage remembers between frames. None of it is part of the document.
+#[derive(Default)]
+pub struct StageState {
+    /// Views that were panned or zoomed, the same for two methods side by side; others fit `bounds`.
+    moved: BTreeMap<ViewId, PanZoom>,
+    /// What was to be seen when the scene was opened: dragging a handle does not move the view.
+    bounds: [[f64; 2]; 2],
+    /// What stands out.
+    pub lit: Option<Link>,
+    /// What the pointer is on, on the stage and in the inspector.
+    pub pointed_on_stage: Option<Link>,
+    /// See above.
+    pub pointed_in_inspector: Option<Link>,
+    /// Widgets that are stages, and those that are handles.
+    pub canvas_ids: Vec<Id>,
+    /// See above.
+    pub handle_ids: Vec<Id>,
+    /// The handle that had the keyboard's focus in the last frame.
+    pub focused: Option<Handle>,
+    /// The vertex that was clicked or dragged last: what Insert and Delete are about.
+    pub selected: Option<Handle>,
+    /// Half an outline, while one is drawn.
+    pub sketch: Option<Sketch>,
+    /// Does the scene come from elsewhere than the lesson's step?
+    pub is_foreign: bool,
+    /// As they were drawn last.
+    seen: BTreeMap<ViewId, Viewport>,
+    layers: Vec<Layers>,
+}
+
+/// The marks of one column, kept until something changes: a large scene is not clipped again every frame.
+struct Layers {
+    under: (u64, &'static str, bool),
+    n_under: usize,
+    step: usize,
+    marks: Vec<Mark>,
+}
+
+impl StageState {
+    /// A stage that shows all of a scene.
+    #[must_use]
+    pub fn new(scene: &Scene) -> Self {
+        Self {
+            bounds: scene.bounds(),
+            ..Self::default()
+        }
+    }
+
+    /// Shows all of a scene.
+    pub fn fit(&mut self, scene: &Scene) {
+        self.moved.clear();
+        self.bounds = scene.bounds();
+    }
+
+    /// What keys are about.
+    pub fn chosen(&self) -> Option<Handle> {
+        self.focused.or(self.selected)
+    }
+
+    /// Looks elsewhere.
+    pub fn look(&mut self, ctx: &Context, scene: &Scene, command: &Command) {
+        match *command {
+            Command::View(id, pan_zoom) => {
+                self.moved.insert(id, pan_zoom);
+            }
+            Command::FitView => self.fit(scene),
+            Command::Zoom(factor) => {
+                let pointer = ctx.input(|input| input.pointer.hover_pos());
+                let under =
+                    |(_, seen): &(_, &Viewport)| pointer.is_some_and(|at| seen.rect.contains(at));
+                let pointed = self.seen.iter().find(under);
+                if let Some((&id, seen)) = pointed.or_else(|| self.seen.iter().next()) {
+                    let around = pointer.filter(|_| pointed.is_some());
+                    let around = around.unwrap_or_else(|| seen.rect.center());
+                    let zoomed = PanZoom::of(seen).zoomed(seen.rect, factor, around);
+                    self.moved.insert(id, zoomed);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// The part of the world that the drawing showed last.
+    pub fn seen(&self) -> Option<Viewport> {
+        self.seen.get(&ViewId::PLANE).copied()
+    }
+
+    /// Remembers what part of the world a view showed.
+    pub fn saw(&mut self, id: ViewId, viewport: Viewport) {
+        self.seen.insert(id, viewport);
+    }
+
+    /// What part of the world a view shows in `rect`.
+    pub fn viewport(&self, id: ViewId, rect: Rect) -> Viewport {
+        let moved = self.moved.get(&id);
+        moved.map_or_else(|| Viewport::fit(rect, self.bounds), |moved| moved.on(rect))
+    }
+
+    /// What is drawn in a column: the backdrop, and this step's marks over it.
+    pub fn marks(&mut self, column: usize, model: &Model<'_>, frame: &Frame) -> &[Mark] {
+        let transport = model.playback.transport();
+        let step = transport.position();
+        let method = model.scene.methods().get(column).map_or("", |card| card.id);
+        let under = (model.revision, method, step >= transport.n_steps());
+        let known = self
+            .layers
+            .get(column)
+            .filter(|layers| layers.under == under);
+        if known.is_none() {
+            let marks = model.scene.backdrop(column, under.2);
+            self.layers.truncate(column);
+            self.layers.push(Layers {
+                under,
+                n_under: marks.len(),
+                step: usize::MAX,
+                marks,
+            });
+        }
+        let is_bare = self.sketch.is_some() || model.playback.is_late();
+        let layers = &mut self.layers[column];
+        if is_bare {
+            return &layers.marks[..layers.n_under];
+        }
+        if layers.step != step {
+            layers.marks.truncate(layers.n_under);
+            layers.marks.extend(frame.marks().iter().cloned());
+            layers.step = step;
+        }
+        &layers.marks
+    }
+}
