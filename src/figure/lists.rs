@@ -1,5 +1,7 @@
 //! Vertex lists beside each other, and what links them.
 
+use std::ops::Range;
+
 use crate::text::Value;
 
 use super::{Link, Role};
@@ -18,12 +20,46 @@ pub struct Lists {
 pub struct List {
     /// Over it: "Subject list".
     pub title: Value,
-    /// All of them, however many: a view folds what it has no room for, and says so.
+    /// All of a short list, of a long one those about the focus ([`List::reach`]); a view folds what it has no room
+    /// for, and says so.
     pub entries: Vec<ListEntry>,
+    /// How many more come before them.
+    pub n_before: usize,
+    /// How many more come after them.
+    pub n_after: usize,
     /// Does the last lead back to the first?
     pub is_ring: bool,
+    /// Entries with which another ring begins, as a polygon's hole does: each ring leads back to its own first entry.
+    pub breaks: Vec<usize>,
     /// The entry that must be seen: where the step is.
     pub focus: Option<usize>,
+}
+
+impl List {
+    /// Of a longer list no more entries than these are given.
+    const MOST: usize = 40;
+
+    /// All of these entries, of which none leads back.
+    #[must_use]
+    pub const fn new(title: Value, entries: Vec<ListEntry>) -> Self {
+        Self {
+            title,
+            entries,
+            n_before: 0,
+            n_after: 0,
+            is_ring: false,
+            breaks: Vec::new(),
+            focus: None,
+        }
+    }
+
+    /// The places of a list of `len` that are to be given as entries: those about `focus`, or its first ones.
+    #[must_use]
+    pub fn reach(len: usize, focus: Option<usize>) -> Range<usize> {
+        let first = focus.unwrap_or(0).saturating_sub(Self::MOST / 2);
+        let first = first.min(len.saturating_sub(Self::MOST));
+        first..len.min(first + Self::MOST)
+    }
 }
 
 /// One entry.
@@ -36,7 +72,7 @@ pub struct ListEntry {
     /// The mark that the same thing has in the drawing.
     pub marker: Option<Marker>,
     /// [`Role::Signal`] for this step's, [`Role::Accent`] for what has been walked or kept, [`Role::Discarded`] for
-    /// what is dropped, [`Role::Ink`] for what counts, else [`Role::Soft`].
+    /// what is dropped, [`Role::Ink`] for what counts, [`Role::Faint`] for what is still to come, else [`Role::Soft`].
     pub role: Role,
     /// What it is about.
     pub link: Option<Link>,
@@ -49,6 +85,10 @@ pub enum Marker {
     Dot,
     /// Hollow: leaving, outside, reflex.
     Ring,
+    /// Neither: touching, not known yet.
+    Cross,
+    /// Both: where two borders pinch.
+    CrossedRing,
 }
 
 /// From an entry to one of another list: each `[list, entry]`.
@@ -73,5 +113,18 @@ impl ListEntry {
             role: Role::Soft,
             link: None,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_long_list_is_given_about_its_focus() {
+        assert_eq!(List::reach(7, Some(6)), 0..7, "all of a short one");
+        assert_eq!(List::reach(100, None), 0..40);
+        assert_eq!(List::reach(100, Some(50)), 30..70);
+        assert_eq!(List::reach(100, Some(99)), 60..100);
     }
 }
