@@ -5,6 +5,7 @@
 )]
 
 use clipscope::{
+    figure::Body,
     geom::{Polygon, Segment, Window},
     labs::{
         Lab, Scene,
@@ -12,7 +13,7 @@ use clipscope::{
         polygons,
     },
     lesson::Course,
-    text::{Catalog, Lang},
+    text::{Catalog, Lang, Value},
 };
 
 /// Segments that make every method say everything it can say.
@@ -108,6 +109,63 @@ fn scenes() -> Vec<Scene> {
     scenes
 }
 
+/// Every text of a view.
+fn said_in(body: &Body, catalog: &Catalog) -> Vec<String> {
+    let value = |value: &Value| catalog.value(value);
+    match body {
+        Body::Plane(marks) => {
+            let labels = marks.iter().filter_map(|mark| mark.label.as_ref());
+            labels.map(|label| value(&label.text)).collect()
+        }
+        Body::Bits(bits) => {
+            let rows = bits.rows.iter().chain(&bits.result);
+            let names = bits.columns.iter().chain(rows.map(|row| &row.name));
+            let note = bits.note.iter().map(|note| catalog.message(note));
+            names.map(value).chain(note).collect()
+        }
+        Body::Table(table) => {
+            let header = table.header.iter().map(|head| catalog.formula(head));
+            let values = table.rows.iter().flat_map(|row| {
+                let cells = row.cells.iter().filter_map(|cell| cell.value.as_ref());
+                std::iter::once(&row.name).chain(cells)
+            });
+            let notes = table.notes.iter().map(|note| catalog.message(&note.text));
+            header.chain(values.map(value)).chain(notes).collect()
+        }
+        Body::Lists(lists) => {
+            let entries = lists.lists.iter().flat_map(|list| &list.entries);
+            let values =
+                entries.flat_map(|entry| std::iter::once(&entry.name).chain(&entry.detail));
+            let titles = lists.lists.iter().map(|list| &list.title);
+            titles.chain(values).map(value).collect()
+        }
+        Body::Products(products) => {
+            let mut said = Vec::new();
+            for product in &products.products {
+                said.push(value(&product.onto.name));
+                said.push(value(&product.of.name));
+                said.push(catalog.message(&product.decision));
+                said.push(catalog.formula(&product.arithmetic));
+            }
+            if let Some(measured) = &products.measured {
+                said.push(catalog.message(&measured.title));
+                let ends = measured.ends.iter().map(|(name, _)| name);
+                let spans = measured.spans.iter().map(|(_, text, _)| text);
+                let names = std::iter::once(&measured.zero).chain(ends).chain(spans);
+                said.extend(names.map(value));
+            }
+            said
+        }
+        Body::NumberLine(line) => line.ticks.iter().map(|tick| value(&tick.name)).collect(),
+        Body::Clippers(row) => {
+            let clippers = row.clippers.iter().map(|clipper| &clipper.name);
+            let travellers = row.travellers.iter().map(|traveller| &traveller.name);
+            let names = clippers.chain(travellers).chain([&row.output]);
+            names.map(value).collect()
+        }
+    }
+}
+
 #[test]
 fn nothing_that_is_said_is_missing_from_a_catalogue() {
     for scene in scenes() {
@@ -123,8 +181,9 @@ fn nothing_that_is_said_is_missing_from_a_catalogue() {
                         let values = row.cells.iter().flatten().chain(&row.note);
                         said.extend(values.chain([&row.name]).map(|v| catalog.value(v)));
                     }
-                    let labels = frame.marks().iter().filter_map(|mark| mark.label.as_ref());
-                    said.extend(labels.map(|label| catalog.value(&label.text)));
+                    for view in &frame.views {
+                        said.extend(said_in(&view.body, catalog));
+                    }
                     for text in said {
                         assert!(
                             !text.contains('⟦'),

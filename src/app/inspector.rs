@@ -3,7 +3,7 @@
 use egui::{Align, Layout, RichText, ScrollArea, Ui};
 
 use crate::{
-    figure::Role,
+    figure::{Role, unseen},
     labs::{Lab, MethodCard},
     lesson::CodeView,
     trace::Counts,
@@ -50,11 +50,12 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
         }
         rule(ui, look);
         section(ui, look, &look.say("panel-watch"));
-        if frame.watch.iter().all(|section| section.rows.is_empty()) {
+        let scalars = unseen(&frame.watch);
+        if scalars.iter().all(|section| section.rows.is_empty()) {
             ui.label(RichText::new(look.say("watch-empty")).color(look.theme.soft));
         }
         pointed = ui
-            .scope(|ui| watch(ui, look, &frame.watch, lit))
+            .scope(|ui| watch(ui, look, &scalars, lit))
             .inner
             .or(pointed);
         rule(ui, look);

@@ -114,6 +114,8 @@ pub struct Mark {
     pub label: Option<Label>,
     /// What it is about.
     pub link: Option<Link>,
+    /// Dashed whatever its role: not there to stay, and yet what the step is about.
+    pub is_dashed: bool,
 }
 
 impl Mark {
@@ -125,7 +127,15 @@ impl Mark {
             role,
             label: None,
             link: None,
+            is_dashed: false,
         }
+    }
+
+    /// Drawn with dashes, in its role's colour.
+    #[must_use]
+    pub const fn dashed(mut self) -> Self {
+        self.is_dashed = true;
+        self
     }
 
     /// With a label in the text face.

@@ -21,4 +21,4 @@ pub use table::{Cell, Table, TableNote, TableRow};
 pub use view::{
     Body, Clipper, ClipperRow, Fate, LineTick, NumberLine, Side, Traveller, View, ViewId,
 };
-pub use watch::{Watch, WatchRow, WatchSection, mark_changes};
+pub use watch::{Watch, WatchRow, WatchSection, mark_changes, unseen};

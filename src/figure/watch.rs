@@ -2,7 +2,7 @@
 
 use crate::text::Value;
 
-use super::Link;
+use super::{Link, ViewId};
 
 /// A row: a name and its values.
 #[derive(Clone, PartialEq, Debug)]
@@ -60,16 +60,15 @@ pub struct WatchSection {
     pub header: Vec<Value>,
     /// Top to bottom.
     pub rows: Vec<WatchRow>,
+    /// The view that shows these values: the inspector leaves them out, an answer key tells them all the same.
+    pub seen_in: Option<ViewId>,
 }
 
 impl WatchSection {
     /// A plain list.
     #[must_use]
     pub const fn list(rows: Vec<WatchRow>) -> Self {
-        Self {
-            header: Vec::new(),
-            rows,
-        }
+        Self::titled(Vec::new(), rows)
     }
 
     /// A table whose columns are headed by symbols, the same in every language: `t`, `n·D`.
@@ -82,12 +81,30 @@ impl WatchSection {
     /// A table whose columns are headed by words of the catalogue, or anything else that can be said.
     #[must_use]
     pub const fn titled(header: Vec<Value>, rows: Vec<WatchRow>) -> Self {
-        Self { header, rows }
+        Self {
+            header,
+            rows,
+            seen_in: None,
+        }
+    }
+
+    /// Shown in the view of this name.
+    #[must_use]
+    pub const fn seen_in(mut self, view: &'static str) -> Self {
+        self.seen_in = Some(ViewId(view));
+        self
     }
 }
 
 /// Sections from top to bottom.
 pub type Watch = Vec<WatchSection>;
+
+/// What stands in no view.
+#[must_use]
+pub fn unseen(watch: &Watch) -> Watch {
+    let unseen = |section: &&WatchSection| section.seen_in.is_none();
+    watch.iter().filter(unseen).cloned().collect()
+}
 
 /// Marks the rows whose values differ from the step before: those of a name, under the same header.
 pub fn mark_changes(now: &mut Watch, before: &Watch) {

@@ -65,7 +65,7 @@ struct Stage<'a> {
 impl<'a> Stage<'a> {
     fn mark(&mut self, mark: &'a Mark) {
         let (colour, stroke) = (self.colour(mark.role), self.stroke(mark));
-        let dashed = matches!(mark.role, Role::Discarded | Role::Faint);
+        let dashed = mark.is_dashed || matches!(mark.role, Role::Discarded | Role::Faint);
         let anchor = match &mark.shape {
             Shape::Polygon(outline) => {
                 let points: Vec<Pos2> = outline.iter().map(|&p| self.at(p)).collect();
@@ -166,7 +166,7 @@ impl<'a> Stage<'a> {
     fn stroke(&self, mark: &Mark) -> Stroke {
         let living = matches!(mark.role, Role::Accent | Role::Accepted);
         let width = match (&mark.shape, mark.role) {
-            (Shape::Segment(_) | Shape::Path(_), _) if living => 3.0,
+            (Shape::Segment(_) | Shape::Path(_), _) if living || mark.is_dashed => 3.0,
             (_, Role::Faint) => 1.0,
             (Shape::Cross(_) | Shape::Segment(_), Role::Discarded) => 1.75,
             _ => 2.0,

@@ -40,6 +40,9 @@ cs-and-open = AND = { $bits }: ningún borde deja fuera los dos extremos. Los c�
 cs-choose = El último 1 es el del { $edge }: { $end } está más allá.
 cs-cut = { $end } se recorta en { $border }.
 cs-reject = Se rechaza: los dos extremos están { $region }; AND = { $and }.
+cs-note-code = Un 1 por cada borde más allá del cual está el punto.
+cs-note-or = OR pone un 1 donde lo tiene alguno de los dos códigos.
+cs-note-and = AND conserva un 1 solo donde lo tienen los dos códigos.
 code-cs-codes = code₁ ← code(P₁); code₂ ← code(P₂)
 code-cs-loop = repetir
 code-cs-accept = si code₁ OR code₂ = 0: aceptar

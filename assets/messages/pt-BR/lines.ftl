@@ -40,6 +40,9 @@ cs-and-open = AND = { $bits }: nenhum lado deixa os dois extremos de fora. Os c�
 cs-choose = O último bit 1 é o da { $edge }: { $end } está além dela.
 cs-cut = { $end } é cortado em { $border }.
 cs-reject = Rejeitado: os dois extremos estão { $region }; AND = { $and }.
+cs-note-code = Um 1 para cada lado além do qual o ponto está.
+cs-note-or = OR põe um 1 onde algum dos dois códigos o tem.
+cs-note-and = AND mantém um 1 só onde os dois códigos o têm.
 code-cs-codes = code₁ ← code(P₁); code₂ ← code(P₂)
 code-cs-loop = repita
 code-cs-accept = se code₁ OR code₂ = 0: aceite

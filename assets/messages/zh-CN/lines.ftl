@@ -40,6 +40,9 @@ cs-and-open = AND = { $bits }：两端点不在任何一条边界的同一外侧
 cs-choose = 最低位的 1 对应{ $edge }：{ $end } 在其外侧。
 cs-cut = 在 { $border } 处截断：{ $end } 移到交点。
 cs-reject = 舍弃：两端点都在{ $region }；AND = { $and }。
+cs-note-code = 点在哪条边界外侧，哪一位就是 1。
+cs-note-or = OR：任一区域码该位为 1，结果就是 1。
+cs-note-and = AND：两个区域码该位都为 1，结果才是 1。
 code-cs-codes = code₁ ← code(P₁); code₂ ← code(P₂)
 code-cs-loop = 循环：
 code-cs-accept = 若 code₁ OR code₂ = 0，则接受

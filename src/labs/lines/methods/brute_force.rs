@@ -14,8 +14,8 @@ use crate::{
 };
 
 use super::shared::{
-    accepted, border_mark, crossing_mark, end_name, ends_rows, opening, parallel_formula,
-    segment_marks,
+    accepted, border_mark, crossing_mark, end_name, ends_rows, opening, outside_marks,
+    parallel_formula, segment_marks,
 };
 use crate::labs::words::{
     along, axis_symbol, border_equation, edge_link, edge_name, free_formula, parameter_formula,
@@ -169,7 +169,15 @@ fn marks(step: &Step<'_, BruteForce>) -> Vec<Mark> {
         Role::Faint,
         Shape::Line([segment.p1.to_array(), segment.p2.to_array()]),
     ));
-    marks.extend(current.map(|edge| border_mark(window, edge)));
+    match step.event {
+        Some(Event::Intersect { edge, .. } | Event::Parallel { edge }) => {
+            marks.push(border_mark(window, edge));
+        }
+        Some(Event::Keep { edge } | Event::Cut { edge, .. } | Event::Reject { edge }) => {
+            marks.extend(outside_marks(window, edge));
+        }
+        Some(Event::Accept { .. }) | None => {}
+    }
     marks.extend(segment_marks(segment, step.state.ends, step.state.verdict));
     for edge in Edge::ALL {
         let Some((at, u)) = step.state.crossings[edge as usize] else {

@@ -3,9 +3,9 @@
 use crate::{
     algo::line::{
         BitOrder, CohenSutherland, CohenSutherlandEvent as Event, CohenSutherlandInput as Input,
-        CohenSutherlandState as State, End, Outcode, Ratio,
+        CohenSutherlandState as State, End, Outcode,
     },
-    figure::{Caption, Mark, Role, Shape, Tick, View, Watch, WatchRow, WatchSection},
+    figure::{Body, Caption, Mark, Role, Shape, Tick, View, Watch, WatchRow, WatchSection},
     geom::{Axis, Edge, Point, Segment},
     labs::{
         CodeLine, Demo, Step, code_line,
@@ -14,13 +14,17 @@ use crate::{
     text::{Formula, Message, Value},
 };
 
+use super::codes::{codes, deciding_edge};
 use super::shared::{
-    accepted, border_mark, crossing_mark, end_link, end_name, ends_rows, opening, region_key,
+    accepted, crossing_mark, end_link, end_name, ends_rows, opening, outside_marks, region_key,
     segment_marks,
 };
 use crate::labs::words::{
     along, border_equation, edge_name, free_formula, name, parameter_formula, position_formula,
 };
+
+/// The view of the codes as bits.
+const CODES_VIEW: &str = "codes";
 
 const CODES: usize = 0;
 const ACCEPT: usize = 2;
@@ -141,42 +145,48 @@ impl Demo for CohenSutherland {
     }
 
     fn views(step: &Step<'_, Self>) -> Vec<View> {
-        vec![View::plane(marks(step))]
+        vec![
+            View::plane(marks(step)),
+            View::new(CODES_VIEW, Body::Bits(codes(step))),
+        ]
     }
 
     fn watch(step: &Step<'_, Self>) -> Watch {
-        let State {
-            ends,
-            codes,
-            or,
-            and,
-            ..
-        } = *step.state;
-        let order = step.input.bit_order;
-        let mut rows = ends_rows(ends);
-        for end in End::BOTH {
-            let symbol = ["code₁", "code₂"][end.idx()];
-            let code = codes[end.idx()];
-            let row = WatchRow::new(name(symbol), code.map(|c| name(c.to_string())));
-            rows.push(match code {
-                Some(code) => row.noted(Value::Term(key_of(code, order))),
-                None => row,
-            });
-        }
-        for (symbol, code) in [("OR", or), ("AND", and)] {
-            let row = WatchRow::new(name(symbol), code.map(|c| name(c.to_string())));
-            rows.push(match code {
-                Some(c) if c.is_inside() => row.noted(name("= 0")),
-                Some(_) => row.noted(name("≠ 0")),
-                None => row,
-            });
-        }
-        if let Some(Event::Cut { u, .. }) = step.event {
-            let Ratio { num, den } = u;
-            rows.push(WatchRow::new(name("t"), Some(Value::Ratio { num, den })));
-        }
-        vec![WatchSection::list(rows)]
+        let mut scalars = ends_rows(step.state.ends);
+        let t = match step.event {
+            Some(Event::Cut { u, .. }) => Some(Value::Ratio {
+                num: u.num,
+                den: u.den,
+            }),
+            _ => None,
+        };
+        scalars.push(WatchRow::new(name("t"), t));
+        vec![
+            WatchSection::list(scalars),
+            WatchSection::list(code_rows(step.state, step.input.bit_order)).seen_in(CODES_VIEW),
+        ]
     }
+}
+
+/// Both codes, and what OR and AND make of them.
+fn code_rows(state: &State, order: BitOrder) -> Vec<WatchRow> {
+    let of_ends = ["code₁", "code₂"].into_iter().zip(state.codes);
+    let of_ends = of_ends.map(|(symbol, code)| {
+        let row = WatchRow::new(name(symbol), code.map(|c| name(c.to_string())));
+        match code {
+            Some(code) => row.noted(Value::Term(key_of(code, order))),
+            None => row,
+        }
+    });
+    let both = [("OR", state.or), ("AND", state.and)].map(|(symbol, code)| {
+        let row = WatchRow::new(name(symbol), code.map(|c| name(c.to_string())));
+        match code {
+            Some(c) if c.is_inside() => row.noted(name("= 0")),
+            Some(_) => row.noted(name("≠ 0")),
+            None => row,
+        }
+    });
+    of_ends.chain(both).collect()
 }
 
 /// The drawing.
@@ -187,8 +197,8 @@ fn marks(step: &Step<'_, CohenSutherland>) -> Vec<Mark> {
         bit_order,
     } = *step.input;
     let mut marks = regions(step, bit_order);
-    if let Some(Event::Choose { edge, .. } | Event::Cut { edge, .. }) = step.event {
-        marks.push(border_mark(&window, edge));
+    if let Some(edge) = deciding_edge(step) {
+        marks.extend(outside_marks(&window, edge));
     }
     marks.extend(segment_marks(&segment, step.state.ends, step.state.verdict));
     match step.event {

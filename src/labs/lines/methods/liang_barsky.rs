@@ -16,7 +16,7 @@ use crate::{
 
 use super::{
     parametric::{Crossing, Interval, bound_formula, interval_caption, moved_ends_rows},
-    shared::{accepted, border_mark, end_name, opening},
+    shared::{accepted, end_name, opening, outside_marks},
 };
 
 const START: usize = 0;
@@ -176,7 +176,9 @@ fn marks(step: &Step<'_, LiangBarsky>) -> Vec<Mark> {
         Role::Faint,
         Shape::Line([segment.p1.to_array(), segment.p2.to_array()]),
     )];
-    marks.extend(current_edge(step.event).map(|edge| border_mark(window, edge)));
+    if let Some(edge) = current_edge(step.event) {
+        marks.extend(outside_marks(window, edge));
+    }
     marks.extend(interval(step).marks(segment));
     marks
 }

@@ -14,6 +14,8 @@ use crate::{
     trace::Trace,
 };
 
+use super::shared::side_key;
+
 /// The rays from P₁ through the corners, and the names of the sectors between them.
 pub fn marks(p1: Point, window: &Window) -> Vec<Mark> {
     let eye = DVec2::from(p1.to_array());
@@ -77,14 +79,4 @@ fn name(eye: DVec2, far: DVec2, window: &Window) -> Option<Value> {
     };
     let formula = side(Formula::default(), enters).sym(" → ");
     Some(Value::Formula(side(formula, leaves)))
-}
-
-/// Catalogue key of a side's bare name.
-const fn side_key(edge: Edge) -> &'static str {
-    match edge {
-        Edge::Left => "side-left",
-        Edge::Right => "side-right",
-        Edge::Bottom => "side-bottom",
-        Edge::Top => "side-top",
-    }
 }

@@ -1,6 +1,6 @@
 //! Words, formulas and marks that several methods share.
 
-use crate::labs::words::{along, border_equation, edge_link, point_formula};
+use crate::labs::words::{along, axis_symbol, border_equation, edge_link, point_formula};
 use crate::{
     algo::line::{End, Ratio, Visible},
     figure::{Caption, Link, Mark, Role, Shape, WatchRow},
@@ -59,12 +59,13 @@ pub fn accepted(segment: &Segment) -> Caption {
 
 /// The original segment, what is left of it, and its ends.
 ///
-/// Discarded parts are ghosted; what is left is accented while it is alive, green once accepted.
+/// Discarded parts are ghosted; what is left is accented while it is alive, green once accepted. A segment that is
+/// rejected is dashed, but in ink: it carries the point.
 pub fn segment_marks(original: &Segment, ends: [Point; 2], verdict: Option<Visible>) -> Vec<Mark> {
     let rejected = verdict == Some(None);
     let role = match verdict {
         None => Role::Accent,
-        Some(None) => Role::Discarded,
+        Some(None) => Role::Ink,
         Some(Some(_)) => Role::Accepted,
     };
     let mut marks = Vec::new();
@@ -76,14 +77,15 @@ pub fn segment_marks(original: &Segment, ends: [Point; 2], verdict: Option<Visib
         }
     }
     let left = Shape::Segment([ends[0].to_array(), ends[1].to_array()]);
-    marks.push(Mark::new(role, left).linked("segment"));
+    let left = Mark::new(role, left).linked("segment");
+    marks.push(if rejected { left.dashed() } else { left });
     for end in End::BOTH {
         let (from, to) = (end.of(original), ends[end.idx()]);
         let moved = from != to;
-        let given = if moved || rejected {
-            Role::Discarded
-        } else {
-            Role::Accent
+        let given = match (moved, rejected) {
+            (true, _) => Role::Discarded,
+            (false, true) => Role::Ink,
+            (false, false) => Role::Accent,
         };
         marks.push(
             Mark::new(given, Shape::Ring(from.to_array()))
@@ -125,6 +127,16 @@ pub fn parallel_formula(segment: &Segment, edge: Edge) -> Formula {
         .num(along(segment.p1, axis)[0])
 }
 
+/// Catalogue key of a side's bare name.
+pub const fn side_key(edge: Edge) -> &'static str {
+    match edge {
+        Edge::Left => "side-left",
+        Edge::Right => "side-right",
+        Edge::Bottom => "side-bottom",
+        Edge::Top => "side-top",
+    }
+}
+
 /// The line of a side, as this step's subject.
 pub fn border_mark(window: &Window, edge: Edge) -> Mark {
     Mark::new(
@@ -133,6 +145,42 @@ pub fn border_mark(window: &Window, edge: Edge) -> Mark {
     )
     .labelled(border_equation(window, edge))
     .linked(edge_link(edge))
+}
+
+/// A side as this step's subject: its line with `y = 1`, and what lies beyond it with `y > 1`.
+pub fn outside_marks(window: &Window, edge: Edge) -> [Mark; 2] {
+    let c = window.border(edge);
+    // What lies beyond is to the left of the line from the first point to the second.
+    let line = match edge {
+        Edge::Left => [[c, 0.0], [c, 1.0]],
+        Edge::Right => [[c, 1.0], [c, 0.0]],
+        Edge::Bottom => [[1.0, c], [0.0, c]],
+        Edge::Top => [[0.0, c], [1.0, c]],
+    };
+    let relation = if edge.is_max() { " > " } else { " < " };
+    let beyond = Formula::default()
+        .sym(axis_symbol(edge.axis()))
+        .sym(relation)
+        .num(c);
+    [
+        Mark::new(Role::Signal, Shape::HalfPlane(line))
+            .labelled(border_equation(window, edge))
+            .linked(edge_link(edge)),
+        Mark::new(Role::Signal, Shape::Region(beside(window, edge))).labelled(beyond),
+    ]
+}
+
+/// A strip along the outside of a side, for a label.
+fn beside(window: &Window, edge: Edge) -> [[f64; 2]; 2] {
+    let ([xmin, ymin], [xmax, ymax]) = (window.min().to_array(), window.max().to_array());
+    let room = 0.15 * (xmax - xmin).min(ymax - ymin);
+    let all = f64::INFINITY;
+    match edge {
+        Edge::Left => [[xmin - 2.0 * room, -all], [xmin, all]],
+        Edge::Right => [[xmax, -all], [xmax + 2.0 * room, all]],
+        Edge::Bottom => [[-all, ymin - room], [all, ymin]],
+        Edge::Top => [[-all, ymax], [all, ymax + room]],
+    }
 }
 
 /// A crossing, as this step's subject: `t = 1/4`.
