@@ -62,6 +62,8 @@ pub enum Shape {
     Segment([[f64; 2]; 2]),
     /// A segment with a head at b: a vector, a normal.
     Arrow([[f64; 2]; 2]),
+    /// A head alone, midway from a to b: the direction in which an edge runs.
+    Heading([[f64; 2]; 2]),
     /// The whole line where a coordinate is constant.
     Border(Axis, f64),
     /// The line through two points, across the whole stage.

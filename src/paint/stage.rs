@@ -21,6 +21,8 @@ use super::{
 const DASH: [f32; 2] = [6.0, 4.0];
 const DOT_RADIUS: f32 = 5.5;
 const RING_RADIUS: f32 = 6.5;
+/// Length of an arrowhead.
+const HEAD: f32 = 9.0;
 /// Up to this number, segments out of focus can be told apart.
 const FEW_ENOUGH: usize = 2_000;
 /// Labels keep off outlines with up to this many edges; no place is left between more.
@@ -129,6 +131,14 @@ impl<'a> Stage<'a> {
                 self.line(ends, stroke, false);
                 self.head(ends, stroke);
                 Some(Anchor::Point(ends[1]))
+            }
+            Shape::Heading([a, b]) => {
+                let [a, b] = [self.at(*a), self.at(*b)];
+                let half = (b - a).normalized() * HEAD / 2.0 * self.theme.stroke_scale;
+                if a.distance(b) > 3.0 * HEAD {
+                    self.head([a, a.lerp(b, 0.5) + half], stroke);
+                }
+                None
             }
             line => {
                 let ends = self.ends(line);
@@ -322,7 +332,7 @@ impl<'a> Stage<'a> {
     }
 
     fn head(&self, [a, b]: [Pos2; 2], stroke: Stroke) {
-        let along = (b - a).normalized() * 9.0 * self.theme.stroke_scale;
+        let along = (b - a).normalized() * HEAD * self.theme.stroke_scale;
         let across = along.rot90() * 0.45;
         self.painter.add(Egui::convex_polygon(
             vec![b, b - along + across, b - along - across],
@@ -346,6 +356,7 @@ impl<'a> Stage<'a> {
             | Shape::Path(_)
             | Shape::Region(_)
             | Shape::Textured(_)
+            | Shape::Heading(_)
             | Shape::Crowd(_) => {}
             line => {
                 if let Some(ends) = cut_to(self.ends(line), self.viewport.rect.expand(16.0)) {

@@ -31,6 +31,7 @@ fn distance(viewport: &Viewport, shape: &Shape, at: Pos2) -> f32 {
     match shape {
         Shape::Segment([a, b])
         | Shape::Arrow([a, b])
+        | Shape::Heading([a, b])
         | Shape::Ray([a, b])
         | Shape::Line([a, b])
         | Shape::HalfPlane([a, b]) => distance_to_segment(at, screen(*a), screen(*b)),
