@@ -217,7 +217,6 @@ impl App {
         if self.playback.is_late() && !is_dragging {
             self.playback.rerecord(self.document.now());
         }
-        self.playback.compare(self.document.now(), is_dragging);
         self.playback.prepare();
 
         self.install_theme(ui);

@@ -14,8 +14,8 @@ pub struct Playback {
     other: Option<Box<dyn Run>>,
     /// Steps at which a phase begins, the first few hundred.
     phases: Vec<usize>,
-    /// Where a method that is wrong on purpose first differs from the one beside it.
-    difference: Compared,
+    /// Where a method that is wrong on purpose first differs from the right one.
+    difference: Option<Difference>,
     /// What the plainest method does on the same input, in all; none where it is that method.
     baseline: Option<(&'static MethodCard, Counts)>,
     /// Frames of the step they were made for.
@@ -29,15 +29,6 @@ pub struct Playback {
     clock: Option<f64>,
 }
 
-/// How two runs compare, once that is known.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Compared {
-    /// They are long, and the scene is being dragged.
-    NotYet,
-    /// Where they differ first, if they do.
-    Known(Option<Difference>),
-}
-
 /// More phases than this are not marked on the timeline.
 const MOST_PHASES: usize = 400;
 /// A scene of at most this size is recorded in time, whatever the machine does meanwhile.
@@ -46,20 +37,18 @@ const LARGE: usize = 1000;
 const MOST_SECS: f64 = 0.008;
 /// One slow recording may be the machine's doing: so many are the scene's.
 const PATIENCE: usize = 3;
-/// Runs up to this length are compared while the scene is being dragged.
-const SHORT: usize = 1000;
 
 impl Playback {
     /// Records the scene's methods, with the cursor at `position`.
     #[must_use]
     pub fn record(scene: &Scene, position: usize) -> Self {
-        let (main, other) = runs(scene);
+        let (main, other, difference) = runs(scene);
         let mut playback = Self {
             transport: Transport::new(main.n_steps()),
             phases: phases(&*main),
             main,
             other,
-            difference: Compared::NotYet,
+            difference,
             baseline: scene.baseline(),
             frames: Vec::new(),
             framed_at: None,
@@ -74,7 +63,7 @@ impl Playback {
     /// Records the changed scene; the cursor stays at the same moment where it comes again.
     pub fn rerecord(&mut self, scene: &Scene) {
         let stopwatch = Stopwatch::start();
-        let (main, other) = runs(scene);
+        let (main, other, difference) = runs(scene);
         let is_slow = stopwatch.secs() > MOST_SECS;
         self.n_slow = if is_slow { self.n_slow + 1 } else { 0 };
         self.is_late = false;
@@ -82,8 +71,7 @@ impl Playback {
         let position = main.corresponding(&*self.main, before);
         self.transport.rebase(main.n_steps(), position);
         self.phases = phases(&*main);
-        (self.main, self.other) = (main, other);
-        self.difference = Compared::NotYet;
+        (self.main, self.other, self.difference) = (main, other, difference);
         self.baseline = scene.baseline();
         self.framed_at = None;
     }
@@ -123,21 +111,7 @@ impl Playback {
     /// Where the methods that stand side by side first differ, if one of them is wrong on purpose.
     #[must_use]
     pub const fn difference(&self) -> Option<Difference> {
-        match self.difference {
-            Compared::Known(difference) => difference,
-            Compared::NotYet => None,
-        }
-    }
-
-    /// Compares the methods, unless that is known. Long runs wait until nothing is being dragged.
-    pub fn compare(&mut self, scene: &Scene, is_dragging: bool) {
-        let is_long = self.transport.n_steps() > SHORT;
-        if self.difference == Compared::NotYet && !(is_dragging && is_long) {
-            let runs: Vec<&dyn Run> = std::iter::once(&*self.main)
-                .chain(self.other.as_deref())
-                .collect();
-            self.difference = Compared::Known(Difference::between(&scene.methods(), &runs));
-        }
+        self.difference
     }
 
     /// Steps at which a phase begins: at most a few hundred.
@@ -220,8 +194,12 @@ fn phases(run: &dyn Run) -> Vec<usize> {
         .collect()
 }
 
-fn runs(scene: &Scene) -> (Box<dyn Run>, Option<Box<dyn Run>>) {
-    let mut runs = scene.record().into_iter();
+/// The run of the scene's method, the one beside it, and how they differ.
+fn runs(scene: &Scene) -> (Box<dyn Run>, Option<Box<dyn Run>>, Option<Difference>) {
+    let runs = scene.record();
+    let all: Vec<&dyn Run> = runs.iter().map(|run| &**run).collect();
+    let difference = Difference::between(&scene.methods(), &all);
+    let mut runs = runs.into_iter();
     let main = runs.next().expect("a scene has a method");
-    (main, runs.next())
+    (main, runs.next(), difference)
 }

@@ -26,7 +26,7 @@ impl MethodCard {
             name_key: A::NAME_KEY,
             source: A::SOURCE,
             code: A::CODE,
-            is_faulty: A::IS_FAULTY,
+            is_faulty: A::DIFFERS_KEY.is_some(),
         }
     }
 }

@@ -5,6 +5,7 @@ use serde_json::Value as Json;
 
 use crate::{
     figure::{Caption, Frame, Run, Tick, View, Watch, mark_changes},
+    text::Message,
     trace::{Algorithm, Counts, Trace},
 };
 
@@ -26,8 +27,8 @@ pub trait Demo: Algorithm<Output: Answer, Event: Serialize> + Sized + 'static {
     const SOURCE: &'static str;
     /// Its pseudocode.
     const CODE: &'static [CodeLine];
-    /// Is it wrong on purpose?
-    const IS_FAULTY: bool = false;
+    /// Of one that is wrong on purpose: what is said at the first step that the right one does not do.
+    const DIFFERS_KEY: Option<&'static str> = None;
 
     /// The shape of the event's tick.
     fn tick(event: &Self::Event) -> Tick;
@@ -55,35 +56,66 @@ pub struct Step<'a, A: Algorithm> {
 
 /// Records one run, with its type erased.
 pub(crate) fn record<A: Demo>(input: A::Input) -> Box<dyn Run> {
-    Box::new(Recorded::<A>(Trace::record(input)))
+    Box::new(Recorded::<A> {
+        trace: Trace::record(input),
+        differs_at: None,
+    })
 }
 
-struct Recorded<A: Demo>(Trace<A>);
+/// The same of one that is wrong on purpose: its run knows where it first differs from the one of `Right`.
+pub(crate) fn record_wrong<A: Demo, Right>(input: A::Input) -> Box<dyn Run>
+where
+    Right: Algorithm<Input = A::Input, Event = A::Event>,
+{
+    let trace = Trace::<A>::record(input);
+    let differs_at = trace.first_difference::<Right>();
+    Box::new(Recorded { trace, differs_at })
+}
+
+struct Recorded<A: Demo> {
+    trace: Trace<A>,
+    differs_at: Option<usize>,
+}
+
+impl<A: Demo> Recorded<A> {
+    /// The sentence of the event that leads to a step; `before` is the state that it happened to.
+    fn sentence(&self, step: usize, event: &A::Event, before: &A::State) -> Caption {
+        let mut caption = A::caption(event, before, self.trace.input());
+        if let Some(key) = A::DIFFERS_KEY
+            && self.differs_at == Some(step)
+        {
+            caption.decision = Message::new(key).with("step", step);
+        }
+        caption
+    }
+}
 
 impl<A: Demo> Run for Recorded<A> {
     fn n_steps(&self) -> usize {
-        self.0.events().len()
+        self.trace.events().len()
     }
 
     fn tick(&self, step: usize) -> Tick {
-        self.0
-            .event_at(step)
-            .map_or(Tick::Phase, |event| A::tick(&event))
+        if self.differs_at == Some(step) {
+            return Tick::Reject;
+        }
+        let event = self.trace.event_at(step);
+        event.map_or(Tick::Phase, |event| A::tick(&event))
     }
 
     fn event_json(&self, step: usize) -> Json {
-        self.0
+        self.trace
             .event_at(step)
             .and_then(|event| serde_json::to_value(event).ok())
             .unwrap_or(Json::Null)
     }
 
     fn counts_at(&self, step: usize) -> Counts {
-        self.0.counts_at(step)
+        self.trace.counts_at(step)
     }
 
     fn frame(&self, step: usize) -> Frame {
-        let trace = &self.0;
+        let trace = &self.trace;
         let (input, state) = (trace.input(), trace.state_at(step));
         let event = trace.event_at(step);
         let shown = Step::<A> {
@@ -101,7 +133,7 @@ impl<A: Demo> Run for Recorded<A> {
                 event: trace.event_at(step - 1),
             };
             mark_changes(&mut watch, &A::watch(&last));
-            caption = A::caption(&event, &before, input);
+            caption = self.sentence(step, &event, &before);
             code_line = Some(A::code_line(&event, &before));
         }
         Frame {
@@ -114,14 +146,18 @@ impl<A: Demo> Run for Recorded<A> {
     }
 
     fn caption(&self, step: usize) -> Caption {
-        let trace = &self.0;
+        let trace = &self.trace;
         trace.event_at(step).map_or_else(
             || A::opening(trace.input()),
-            |event| A::caption(&event, &trace.state_at(step - 1), trace.input()),
+            |event| self.sentence(step, &event, &trace.state_at(step - 1)),
         )
     }
 
     fn output_json(&self) -> Json {
-        self.0.output().json()
+        self.trace.output().json()
+    }
+
+    fn differs_at(&self) -> Option<usize> {
+        self.differs_at
     }
 }

@@ -1,4 +1,4 @@
-//! Where a method that is wrong on purpose first differs from the right one beside it.
+//! A method that is wrong on purpose beside a right one.
 
 use crate::{
     figure::Run,
@@ -12,24 +12,23 @@ use super::MethodCard;
 pub struct Difference {
     /// The column that the wrong one stands in.
     pub column: usize,
-    /// The first step at which they differ; none where they do the same on this input.
+    /// The first step at which it does something else than it should; none where it never does on this input.
     pub step: Option<usize>,
 }
 
 impl Difference {
-    /// Compares the runs of the methods on stage; `None` unless exactly one of two is wrong on purpose.
+    /// Of the methods on stage and their runs; `None` unless exactly one of two is wrong on purpose.
     #[must_use]
     pub fn between(methods: &[&MethodCard], runs: &[&dyn Run]) -> Option<Self> {
-        let ([a, b], [first, second]) = (methods, runs) else {
+        let [a, b] = methods else {
             return None;
         };
         if a.is_faulty == b.is_faulty {
             return None;
         }
-        Some(Self {
-            column: usize::from(b.is_faulty),
-            step: first.first_difference(*second),
-        })
+        let column = usize::from(b.is_faulty);
+        let step = runs.get(column)?.differs_at();
+        Some(Self { column, step })
     }
 
     /// "differs from step 7 on", for the title of that column.

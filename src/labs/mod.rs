@@ -18,5 +18,5 @@ pub use document::{Document, Lab, Scene};
 pub use handle::{Corner, Handle, Lock};
 
 use card::code_line;
-pub(crate) use demo::record;
+pub(crate) use demo::{record, record_wrong};
 pub(crate) use words::vertex_symbol;

@@ -83,6 +83,22 @@ impl<A: Algorithm> Trace<A> {
             .map_or(Counts::default(), |i| self.counts[i])
     }
 
+    /// The first step, from 1, at which `B` does something else on the same input; none where it never does.
+    #[must_use]
+    pub fn first_difference<B>(&self) -> Option<usize>
+    where
+        B: Algorithm<Input = A::Input, Event = A::Event>,
+    {
+        let (mut n_events, mut differs) = (0, None);
+        B::run::<f64>(&self.input, |event| {
+            n_events += 1;
+            if differs.is_none() && self.event_at(n_events) != Some(event) {
+                differs = Some(n_events);
+            }
+        });
+        differs.or_else(|| (n_events < self.events.len()).then_some(n_events + 1))
+    }
+
     /// State after the first `n_steps` events, or after all of them where there are fewer.
     #[must_use]
     pub fn state_at(&self, n_steps: usize) -> A::State {

@@ -28,7 +28,7 @@ use super::{
         crossing::{join, split},
     },
     ClipRegion, Share, Vertex,
-    step::Rules,
+    rules::Rules,
 };
 
 /// A clip edge: the line that it runs along, and its inside.

@@ -40,7 +40,8 @@ use super::{
     ClipRegion, Vertex,
     border::{Border, Borders, Line},
     ring,
-    step::{Clip, Happening, Right},
+    rules::Right,
+    step::{Clip, Happening},
 };
 
 /// Clips polygons against one region.

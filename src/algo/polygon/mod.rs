@@ -7,6 +7,7 @@ pub mod faulty;
 mod pipeline;
 mod region;
 mod ring;
+mod rules;
 mod step;
 mod sutherland_hodgman;
 mod triangulate_and_clip;
@@ -20,6 +21,7 @@ pub use ear_clipping::{
 pub use pipeline::{Pipeline, PipelineEvent, PipelineStage, PipelineState};
 pub use region::ClipRegion;
 pub use ring::{ClippedRing, RingOutcome};
+pub use rules::{Right, Rules};
 pub use step::Rule;
 pub use sutherland_hodgman::{
     EdgeTest, SutherlandHodgman, SutherlandHodgmanEvent, SutherlandHodgmanInput,

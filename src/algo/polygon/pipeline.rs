@@ -46,7 +46,8 @@ use super::{
     super::line::Ratio,
     ClippedRing, RingOutcome, Rule, SutherlandHodgmanInput, Vertex,
     border::{Borders, Crossing},
-    step::{Clip, Happening, Right},
+    rules::Right,
+    step::{Clip, Happening},
 };
 
 /// The algorithm, on vertices of kind `V`; see the module.

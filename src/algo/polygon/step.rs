@@ -23,6 +23,7 @@ use crate::trace::Real;
 use super::{
     Vertex,
     border::{Border, Borders, Crossing},
+    rules::{Right, Rules},
 };
 
 /// What becomes of the edge from S to P.
@@ -66,27 +67,6 @@ impl Rule {
         matches!(self, Self::InOut | Self::OutIn)
     }
 }
-
-/// What may be got wrong. The values given here are right; [`super::faulty`] has the others. Known at compile
-/// time, so that the right clipper pays nothing for them.
-pub trait Rules: Copy {
-    /// Is a vertex on the border inside?
-    const BORDER_IS_INSIDE: bool = true;
-    /// Is the edge from the last vertex to the first one clipped too?
-    const CLOSES: bool = true;
-    /// How many times a crossing is put out.
-    const COPIES: usize = 1;
-    /// Does P come before the crossing where an edge comes in?
-    const END_FIRST: bool = false;
-    /// Are the clip edges walked clockwise, with the inside still to their left?
-    const CLOCKWISE: bool = false;
-}
-
-/// As Sutherland and Hodgman have it.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Right;
-
-impl Rules for Right {}
 
 /// What a clipper does, in order.
 #[derive(Clone, Copy, Debug)]

@@ -57,12 +57,13 @@ use super::{
     super::line::Ratio,
     ClipRegion, ClippedRing, RingOutcome, Rule, Vertex,
     border::{Borders, Crossing},
-    step::{Clip, Happening, Right, Rules},
+    rules::{Right, Rules},
+    step::{Clip, Happening},
 };
 
-/// The algorithm, on vertices of kind `V`; see the module.
+/// The algorithm, on vertices of kind `V` and by the rules of `L`; see the module.
 #[derive(Clone, Copy, Debug)]
-pub struct SutherlandHodgman<V = Point>(PhantomData<V>);
+pub struct SutherlandHodgman<V = Point, L = Right>(PhantomData<(V, L)>);
 
 /// What to clip, and against what.
 #[derive(Clone, PartialEq, Debug)]
@@ -173,18 +174,52 @@ pub struct EdgeTest {
     pub rule: Rule,
 }
 
-impl<V: Vertex> Algorithm for SutherlandHodgman<V> {
+impl<V: Vertex, L: Rules> Algorithm for SutherlandHodgman<V, L> {
     type Input = SutherlandHodgmanInput<V>;
     type Output = ClippedRing<V>;
     type Event = SutherlandHodgmanEvent<V>;
     type State = SutherlandHodgmanState<V>;
 
-    fn run<R: Real>(input: &Self::Input, emit: impl FnMut(Self::Event)) -> Self::Output {
-        clip_by::<Right, V, R>(input, emit)
+    fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Self::Output {
+        use SutherlandHodgmanEvent as Event;
+        let borders = Borders::by::<L>(&input.region);
+        let (mut list, mut output) = (input.vertices.clone(), Vec::new());
+        for (idx, border) in borders.all().iter().enumerate() {
+            if list.is_empty() {
+                break;
+            }
+            let edge_idx = border.edge_idx();
+            emit(Event::Edge {
+                edge_idx,
+                normal: border.normal(),
+                origin: border.origin(),
+            });
+            clip_edge::<L, V, R>(&borders, idx, &list, &mut output, &mut emit);
+            std::mem::swap(&mut list, &mut output);
+            output.clear();
+            let n_vertices = list.len();
+            emit(Event::Pass {
+                edge_idx,
+                n_vertices,
+            });
+        }
+        let ring = ClippedRing::of(&input.vertices, list);
+        let outcome = ring.outcome;
+        emit(Event::Done { outcome });
+        ring
     }
 
     fn start(input: &Self::Input) -> Self::State {
-        SutherlandHodgmanState::start(input)
+        SutherlandHodgmanState {
+            input: input.vertices.clone(),
+            output: Vec::new(),
+            edge_idx: None,
+            first: None,
+            test: None,
+            crossing: None,
+            put_out: None,
+            outcome: None,
+        }
     }
 
     fn apply(state: &mut Self::State, event: Self::Event) {
@@ -192,45 +227,27 @@ impl<V: Vertex> Algorithm for SutherlandHodgman<V> {
     }
 
     fn finish(state: &Self::State) -> Self::Output {
-        state.finish()
-    }
-
-    fn max_events(input: &Self::Input) -> usize {
-        max_events::<Right>(input.vertices.len(), input.region.n_edges())
-    }
-}
-
-/// The algorithm by the rules of `L`.
-pub(super) fn clip_by<L: Rules, V: Vertex, R: Real>(
-    input: &SutherlandHodgmanInput<V>,
-    mut emit: impl FnMut(SutherlandHodgmanEvent<V>),
-) -> ClippedRing<V> {
-    use SutherlandHodgmanEvent as Event;
-    let borders = Borders::by::<L>(&input.region);
-    let (mut list, mut output) = (input.vertices.clone(), Vec::new());
-    for (idx, border) in borders.all().iter().enumerate() {
-        if list.is_empty() {
-            break;
+        ClippedRing {
+            outcome: state.outcome.unwrap_or(RingOutcome::Empty),
+            vertices: state.input.clone(),
         }
-        let edge_idx = border.edge_idx();
-        emit(Event::Edge {
-            edge_idx,
-            normal: border.normal(),
-            origin: border.origin(),
-        });
-        clip_edge::<L, V, R>(&borders, idx, &list, &mut output, &mut emit);
-        std::mem::swap(&mut list, &mut output);
-        output.clear();
-        let n_vertices = list.len();
-        emit(Event::Pass {
-            edge_idx,
-            n_vertices,
-        });
     }
-    let ring = ClippedRing::of(&input.vertices, list);
-    let outcome = ring.outcome;
-    emit(Event::Done { outcome });
-    ring
+
+    /// For each clip edge: its turn; the first vertex, perhaps put out; for each polygon edge a test, a crossing
+    /// with its copies, and an end; the pass. Then the verdict.
+    fn max_events(input: &Self::Input) -> usize {
+        let per_edge = 3 + L::COPIES;
+        let (mut n, mut total) = (input.vertices.len(), 1_usize);
+        for _ in 0..input.region.n_edges() {
+            total = n
+                .saturating_mul(per_edge)
+                .saturating_add(4)
+                .saturating_add(total);
+            // Half of them inside, with a crossing on either side of each, is the most.
+            n = n.saturating_mul(2 * L::COPIES + 1) / 2;
+        }
+        total
+    }
 }
 
 /// Clips `input` against one edge and appends what is left to `output`.
@@ -281,37 +298,8 @@ fn clip_edge<L: Rules, V: Vertex, R: Real>(
     clip.close::<L>(&mut |happening| tell(idx, happening));
 }
 
-/// For each clip edge: its turn; the first vertex, perhaps put out; for each polygon edge a test, a crossing
-/// with its copies, and an end; the pass. Then the verdict.
-pub(super) fn max_events<L: Rules>(n_vertices: usize, n_edges: usize) -> usize {
-    let per_edge = 3 + L::COPIES;
-    let (mut n, mut total) = (n_vertices, 1_usize);
-    for _ in 0..n_edges {
-        total = n
-            .saturating_mul(per_edge)
-            .saturating_add(4)
-            .saturating_add(total);
-        // Half of them inside, with a crossing on either side of each, is the most.
-        n = n.saturating_mul(2 * L::COPIES + 1) / 2;
-    }
-    total
-}
-
 impl<V: Vertex> SutherlandHodgmanState<V> {
-    pub(super) fn start(input: &SutherlandHodgmanInput<V>) -> Self {
-        Self {
-            input: input.vertices.clone(),
-            output: Vec::new(),
-            edge_idx: None,
-            first: None,
-            test: None,
-            crossing: None,
-            put_out: None,
-            outcome: None,
-        }
-    }
-
-    pub(super) fn apply(&mut self, event: SutherlandHodgmanEvent<V>) {
+    fn apply(&mut self, event: SutherlandHodgmanEvent<V>) {
         use SutherlandHodgmanEvent as Event;
         match event {
             Event::Edge { edge_idx, .. } => self.edge_idx = Some(edge_idx),
@@ -346,13 +334,6 @@ impl<V: Vertex> SutherlandHodgmanState<V> {
                 self.edge_idx = None;
                 self.outcome = Some(outcome);
             }
-        }
-    }
-
-    pub(super) fn finish(&self) -> ClippedRing<V> {
-        ClippedRing {
-            outcome: self.outcome.unwrap_or(RingOutcome::Empty),
-            vertices: self.input.clone(),
         }
     }
 }

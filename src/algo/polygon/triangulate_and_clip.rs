@@ -151,7 +151,7 @@ impl Algorithm for TriangulateAndClip {
                 corners,
             }));
             let problem = one_triangle(&input.region, corners);
-            let ring = SutherlandHodgman::run::<R>(&problem, |e| emit(Event::Clip(e)));
+            let ring = <SutherlandHodgman>::run::<R>(&problem, |e| emit(Event::Clip(e)));
             let outcome = ring.outcome;
             pieces.push(triangle_idx, &ring);
             emit(Event::Each(Piece {
@@ -182,7 +182,7 @@ impl Algorithm for TriangulateAndClip {
             Event::Triangulate(event) => EarClipping::apply(&mut state.ears, event),
             Event::Clip(event) => {
                 if let Some(clip) = &mut state.clip {
-                    SutherlandHodgman::apply(clip, event);
+                    <SutherlandHodgman>::apply(clip, event);
                 }
             }
             Event::Each(Triangle {
@@ -192,11 +192,11 @@ impl Algorithm for TriangulateAndClip {
             }) => {
                 let problem = one_triangle(&state.region, corners);
                 state.triangle_idx = Some(triangle_idx);
-                state.clip = Some(SutherlandHodgman::start(&problem));
+                state.clip = Some(<SutherlandHodgman>::start(&problem));
             }
             Event::Each(Piece { triangle_idx, .. }) => {
                 if let Some(clip) = &state.clip {
-                    let ring = SutherlandHodgman::finish(clip);
+                    let ring = <SutherlandHodgman>::finish(clip);
                     state.pieces.push(triangle_idx, &ring);
                 }
             }
@@ -216,7 +216,7 @@ impl Algorithm for TriangulateAndClip {
         let n_triangles = input.polygon.vertices().len() - 2;
         let corner = input.polygon.vertices()[0];
         let problem = one_triangle(&input.region, [corner; 3]);
-        let per_triangle = SutherlandHodgman::max_events(&problem).saturating_add(2);
+        let per_triangle = <SutherlandHodgman>::max_events(&problem).saturating_add(2);
         EarClipping::max_events(&input.polygon)
             .saturating_add(per_triangle.saturating_mul(n_triangles))
             .saturating_add(1)

@@ -72,7 +72,7 @@ impl Solve for Pipeline {
     const FIELDS: &'static [Field] = &CLIPPED;
 
     fn read(reader: &mut Reader<'_>) -> Result<Self::Input, Refusal> {
-        SutherlandHodgman::read(reader)
+        <SutherlandHodgman>::read(reader)
     }
 
     fn verdict(output: &Self::Output) -> Message {

@@ -1,7 +1,7 @@
 //! **Wrong on purpose.** Sutherland–Hodgman with one mistake each, as they are found in lecture notes and in
 //! programs that students hand in: to be stepped beside the right one, on the student's own input.
 //!
-//! They run through the very same step with one rule changed (`Rules` says which can be), and report the same
+//! They run through the very same step with one rule changed ([`Rules`] says which can be), and report the same
 //! events, so that the first differing step is the first differing event. Only the lab's "what is wrong here?"
 //! knows this room: `tests/architecture.rs` holds the rest of the house to that.
 //!
@@ -16,21 +16,11 @@
 //! # Ok::<(), clipscope::geom::GeomError>(())
 //! ```
 
-use std::marker::PhantomData;
-
 use serde::{Deserialize, Serialize};
 
-use crate::{
-    geom::Point,
-    trace::{Algorithm, Real},
-};
+use crate::{geom::Point, trace::Real};
 
-use super::{
-    ClippedRing, Share, SutherlandHodgmanEvent, SutherlandHodgmanInput, SutherlandHodgmanState,
-    Vertex,
-    step::Rules,
-    sutherland_hodgman::{clip_by, max_events},
-};
+use super::{Rules, Share, SutherlandHodgman, Vertex};
 
 /// Erratum E6: "inside" means a distance *greater* than 0, and an edge is cut only where the product of both
 /// distances is *less* than 0. A vertex on the border is neither: it is lost, and nothing stands in for it.
@@ -77,36 +67,8 @@ impl Rules for EndFirst {
     const END_FIRST: bool = true;
 }
 
-/// Sutherland–Hodgman by the rules of `L`.
-#[derive(Clone, Copy, Debug)]
-pub struct Faulty<L, V = Point>(PhantomData<(L, V)>);
-
-impl<L: Rules, V: Vertex> Algorithm for Faulty<L, V> {
-    type Input = SutherlandHodgmanInput<V>;
-    type Output = ClippedRing<V>;
-    type Event = SutherlandHodgmanEvent<V>;
-    type State = SutherlandHodgmanState<V>;
-
-    fn run<R: Real>(input: &Self::Input, emit: impl FnMut(Self::Event)) -> Self::Output {
-        clip_by::<L, V, R>(input, emit)
-    }
-
-    fn start(input: &Self::Input) -> Self::State {
-        SutherlandHodgmanState::start(input)
-    }
-
-    fn apply(state: &mut Self::State, event: Self::Event) {
-        state.apply(event);
-    }
-
-    fn finish(state: &Self::State) -> Self::Output {
-        state.finish()
-    }
-
-    fn max_events(input: &Self::Input) -> usize {
-        max_events::<L>(input.vertices.len(), input.region.n_edges())
-    }
-}
+/// Sutherland–Hodgman with the mistake `L`.
+pub type Faulty<L, V = Point> = SutherlandHodgman<V, L>;
 
 /// A textured vertex that is moved to the border and keeps its place in the texture, instead of a new vertex with
 /// a place of its own: the picture shifts and stretches as the polygon is cut.

@@ -11,13 +11,21 @@ use crate::{
     text::{Formula, Message, Value},
 };
 
-/// How a variant looks at its clip edges. The right one's is the default.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+/// How a variant looks at its clip edges.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Look {
     /// Takes the wrong side of every edge for its inside.
     pub is_flipped: bool,
     /// Takes what lies on an edge for outside.
     pub is_strict: bool,
+}
+
+impl Look {
+    /// The right one's.
+    pub const RIGHT: Self = Self {
+        is_flipped: false,
+        is_strict: false,
+    };
 }
 
 /// An edge of the clip region, as a variant looks at it.

@@ -17,7 +17,7 @@ use super::{
 pub fn row(step: &Step<'_, Pipeline>) -> ClipperRow {
     let (region, state) = (&step.input.region, step.state);
     let clipper = |idx: usize| {
-        let edge = ClipEdge::new(region, idx, Look::default());
+        let edge = ClipEdge::new(region, idx, Look::RIGHT);
         Clipper {
             name: edge.border(),
             first: state.stages[idx].first.map(Point::to_array),

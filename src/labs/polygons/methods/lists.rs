@@ -142,7 +142,7 @@ pub fn bridges<V: Vertex>(ring: &[V], region: &ClipRegion) -> Vec<Mark> {
         .collect();
     let is_counter_clockwise = edges.iter().map(|&e| cross(e, ring[0].at())).sum::<f64>() > 0.0;
     let borders: Vec<_> = (0..region.n_edges())
-        .map(|idx| ClipEdge::new(region, idx, Look::default()))
+        .map(|idx| ClipEdge::new(region, idx, Look::RIGHT))
         .collect();
     let is_bridge = |&ends: &[Point; 2]| {
         let mut borders = borders.iter().filter(|border| border.carries(ends));

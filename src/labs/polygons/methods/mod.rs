@@ -11,4 +11,5 @@ mod skin;
 mod sutherland_hodgman;
 mod triangles;
 mod triangulate_and_clip;
+mod variant;
 mod weiler_atherton;

@@ -96,7 +96,7 @@ impl Demo for Pipeline {
     }
 
     fn caption(event: &Event<Point>, before: &State<Point>, input: &Input) -> Caption {
-        let edge = |stage_idx| ClipEdge::new(&input.region, stage_idx, Look::default());
+        let edge = |stage_idx| ClipEdge::new(&input.region, stage_idx, Look::RIGHT);
         match *event {
             Event::Enter {
                 stage_idx,
@@ -169,7 +169,7 @@ impl Demo for Pipeline {
         let state = step.state;
         let point = |p: Option<Point>| p.map(|p| Value::Point(p.to_array()));
         let stages = state.stages.iter().enumerate().map(|(i, stage)| {
-            let edge = ClipEdge::new(&step.input.region, i, Look::default());
+            let edge = ClipEdge::new(&step.input.region, i, Look::RIGHT);
             let held = vec![point(stage.first), point(previous(state, i))];
             let row = WatchRow::table(edge.name(), held);
             let row = row.linked(edge.link());
@@ -202,7 +202,7 @@ fn marks(step: &Step<'_, Pipeline>) -> Vec<Mark> {
     }
     let mut marks = Vec::new();
     if let Some(stage_idx) = state.stage_idx {
-        let edge = ClipEdge::new(&input.region, stage_idx, Look::default());
+        let edge = ClipEdge::new(&input.region, stage_idx, Look::RIGHT);
         marks.push(edge.mark(Role::Soft));
     }
     marks.push(Mark::new(Role::Accent, Shape::Path(outline(&state.output))).linked("output"));

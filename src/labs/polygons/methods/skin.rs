@@ -21,6 +21,9 @@ pub trait Corner: Vertex + Serialize + 'static {
     /// Has every vertex a place in a texture?
     const IS_TEXTURED: bool = true;
 
+    /// At a place, and with a place in the texture if it has one.
+    fn with_uv(at: Point, uv: [f64; 2]) -> Self;
+
     /// Where in the texture.
     fn uv(&self) -> Option<[f64; 2]>;
 
@@ -47,12 +50,20 @@ pub struct Named<V> {
 impl Corner for Point {
     const IS_TEXTURED: bool = false;
 
+    fn with_uv(at: Point, _: [f64; 2]) -> Self {
+        at
+    }
+
     fn uv(&self) -> Option<[f64; 2]> {
         None
     }
 }
 
 impl Corner for Textured {
+    fn with_uv(at: Point, uv: [f64; 2]) -> Self {
+        Self { at, uv }
+    }
+
     fn uv(&self) -> Option<[f64; 2]> {
         Some(self.uv)
     }

@@ -4,7 +4,7 @@ use crate::{
     algo::{
         line::Ratio,
         polygon::{
-            ClipRegion, EdgeTest, RingOutcome, Rule, SutherlandHodgman,
+            ClipRegion, EdgeTest, Right, RingOutcome, Rule, SutherlandHodgman,
             SutherlandHodgmanEvent as Event, SutherlandHodgmanInput as Input,
             SutherlandHodgmanState as State, Textured,
         },
@@ -12,8 +12,9 @@ use crate::{
     figure::{Caption, Mark, Role, Run, Shape, Tick, View, Watch, WatchRow, WatchSection},
     geom::Point,
     labs::{
-        self, CodeLine, Demo, Step, code_line,
+        CodeLine, Demo, Step,
         polygons::{PolygonDemo, Refusal, Scene, Texture},
+        record, record_wrong,
         words::{name, point_formula},
     },
     text::{Formula, Message, Value},
@@ -21,53 +22,36 @@ use crate::{
 
 use super::{
     clip_edge::{ClipEdge, Look},
-    faulty,
+    faulty::Kept,
     lists::{bridges, input_symbol, names, outline, output_symbol, result, rows, vertex_link},
     rules::{side_term, starts_inside, test_caption},
     skin::{Corner, Named, skin},
+    variant::{EACH, FIRST, IN_IN, IN_OUT, OUT_IN, OUT_OUT, PASS, Variant},
 };
-
-/// Lines of the pseudocode.
-pub const EACH: usize = 0;
-const FIRST: usize = 1;
-pub const EDGES: usize = 2;
-const IN_IN: usize = 3;
-pub const IN_OUT: usize = 4;
-pub const OUT_IN: usize = 5;
-const OUT_OUT: usize = 6;
-const PASS: usize = 7;
-
-pub const CODE: &[CodeLine] = &[
-    code_line(0, "code-sh-each", "words-sh-each"),
-    code_line(1, "code-sh-first", "words-sh-first"),
-    code_line(1, "code-sh-edges", "words-sh-edges"),
-    code_line(2, "code-sh-in-in", "words-sh-in-in"),
-    code_line(2, "code-sh-in-out", "words-sh-in-out"),
-    code_line(2, "code-sh-out-in", "words-sh-out-in"),
-    code_line(2, "code-sh-out-out", "words-sh-out-out"),
-    code_line(1, "code-sh-pass", "words-sh-pass"),
-];
 
 /// The paper.
 pub const SOURCE: &str = "Sutherland & Hodgman, 1974";
 
-impl PolygonDemo for SutherlandHodgman {
-    const CARRIES_TEXTURE: bool = true;
+impl Variant for Right {
+    const ID: &'static str = "sutherland-hodgman";
+    const NAME_KEY: &'static str = "alg-sutherland-hodgman";
+}
+
+impl<L: Variant> PolygonDemo for SutherlandHodgman<Point, L> {
+    const CARRIES_TEXTURE: bool = L::DIFFERS_KEY.is_none();
 
     fn input(scene: &Scene) -> Result<Input, Refusal> {
         input(scene)
     }
 
     fn record(scene: &Scene) -> Result<Box<dyn Run>, Refusal> {
+        if L::DIFFERS_KEY.is_some() {
+            return Ok(record_wrong::<Self, SutherlandHodgman>(input(scene)?));
+        }
         Ok(match scene.texture {
-            Texture::None => labs::record::<Self>(input(scene)?),
-            Texture::Interpolated => {
-                labs::record::<SutherlandHodgman<Textured>>(textured(scene, |at, uv| Textured {
-                    at,
-                    uv,
-                })?)
-            }
-            Texture::Kept => faulty::with_kept_texture(scene)?,
+            Texture::None => record::<Self>(input(scene)?),
+            Texture::Interpolated => record::<SutherlandHodgman<Textured, L>>(textured(scene)?),
+            Texture::Kept => record::<SutherlandHodgman<Kept, L>>(textured(scene)?),
         })
     }
 }
@@ -85,83 +69,73 @@ pub fn input(scene: &Scene) -> Result<Input, Refusal> {
 }
 
 /// With a place in the texture at every vertex.
-pub fn textured<V>(
-    scene: &Scene,
-    corner: impl Fn(Point, [f64; 2]) -> V,
-) -> Result<Input<V>, Refusal> {
+fn textured<V: Corner>(scene: &Scene) -> Result<Input<V>, Refusal> {
     let texel = scene.texels();
     let vertices = scene.subject.vertices().iter();
     Ok(Input {
         region: region(scene)?,
-        vertices: vertices.map(|&at| corner(at, texel(at))).collect(),
+        vertices: vertices.map(|&at| V::with_uv(at, texel(at))).collect(),
     })
 }
 
-impl<V: Corner> Demo for SutherlandHodgman<V> {
-    const ID: &'static str = "sutherland-hodgman";
-    const NAME_KEY: &'static str = "alg-sutherland-hodgman";
+impl<V: Corner, L: Variant> Demo for SutherlandHodgman<V, L> {
+    const ID: &'static str = L::ID;
+    const NAME_KEY: &'static str = L::NAME_KEY;
     const SOURCE: &'static str = SOURCE;
-    const CODE: &'static [CodeLine] = CODE;
+    const CODE: &'static [CodeLine] = &L::CODE;
+    const DIFFERS_KEY: Option<&'static str> = L::DIFFERS_KEY;
 
     fn tick(event: &Event<V>) -> Tick {
-        tick(event)
+        match event {
+            Event::Edge { .. } => Tick::Phase,
+            Event::Cross { .. } => Tick::Cut,
+            Event::Done {
+                outcome: RingOutcome::Empty | RingOutcome::Degenerate,
+            } => Tick::Reject,
+            Event::Done { .. } => Tick::Accept,
+            Event::First { .. }
+            | Event::Test { .. }
+            | Event::Output { .. }
+            | Event::Pass { .. } => Tick::Test,
+        }
     }
 
     fn code_line(event: &Event<V>, before: &State<V>) -> usize {
-        line_of(event, before)
+        let rule = match event {
+            Event::Edge { .. } => return EACH,
+            Event::First { .. } => return FIRST,
+            Event::Pass { .. } | Event::Done { .. } => return PASS,
+            Event::Test { rule, .. } => Some(*rule),
+            Event::Cross { .. } | Event::Output { .. } => before.test.map(|test| test.rule),
+        };
+        match rule {
+            None => FIRST,
+            Some(Rule::InIn) => IN_IN,
+            Some(Rule::InOut) => IN_OUT,
+            Some(Rule::OutIn) => OUT_IN,
+            Some(Rule::OutOut) => OUT_OUT,
+        }
     }
 
     fn opening(input: &Input<V>) -> Caption {
-        opening(input)
+        let message = Message::new("sh-opening")
+            .with("n", input.vertices.len())
+            .with("edges", input.region.n_edges());
+        Caption::new(message)
     }
 
     fn caption(event: &Event<V>, before: &State<V>, input: &Input<V>) -> Caption {
-        caption(event, before, &input.region, Look::default())
+        caption(event, before, &input.region, L::LOOK)
     }
 
     fn views(step: &Step<'_, Self>) -> Vec<View> {
-        views(step.input, step.state, step.event, Look::default())
+        let marks = marks(step.input, step.state, step.event, L::LOOK);
+        vec![View::plane(marks)]
     }
 
     fn watch(step: &Step<'_, Self>) -> Watch {
         watch(step.state)
     }
-}
-
-pub const fn tick<V>(event: &Event<V>) -> Tick {
-    match event {
-        Event::Edge { .. } => Tick::Phase,
-        Event::Cross { .. } => Tick::Cut,
-        Event::Done {
-            outcome: RingOutcome::Empty | RingOutcome::Degenerate,
-        } => Tick::Reject,
-        Event::Done { .. } => Tick::Accept,
-        _ => Tick::Test,
-    }
-}
-
-pub fn line_of<V>(event: &Event<V>, before: &State<V>) -> usize {
-    let rule = match event {
-        Event::Edge { .. } => return EACH,
-        Event::First { .. } => return FIRST,
-        Event::Pass { .. } | Event::Done { .. } => return PASS,
-        Event::Test { rule, .. } => Some(*rule),
-        Event::Cross { .. } | Event::Output { .. } => before.test.map(|test| test.rule),
-    };
-    match rule {
-        None => FIRST,
-        Some(Rule::InIn) => IN_IN,
-        Some(Rule::InOut) => IN_OUT,
-        Some(Rule::OutIn) => OUT_IN,
-        Some(Rule::OutOut) => OUT_OUT,
-    }
-}
-
-pub fn opening<V>(input: &Input<V>) -> Caption {
-    let message = Message::new("sh-opening")
-        .with("n", input.vertices.len())
-        .with("edges", input.region.n_edges());
-    Caption::new(message)
 }
 
 pub fn caption<V: Corner>(
@@ -274,15 +248,6 @@ pub fn done(outcome: RingOutcome, n_vertices: usize, n_edges: usize) -> Caption 
     };
     let message = Message::new(key).with("n", n_vertices);
     Caption::new(message.with("edges", n_edges))
-}
-
-pub fn views<V: Corner>(
-    input: &Input<V>,
-    state: &State<V>,
-    event: Option<Event<V>>,
-    look: Look,
-) -> Vec<View> {
-    vec![View::plane(marks(input, state, event, look))]
 }
 
 pub fn marks<V: Corner>(

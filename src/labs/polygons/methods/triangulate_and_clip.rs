@@ -92,9 +92,7 @@ impl Demo for TriangulateAndClip {
             Event::Triangulate(event) => EarClipping::caption(event, &before.ears, &input.polygon),
             Event::Each(event) => each_caption(*event, before),
             Event::Clip(event) => match &before.clip {
-                Some(clip) => {
-                    sutherland_hodgman::caption(event, clip, &before.region, Look::default())
-                }
+                Some(clip) => sutherland_hodgman::caption(event, clip, &before.region, Look::RIGHT),
                 None => Self::opening(input),
             },
         }
@@ -144,7 +142,7 @@ fn marks(step: &Step<'_, TriangulateAndClip>) -> Vec<Mark> {
             region: state.region.clone(),
             vertices: corners.to_vec(),
         };
-        let look = Look::default();
+        let look = Look::RIGHT;
         marks.extend(sutherland_hodgman::marks(&input, clip, event, look));
     }
     marks

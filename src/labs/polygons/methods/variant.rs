@@ -1,0 +1,58 @@
+//! Sutherland–Hodgman by one set of rules: how it is called, how it looks at its clip edges, and its pseudocode.
+
+use crate::{
+    algo::polygon::Rules,
+    labs::{CodeLine, code_line},
+};
+
+use super::clip_edge::Look;
+
+/// Lines of the pseudocode.
+pub const EACH: usize = 0;
+pub const FIRST: usize = 1;
+pub const EDGES: usize = 2;
+pub const IN_IN: usize = 3;
+pub const IN_OUT: usize = 4;
+pub const OUT_IN: usize = 5;
+pub const OUT_OUT: usize = 6;
+pub const PASS: usize = 7;
+
+/// The pseudocode of any variant.
+pub type Code = [CodeLine; PASS + 1];
+
+/// As Sutherland and Hodgman have it.
+pub const CODE: Code = [
+    code_line(0, "code-sh-each", "words-sh-each"),
+    code_line(1, "code-sh-first", "words-sh-first"),
+    code_line(1, "code-sh-edges", "words-sh-edges"),
+    code_line(2, "code-sh-in-in", "words-sh-in-in"),
+    code_line(2, "code-sh-in-out", "words-sh-in-out"),
+    code_line(2, "code-sh-out-in", "words-sh-out-in"),
+    code_line(2, "code-sh-out-out", "words-sh-out-out"),
+    code_line(1, "code-sh-pass", "words-sh-pass"),
+];
+
+/// The right pseudocode with other lines in some places.
+pub const fn but_for<const N: usize>(others: [(usize, CodeLine); N]) -> Code {
+    let mut lines = CODE;
+    let mut i = 0;
+    while i < N {
+        lines[others[i].0] = others[i].1;
+        i += 1;
+    }
+    lines
+}
+
+/// Rules that can be shown: the right ones, or some with a mistake.
+pub trait Variant: Rules + 'static {
+    /// As JSON spells the method.
+    const ID: &'static str;
+    /// Catalogue key of its name.
+    const NAME_KEY: &'static str;
+    /// Its clip edges.
+    const LOOK: Look = Look::RIGHT;
+    /// The right pseudocode, but for the lines with the mistake.
+    const CODE: Code = CODE;
+    /// Of a mistake: what is said at the first step that the right rules do not do.
+    const DIFFERS_KEY: Option<&'static str> = None;
+}
