@@ -20,6 +20,8 @@ pub struct Lists {
 pub struct List {
     /// Over it: "Subject list".
     pub title: Value,
+    /// Over the entries' details: `(x, y)`, `d`. None where no entry has any.
+    pub columns: Vec<Value>,
     /// All of a short list, of a long one those about the focus ([`List::reach`]); a view folds what it has no room
     /// for, and says so.
     pub entries: Vec<ListEntry>,
@@ -44,6 +46,7 @@ impl List {
     pub const fn new(title: Value, entries: Vec<ListEntry>) -> Self {
         Self {
             title,
+            columns: Vec::new(),
             entries,
             n_before: 0,
             n_after: 0,
@@ -67,8 +70,9 @@ impl List {
 pub struct ListEntry {
     /// `S₃`, `I₁`.
     pub name: Value,
-    /// What is said of it: its place, a distance, a word.
-    pub detail: Option<Value>,
+    /// What is said of it, one a column, each column set flush: its place, a distance, a word; none as long as it is
+    /// not known.
+    pub details: Vec<Option<Value>>,
     /// The mark that the same thing has in the drawing.
     pub marker: Option<Marker>,
     /// [`Role::Signal`] for this step's, [`Role::Accent`] for what has been walked or kept, [`Role::Discarded`] for
@@ -108,7 +112,7 @@ impl ListEntry {
     pub fn new(name: impl Into<Value>) -> Self {
         Self {
             name: name.into(),
-            detail: None,
+            details: Vec::new(),
             marker: None,
             role: Role::Soft,
             link: None,
