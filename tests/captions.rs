@@ -134,9 +134,12 @@ fn said_in(body: &Body, catalog: &Catalog) -> Vec<String> {
         }
         Body::Lists(lists) => {
             let entries = lists.lists.iter().flat_map(|list| &list.entries);
-            let values =
-                entries.flat_map(|entry| std::iter::once(&entry.name).chain(&entry.detail));
-            let titles = lists.lists.iter().map(|list| &list.title);
+            let values = entries.flat_map(|entry| {
+                let details = entry.details.iter().flatten();
+                std::iter::once(&entry.name).chain(details)
+            });
+            let titles = lists.lists.iter();
+            let titles = titles.flat_map(|list| std::iter::once(&list.title).chain(&list.columns));
             titles.chain(values).map(value).collect()
         }
         Body::Products(products) => {
