@@ -36,6 +36,8 @@ pub struct Cell {
     /// [`Role::Signal`] where it was worked out at this step, [`Role::Ink`] where it was in this row,
     /// [`Role::Soft`] where it is what it was in the row above.
     pub role: Role,
+    /// A bound that this row has moved: semibold.
+    pub strong: bool,
 }
 
 /// A rule under a table: `p < 0 enters: u_min = max(u_min, r)`.
@@ -52,6 +54,17 @@ impl Cell {
     #[must_use]
     pub fn new(role: Role, value: Option<impl Into<Value>>) -> Self {
         let value = value.map(Into::into);
-        Self { value, role }
+        Self {
+            value,
+            role,
+            strong: false,
+        }
+    }
+
+    /// Set semibold: among what is in its row, the one that changed.
+    #[must_use]
+    pub const fn strong(mut self) -> Self {
+        self.strong = true;
+        self
     }
 }

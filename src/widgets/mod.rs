@@ -1,29 +1,23 @@
 //! Parts of the window that know figures and runs, but no lab: each draws one thing and says what was
 //! done to it. None keeps state that undo would miss.
 
-mod bits;
 mod canvas;
 mod caption;
-mod clipper_row;
 mod cost;
 mod grid;
 mod handles;
 mod hit;
 mod icon;
 mod lesson_text;
-mod lists;
-mod number_line;
 mod pan_zoom;
 mod picker;
-mod products;
 mod pseudocode;
 mod section;
-mod table;
 mod tick;
 mod timeline;
 mod title;
 mod transport;
-mod view;
+mod views;
 mod watch;
 
 pub use canvas::{Canvas, CanvasShown, Click, place_at};
@@ -40,7 +34,7 @@ pub use section::{rule, section};
 pub use timeline::Timeline;
 pub use title::column_title;
 pub use transport::{Press, speed_menu, transport_buttons, transport_width};
-pub use view::{strip_height, view};
+pub use views::{strip_height, view};
 pub use watch::watch;
 
 use crate::{paint::Theme, text::Catalog};

@@ -136,3 +136,7 @@ faulty-unnamed = A student’s program
 differs-from = differs from step { $step } on
 differs-nowhere = same steps on this input
 run-later = Let go: the run of so large a scene is recorded again then.
+
+## Views beside the drawing
+
+view-more = … { $count } more

@@ -136,3 +136,7 @@ faulty-unnamed = El programa de un estudiante
 differs-from = difiere desde el paso { $step }
 differs-nowhere = mismos pasos con esta entrada
 run-later = Al soltar se registra de nuevo la ejecución: la escena es demasiado grande para hacerlo mientras se arrastra.
+
+## Vistas junto al dibujo
+
+view-more = … { $count } más

@@ -136,3 +136,7 @@ faulty-unnamed = O programa de um estudante
 differs-from = difere a partir do passo { $step }
 differs-nowhere = mesmos passos com esta entrada
 run-later = Ao soltar, a execução é registrada de novo: a cena é grande demais para isso durante o arraste.
+
+## Vistas ao lado do desenho
+
+view-more = … mais { $count }

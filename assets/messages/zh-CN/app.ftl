@@ -128,3 +128,7 @@ faulty-unnamed = 某位学生的程序
 differs-from = 从第 { $step } 步起不同
 differs-nowhere = 对此输入，各步相同
 run-later = 松开后重新记录：场景太大，无法边拖动边运行。
+
+## 图旁的视图
+
+view-more = …… 还有 { $count } 项

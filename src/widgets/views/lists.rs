@@ -4,7 +4,7 @@ use egui::{Rect, Ui};
 
 use crate::figure::{Link, Lists};
 
-use super::Look;
+use super::super::Look;
 
 /// Draws the view in `rect`; what it shows under the pointer.
 pub fn lists(

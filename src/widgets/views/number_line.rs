@@ -19,7 +19,7 @@ use crate::{
     paint::Theme,
 };
 
-use super::Look;
+use super::super::Look;
 
 /// How much of the line is always seen, beyond 0 and 1.
 const BEYOND: f64 = 0.25;

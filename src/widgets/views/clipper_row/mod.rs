@@ -26,7 +26,7 @@ use crate::{
     text::Value,
 };
 
-use super::Look;
+use super::super::Look;
 
 use plan::{PAD, Plan, end_widths, line_height};
 

@@ -1,17 +1,17 @@
-//! Codes over each other, bit by bit.
+//! Dot products, each with its own small drawing.
 
 use egui::{Rect, Ui};
 
-use crate::figure::{Bits, Link};
+use crate::figure::{Link, Products};
 
-use super::Look;
+use super::super::Look;
 
 /// Draws the view in `rect`; what it shows under the pointer.
-pub fn bits(
+pub fn products(
     ui: &mut Ui,
     look: Look<'_>,
     rect: Rect,
-    shown: &Bits,
+    shown: &Products,
     lit: Option<Link>,
 ) -> Option<Link> {
     let _ = (ui, look, rect, shown, lit);

@@ -1,0 +1,94 @@
+//! What is seen of many: the neighbourhood of the one that matters.
+
+use std::ops::Range;
+
+/// Which of `n` rows are shown in `room` rows, and how many are folded before and after them.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Fold {
+    /// Before those shown.
+    pub before: usize,
+    /// The rows that are shown.
+    pub shown: Range<usize>,
+    /// After those shown.
+    pub after: usize,
+}
+
+impl Fold {
+    /// Of `n` rows those about `focus`; a line that says what is folded takes a row of its own.
+    pub fn about(n: usize, focus: Option<usize>, room: usize) -> Self {
+        if n <= room {
+            return Self::of(n, 0..n);
+        }
+        let focus = focus.unwrap_or(0).min(n - 1);
+        // At either end there is one line that says so, elsewhere there are two.
+        let at_end = room.saturating_sub(1).max(1);
+        if focus + 1 < at_end || at_end == 1 && focus == 0 {
+            return Self::of(n, 0..at_end);
+        }
+        if n - focus < at_end {
+            return Self::of(n, n - at_end..n);
+        }
+        let inside = room.saturating_sub(2).max(1);
+        let start = focus.saturating_sub(inside / 2).min(n - inside);
+        Self::of(n, start..start + inside)
+    }
+
+    const fn of(n: usize, shown: Range<usize>) -> Self {
+        let (before, after) = (shown.start, n - shown.end);
+        Self {
+            before,
+            shown,
+            after,
+        }
+    }
+
+    /// Rows it takes, with those that say what is folded.
+    pub fn n_rows(&self) -> usize {
+        self.shown.len() + usize::from(self.before > 0) + usize::from(self.after > 0)
+    }
+
+    /// In which row the first one shown stands.
+    pub fn first_row(&self) -> usize {
+        usize::from(self.before > 0)
+    }
+
+    /// The row of an entry, if it is shown.
+    pub fn row_of(&self, idx: usize) -> Option<usize> {
+        let row = || idx - self.shown.start + self.first_row();
+        self.shown.contains(&idx).then(row)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_is_folded_where_there_is_room() {
+        assert_eq!(Fold::about(5, Some(4), 5).shown, 0..5);
+        assert_eq!(Fold::about(0, None, 5).shown, 0..0);
+    }
+
+    #[test]
+    fn all_are_shown_or_counted_and_the_focus_is_seen() {
+        for n in 0..60 {
+            for room in 3..20 {
+                for focus in 0..n {
+                    let fold = Fold::about(n, Some(focus), room);
+                    assert_eq!(fold.before + fold.shown.len() + fold.after, n);
+                    assert!(fold.shown.contains(&focus), "{n} {focus} {room}: {fold:?}");
+                    assert!(fold.n_rows() <= room.max(3), "{n} {focus} {room}: {fold:?}");
+                    assert!(n > room || fold.shown == (0..n));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn neighbours_of_the_focus_are_seen_on_both_sides() {
+        let fold = Fold::about(200, Some(100), 12);
+        assert_eq!(fold.shown, 95..105);
+        assert_eq!((fold.before, fold.after), (95, 95));
+        assert_eq!(fold.row_of(100), Some(6));
+    }
+}

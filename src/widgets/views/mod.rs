@@ -1,0 +1,82 @@
+//! What an algorithm holds, drawn beside the drawing or under it: one file a kind. Window and export share them.
+
+mod bits;
+mod clipper_row;
+mod fold;
+mod links;
+mod lists;
+mod number_line;
+mod on_sheet;
+mod products;
+mod sheet;
+mod table;
+#[cfg(test)]
+mod tests;
+
+use egui::{Rect, Role, Sense, Ui, WidgetInfo};
+
+use crate::{
+    figure::{Body, Link, View},
+    paint::Theme,
+};
+
+use super::Look;
+use clipper_row::{clipper_row, clipper_row_height};
+use links::Links;
+use number_line::{number_line, number_line_height};
+use on_sheet::OnSheet;
+
+/// Height of a view that stands under the drawing, in a column of this width; `None` of one that stands beside it.
+#[must_use]
+pub fn strip_height(theme: &Theme, width: f32, shown: &View) -> Option<f32> {
+    match shown.body {
+        Body::NumberLine(_) => Some(number_line_height(theme)),
+        Body::Clippers(_) => Some(clipper_row_height(theme, width)),
+        Body::Plane(_) | Body::Bits(_) | Body::Table(_) | Body::Lists(_) | Body::Products(_) => {
+            None
+        }
+    }
+}
+
+/// Draws a view of any kind but the drawing in `rect`, from its top; what it shows under the pointer.
+pub fn view(
+    ui: &mut Ui,
+    look: Look<'_>,
+    rect: Rect,
+    shown: &View,
+    lit: Option<Link>,
+) -> Option<Link> {
+    match &shown.body {
+        Body::Plane(_) => None,
+        Body::Bits(body) => on_sheet(ui, look, rect, shown, lit, body),
+        Body::Table(body) => on_sheet(ui, look, rect, shown, lit, body),
+        Body::Lists(body) => lists::lists(ui, look, rect, body, lit),
+        Body::Products(body) => products::products(ui, look, rect, body, lit),
+        Body::NumberLine(body) => number_line(ui, look, rect, body, lit),
+        Body::Clippers(body) => clipper_row(ui, look, rect, body, lit),
+    }
+}
+
+fn on_sheet(
+    ui: &Ui,
+    look: Look<'_>,
+    rect: Rect,
+    shown: &View,
+    lit: Option<Link>,
+    body: &impl OnSheet,
+) -> Option<Link> {
+    // Two columns may stand side by side, each with views of its own.
+    let id = ui.scope_id().with((shown.id, rect.left() as i32));
+    let response = ui.interact(rect, id, Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, body.spoken(look)));
+    let mut links = Links {
+        lit,
+        pointer: response.hover_pos(),
+        pointed: None,
+    };
+    // Boxes and rings may reach a little beyond what they go round.
+    let painter = ui.painter().with_clip_rect(rect.expand(6.0));
+    let mut sheet = body.sheet(&painter, look, rect);
+    body.draw(&mut sheet, rect, &mut links);
+    links.pointed
+}

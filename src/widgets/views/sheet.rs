@@ -1,0 +1,319 @@
+//! What a view is drawn on: faces, colours and strokes at one scale. It remembers where everything stands, so that
+//! a label finds a free place, and a test sees what overlaps.
+
+use egui::{Align2, Color32, FontFamily, FontId, Painter, Pos2, Rect, Shape, Stroke, Vec2, pos2};
+
+use crate::{
+    figure::Role,
+    paint::{Theme, Typeset, fonts::semibold},
+    text::{Formula, Message, Value},
+};
+
+use super::super::Look;
+
+/// Text is not set smaller than this part of its natural size: what has still no room is folded, or left out.
+pub const LEAST_SCALE: f32 = 0.6;
+
+/// The faces that views are set in.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Face {
+    /// Words and symbols.
+    Plain,
+    /// The one that matters in its row.
+    Strong,
+    /// Codes and numbers that stand in columns.
+    Mono,
+}
+
+/// How something is set: face, size in points before any scale, colour.
+pub type Style = (Face, f32, Color32);
+
+/// A painter with a scale and a memory.
+pub struct Sheet<'a> {
+    /// Paints.
+    pub painter: &'a Painter,
+    /// Colours and language.
+    pub look: Look<'a>,
+    /// Factor on every length, text included.
+    pub scale: f32,
+    /// Where text stands.
+    pub texts: Vec<Rect>,
+    /// What text keeps clear of.
+    pub strokes: Vec<[Pos2; 2]>,
+}
+
+impl<'a> Sheet<'a> {
+    /// At natural size.
+    pub const fn new(painter: &'a Painter, look: Look<'a>) -> Self {
+        Self {
+            painter,
+            look,
+            scale: look.theme.text_scale,
+            texts: Vec::new(),
+            strokes: Vec::new(),
+        }
+    }
+
+    /// As large as `room` lets it be, and at most of natural size; `wanted` says how much a sheet of some scale needs.
+    pub fn fitted(
+        painter: &'a Painter,
+        look: Look<'a>,
+        room: Vec2,
+        wanted: impl Fn(&Self) -> Vec2,
+    ) -> Self {
+        let mut sheet = Self::new(painter, look);
+        let least = LEAST_SCALE * sheet.scale;
+        // Text does not shrink evenly, as glyphs stand on whole pixels: what comes out is measured again.
+        for _ in 0..3 {
+            let wanted = wanted(&sheet);
+            let part = (room.x / wanted.x).min(room.y / wanted.y);
+            if part >= 1.0 || sheet.scale <= least {
+                break;
+            }
+            sheet.scale = (sheet.scale * part).max(least);
+        }
+        sheet
+    }
+
+    /// The theme.
+    pub const fn theme(&self) -> &'a Theme {
+        self.look.theme
+    }
+
+    /// A length in points at this scale.
+    pub fn pts(&self, natural: f32) -> f32 {
+        natural * self.scale
+    }
+
+    fn font(&self, face: Face, size: f32) -> FontId {
+        let family = match face {
+            Face::Plain => FontFamily::Proportional,
+            Face::Strong => semibold(),
+            Face::Mono => FontFamily::Monospace,
+        };
+        FontId::new(self.pts(size), family)
+    }
+
+    /// A value, set.
+    pub fn value(&self, value: &Value, (face, size, colour): Style) -> Typeset {
+        let font = self.font(face, size);
+        Typeset::value(self.painter, self.look.catalog, value, font, colour)
+    }
+
+    /// A formula, set.
+    pub fn formula(&self, formula: &Formula, (face, size, colour): Style) -> Typeset {
+        let font = self.font(face, size);
+        Typeset::formula(self.painter, self.look.catalog, formula, font, colour)
+    }
+
+    /// Words, set.
+    pub fn words(&self, words: impl Into<String>, (face, size, colour): Style) -> Typeset {
+        let font = self.font(face, size);
+        Typeset::text(self.painter, words.into(), font, colour)
+    }
+
+    /// A sentence, on as many lines as it takes.
+    pub fn sentence(&self, message: &Message, width: f32, style: Style) -> Vec<Typeset> {
+        let text = self.look.catalog.message(message);
+        let mut lines: Vec<String> = vec![String::new()];
+        for piece in pieces(&text) {
+            let longer = lines
+                .last()
+                .map_or_else(String::new, |line| format!("{line}{piece}"));
+            let is_too_long = self.words(longer.trim_end(), style).size().x > width;
+            match lines.last_mut() {
+                Some(line) if !is_too_long || line.is_empty() => *line = longer,
+                _ => lines.push(piece.to_owned()),
+            }
+        }
+        let lines = lines.into_iter();
+        lines
+            .map(|line| self.words(line.trim_end(), style))
+            .collect()
+    }
+
+    /// Paints it with this corner, edge or middle of its box at `at`; the box.
+    pub fn put(&mut self, text: &Typeset, at: Pos2, align: Align2) -> Rect {
+        let rect = text.paint(self.painter, at, align);
+        self.texts.push(rect);
+        rect
+    }
+
+    /// Paints lines below each other, the first one's corner at `at`; the bottom of the last.
+    pub fn put_lines(&mut self, lines: &[Typeset], at: Pos2, align: Align2) -> f32 {
+        let mut bottom = at.y;
+        for line in lines {
+            bottom = self.put(line, pos2(at.x, bottom), align).bottom();
+        }
+        bottom
+    }
+
+    /// Is there nothing within this rectangle and a little more?
+    pub fn is_free(&self, place: Rect) -> bool {
+        let around = place.expand(self.pts(2.0));
+        self.texts.iter().all(|text| !text.intersects(around))
+            && !self.strokes.iter().any(|&stroke| crosses(stroke, around))
+    }
+
+    /// Paints it centred at the first of these places that is free, if there is one; its box.
+    pub fn put_free(
+        &mut self,
+        text: &Typeset,
+        room: Rect,
+        centres: impl IntoIterator<Item = Pos2>,
+    ) -> Option<Rect> {
+        let place = |centre| Rect::from_center_size(centre, text.size());
+        let mut centres = centres.into_iter();
+        let free = |at: &Pos2| room.contains_rect(place(*at)) && self.is_free(place(*at));
+        let centre = centres.find(free)?;
+        Some(self.put(text, centre, Align2::CENTER_CENTER))
+    }
+
+    /// A stroke of this theme.
+    pub fn stroke(&self, width: f32, colour: Color32) -> Stroke {
+        self.theme().stroke(width, colour)
+    }
+
+    /// A line that text keeps clear of.
+    pub fn line(&mut self, ends: [Pos2; 2], stroke: Stroke) {
+        self.painter.line_segment(ends, stroke);
+        self.strokes.push(ends);
+    }
+
+    /// A dashed line that text keeps clear of.
+    pub fn dashed(&mut self, ends: [Pos2; 2], stroke: Stroke, dash: f32) {
+        let dash = self.pts(dash);
+        let shapes = Shape::dashed_line(&ends, stroke, dash, 0.75 * dash);
+        self.painter.extend(shapes);
+        self.strokes.push(ends);
+    }
+
+    /// An arrowhead with its tip here, as long as this, pointing along `along`.
+    pub fn head(&mut self, tip: Pos2, along: Vec2, length: f32, colour: Color32) {
+        let along = along.normalized() * length;
+        let across = along.rot90() * 0.48;
+        let foot = tip - along;
+        let corners = vec![tip, foot + across, foot - across];
+        let head = Shape::convex_polygon(corners, colour, Stroke::NONE);
+        self.painter.add(head);
+        self.strokes.push([tip, foot]);
+    }
+
+    /// A line with a head at its second end.
+    pub fn arrow(&mut self, [from, to]: [Pos2; 2], stroke: Stroke) {
+        let length = self.head_length(stroke.width);
+        let along = to - from;
+        if along.length() <= length {
+            self.head(to, along, along.length().max(1.0), stroke.color);
+            return;
+        }
+        let shaft = to - along.normalized() * 0.7 * length;
+        self.line([from, shaft], stroke);
+        self.head(to, along, length, stroke.color);
+    }
+
+    /// How long the head of an arrow of this width is.
+    pub fn head_length(&self, width: f32) -> f32 {
+        self.pts(6.0) + 2.0 * width
+    }
+}
+
+/// The colour of marks of a role.
+pub const fn colour(theme: &Theme, role: Role) -> Color32 {
+    match role {
+        Role::Ink => theme.ink,
+        Role::Soft => theme.soft,
+        Role::Faint => theme.faint,
+        Role::Accent => theme.accent,
+        Role::Signal => theme.signal,
+        Role::Accepted => theme.accepted,
+        Role::Discarded => theme.discarded,
+    }
+}
+
+/// The colour of a surface that belongs to a role.
+pub fn wash(theme: &Theme, role: Role) -> Color32 {
+    let tint = |colour| theme.background.lerp_to_gamma(colour, 0.1);
+    match role {
+        Role::Signal => tint(theme.signal),
+        Role::Accent => theme.accent_wash,
+        Role::Accepted => tint(theme.accepted),
+        Role::Ink | Role::Soft | Role::Faint => theme.panel,
+        Role::Discarded => theme.background,
+    }
+}
+
+/// Does a line come into a rectangle?
+pub fn crosses([a, b]: [Pos2; 2], rect: Rect) -> bool {
+    let d = b - a;
+    let (mut from, mut to) = (0.0_f32, 1.0_f32);
+    for (origin, d, min, max) in [
+        (a.x, d.x, rect.left(), rect.right()),
+        (a.y, d.y, rect.top(), rect.bottom()),
+    ] {
+        if d == 0.0 {
+            if origin <= min || origin >= max {
+                return false;
+            }
+            continue;
+        }
+        let (t0, t1) = ((min - origin) / d, (max - origin) / d);
+        from = from.max(t0.min(t1));
+        to = to.min(t0.max(t1));
+    }
+    from < to
+}
+
+/// Where a sentence may be broken: after a space outside parentheses, and between Chinese characters.
+fn pieces(text: &str) -> Vec<&str> {
+    let mut breaks = vec![0];
+    let mut depth = 0_usize;
+    let mut before = ' ';
+    for (at, c) in text.char_indices() {
+        let is_after_space = before == ' ' && c != ' ';
+        let is_between_words = is_ideograph(before) && is_ideograph(c);
+        if at > 0 && depth == 0 && (is_after_space || is_between_words) {
+            breaks.push(at);
+        }
+        match c {
+            '(' | '（' => depth += 1,
+            ')' | '）' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        before = c;
+    }
+    breaks.push(text.len());
+    breaks
+        .windows(2)
+        .map(|ends| &text[ends[0]..ends[1]])
+        .collect()
+}
+
+const fn is_ideograph(c: char) -> bool {
+    matches!(c, '\u{4e00}'..='\u{9fff}')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn coordinates_and_arguments_are_not_broken() {
+        let text = "u = max(0, 3/8) at (−1, 2).";
+        assert_eq!(
+            pieces(text),
+            ["u ", "= ", "max(0, 3/8) ", "at ", "(−1, 2)."]
+        );
+        assert_eq!(pieces("裁剪 x"), ["裁", "剪 ", "x"]);
+        assert_eq!(pieces(""), [""]);
+    }
+
+    #[test]
+    fn a_line_comes_into_a_rectangle_or_passes_it() {
+        let rect = Rect::from_min_max(pos2(0.0, 0.0), pos2(10.0, 10.0));
+        assert!(crosses([pos2(-5.0, 5.0), pos2(5.0, 5.0)], rect));
+        assert!(crosses([pos2(5.0, -5.0), pos2(5.0, 15.0)], rect));
+        assert!(!crosses([pos2(-5.0, 0.0), pos2(0.0, 11.0)], rect));
+        assert!(!crosses([pos2(-5.0, 10.0), pos2(15.0, 10.0)], rect));
+    }
+}

@@ -1,0 +1,115 @@
+//! The views of the prototypes C1 to C4, drawn: nothing overlaps, what is folded is counted.
+//!
+//! `CLIPSCOPE_SAMPLES=/tmp cargo test --lib -- widgets::views` also leaves the pictures there.
+
+mod data;
+
+use egui::{Rect, Vec2, pos2, vec2};
+
+use super::{
+    super::Look,
+    links::Links,
+    on_sheet::OnSheet,
+    sheet::{Sheet, crosses},
+};
+use crate::{
+    paint::{Headless, ThemeKind},
+    text::{Catalog, Lang},
+};
+
+/// Draws a view in a room of this size; where its text stands, and the lines it keeps clear of.
+fn drawn(name: &str, kind: ThemeKind, lang: Lang, room: Vec2, view: &dyn OnSheet) -> Placed {
+    let mut table = Headless::new(kind);
+    let look = Look {
+        theme: table.theme(),
+        catalog: Catalog::of(lang),
+    };
+    let rect = Rect::from_min_size(pos2(16.0, 16.0), room);
+    let mut placed = Placed::default();
+    let image = table.draw(room + vec2(32.0, 32.0), 4.0 / 3.0, |ui| {
+        let mut sheet = view.sheet(ui.painter(), look, rect);
+        let mut links = Links {
+            lit: None,
+            pointer: None,
+            pointed: None,
+        };
+        view.draw(&mut sheet, rect, &mut links);
+        placed = Placed::of(sheet, rect);
+    });
+    if let Ok(folder) = std::env::var("CLIPSCOPE_SAMPLES") {
+        let path = format!(
+            "{folder}/view-{name}-{kind}-{lang}-{}x{}.png",
+            room.x, room.y
+        );
+        std::fs::write(path, image.to_png()).expect("a folder that can be written");
+    }
+    placed
+}
+
+#[derive(Default)]
+struct Placed {
+    room: Option<Rect>,
+    texts: Vec<Rect>,
+    strokes: Vec<[egui::Pos2; 2]>,
+}
+
+impl Placed {
+    fn of(sheet: Sheet<'_>, room: Rect) -> Self {
+        Self {
+            room: Some(room),
+            texts: sheet.texts,
+            strokes: sheet.strokes,
+        }
+    }
+
+    /// No text covers another, is struck by a line, or stands out of the room.
+    fn check(&self, what: &str) {
+        let room = self.room.expect("drawn").expand(1.0);
+        assert!(!self.texts.is_empty(), "{what}: nothing is said");
+        for (i, text) in self.texts.iter().enumerate() {
+            assert!(
+                room.contains_rect(*text),
+                "{what}: {text:?} leaves {room:?}"
+            );
+            for other in &self.texts[..i] {
+                let both = text.intersect(*other);
+                let is_apart = both.width() <= 0.5 || both.height() <= 0.5;
+                assert!(is_apart, "{what}: {text:?} covers {other:?}");
+            }
+            // Boxes of text have white space at their top and bottom.
+            let core = text.shrink2(vec2(0.5, 0.15 * text.height()));
+            let struck = self.strokes.iter().find(|&&stroke| crosses(stroke, core));
+            assert!(struck.is_none(), "{what}: {struck:?} strikes {text:?}");
+        }
+    }
+}
+
+/// A view in every theme and language, with as much room as beside a drawing and with less.
+fn check(name: &str, rooms: &[Vec2], view: &dyn OnSheet) {
+    for kind in ThemeKind::ALL {
+        for lang in Lang::ALL {
+            for &room in rooms {
+                let what = format!("{name}, {kind}, {lang}, {room:?}");
+                drawn(name, kind, lang, room, view).check(&what);
+            }
+        }
+    }
+}
+
+const ROOMS: [Vec2; 2] = [vec2(400.0, 360.0), vec2(300.0, 260.0)];
+
+#[test]
+fn codes_are_read_bit_by_bit() {
+    check("c1", &ROOMS, &data::and_of_codes());
+    check("c1-codes", &ROOMS, &data::codes_found());
+}
+
+#[test]
+fn a_table_keeps_every_row() {
+    check("c2-table", &ROOMS, &data::empty_interval());
+}
+
+#[test]
+fn a_long_table_says_how_much_it_folds() {
+    check("table-200", &ROOMS, &data::many_edges(200, 77));
+}

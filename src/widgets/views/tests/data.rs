@@ -1,0 +1,149 @@
+//! What the prototypes C1 to C4 show.
+
+use crate::{
+    figure::{BitRow, Bits, Cell, Role, Table, TableNote, TableRow},
+    text::{Formula, Message, Value},
+};
+
+pub fn name(symbol: &str) -> Value {
+    Value::Name(symbol.to_owned())
+}
+
+fn code(of: &str, bits: [u8; 4], role: Role) -> BitRow {
+    BitRow {
+        name: name(of),
+        bits: bits.map(|bit| bit == 1).to_vec(),
+        role,
+        link: None,
+    }
+}
+
+fn sides() -> Vec<Value> {
+    ["side-top", "side-bottom", "side-right", "side-left"]
+        .map(Value::Term)
+        .to_vec()
+}
+
+/// C1: both codes have the first bit.
+pub fn and_of_codes() -> Bits {
+    Bits {
+        columns: sides(),
+        rows: vec![
+            code("P₁", [1, 0, 0, 1], Role::Ink),
+            code("P₂", [1, 0, 0, 0], Role::Ink),
+        ],
+        result: Some(code("AND", [1, 0, 0, 0], Role::Signal)),
+        deciding: Some(0),
+        note: Some(Message::new("cs-note-and")),
+    }
+}
+
+/// The second code has just been found.
+pub fn codes_found() -> Bits {
+    Bits {
+        rows: vec![
+            code("P₁", [1, 0, 0, 1], Role::Ink),
+            code("P₂", [1, 0, 0, 0], Role::Signal),
+        ],
+        result: None,
+        deciding: None,
+        note: None,
+        ..and_of_codes()
+    }
+}
+
+fn sym(symbol: &'static str) -> Formula {
+    Formula::default().sym(symbol)
+}
+
+fn number(role: Role, [num, den]: [f64; 2]) -> Cell {
+    Cell::new(role, Some(Value::Ratio { num, den }))
+}
+
+/// A row of C2: `p, q`, does it enter, both bounds and which of them is new.
+fn row(edge: &'static str, [p, q]: [f64; 2], bounds: [[f64; 2]; 2], new: usize) -> TableRow {
+    let does = if p < 0.0 { "enters" } else { "leaves" };
+    let bound = |nth: usize| {
+        let is_new = nth == new;
+        let cell = number(if is_new { Role::Ink } else { Role::Soft }, bounds[nth]);
+        if is_new { cell.strong() } else { cell }
+    };
+    TableRow {
+        name: Value::Term(edge),
+        cells: vec![
+            number(Role::Ink, [p, 1.0]),
+            number(Role::Ink, [q, 1.0]),
+            number(Role::Ink, [q, p]),
+            Cell::new(Role::Soft, Some(name(does))),
+            bound(0),
+            bound(1),
+        ],
+        is_current: false,
+        link: None,
+    }
+}
+
+/// C2: the last edge pulls u_max below u_min.
+pub fn empty_interval() -> Table {
+    let ratio = sym("r = ").over(sym("q"), sym("p"));
+    let mut top = row("side-top", [4.0, 1.0], [[3.0, 8.0], [1.0, 4.0]], 2);
+    top.is_current = true;
+    top.cells[2].role = Role::Signal;
+    top.cells[5].role = Role::Signal;
+    let nothing = || Cell::new(Role::Soft, None::<Value>);
+    let start = TableRow {
+        name: name("start"),
+        cells: vec![
+            nothing(),
+            nothing(),
+            nothing(),
+            nothing(),
+            number(Role::Ink, [0.0, 1.0]),
+            number(Role::Ink, [1.0, 1.0]),
+        ],
+        is_current: false,
+        link: None,
+    };
+    let note = |text: &'static str, applies| TableNote {
+        text: Message::new(text),
+        applies,
+    };
+    Table {
+        header: vec![
+            sym("edge"),
+            sym("p"),
+            sym("q"),
+            ratio,
+            Formula::default(),
+            sym("u_min"),
+            sym("u_max"),
+        ],
+        rows: vec![
+            start,
+            row("side-left", [-8.0, -3.0], [[3.0, 8.0], [1.0, 1.0]], 0),
+            row("side-right", [8.0, 6.0], [[3.0, 8.0], [3.0, 4.0]], 1),
+            row("side-bottom", [-4.0, 1.0], [[3.0, 8.0], [3.0, 4.0]], 2),
+            top,
+        ],
+        notes: vec![note("cs-note-and", false), note("cs-note-and", true)],
+    }
+}
+
+/// A polygon of very many edges, at one of them.
+pub fn many_edges(n: usize, current: usize) -> Table {
+    let rows = (0..n).map(|i| {
+        let mut row = row(
+            "side-left",
+            [-8.0, i as f64 - 3.0],
+            [[3.0, 8.0], [1.0, 1.0]],
+            0,
+        );
+        row.name = name(&format!("e{i}"));
+        row.is_current = i == current;
+        row
+    });
+    Table {
+        rows: rows.collect(),
+        ..empty_interval()
+    }
+}
