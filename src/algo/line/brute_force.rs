@@ -36,8 +36,9 @@ use crate::{
 };
 
 use super::{
+    super::parameter::clamp_between,
     End, Ratio, Visible, WindowInput,
-    crossing::{Crossing, clamp_between, crossing, join, split},
+    crossing::{Crossing, crossing, join, split},
     segment_between,
 };
 

@@ -41,8 +41,9 @@ use crate::{
 };
 
 use super::{
+    super::parameter::clamp_between,
     BitOrder, End, Outcode, Ratio, Visible,
-    crossing::{clamp_between, crossing_at, join, split},
+    crossing::{crossing_at, join, split},
     segment_between,
 };
 

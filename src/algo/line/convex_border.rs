@@ -14,8 +14,9 @@ use crate::{
 };
 
 use super::{
+    super::parameter::{clamp_between, weighted_mean},
     End,
-    crossing::{clamp_between, on_line, split, weighted_mean},
+    crossing::{on_line, split},
 };
 
 /// An edge that the line crosses.

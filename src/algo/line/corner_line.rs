@@ -23,7 +23,7 @@ use crate::{
     trace::Real,
 };
 
-use super::order::{compare_products, signed_distances};
+use super::{super::parameter::compare_products, crossing::signed_distances};
 
 /// A line from P₁ through a corner, and P₂ beside it.
 #[derive(Clone, Copy, PartialEq, Debug, Serialize)]

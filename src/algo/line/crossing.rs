@@ -8,32 +8,19 @@
 //!                  border
 //! ```
 //!
-//! The free coordinate of a crossing is the weighted mean `(o1·(a2 − c) + o2·(c − a1)) / (a2 − a1)`.
-//! Swapping the ends negates numerator and denominator, so that the quotient keeps every bit; and where
-//! products and sum are exact, the one rounding left is the division's. `o1 + u·(o2 − o1)` has neither
-//! property.
+//! The free coordinate of a crossing is a [`weighted_mean`] of the ends' coordinates.
 
 use std::hint::select_unpredictable;
-
-use serde::Serialize;
 
 use crate::{
     geom::{Axis, Edge, Point, Segment, Window},
     trace::Real,
 };
 
-/// Differences beyond this range, or products of such, could overflow or lose bits to underflow: they
-/// are scaled first. 2⁵⁰⁰ squared is still finite, and nothing on a screen comes near either limit.
-const PLAIN: std::ops::RangeInclusive<f64> = 3.054_936_363_499_605e-151..=3.273_390_607_896_142e150;
-
-/// A quotient kept as the two numbers that it was computed from, so that it can be shown as a fraction.
-#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
-pub struct Ratio {
-    /// Numerator.
-    pub num: f64,
-    /// Denominator.
-    pub den: f64,
-}
+use super::{
+    super::parameter::{clamp_between, weighted_mean},
+    End,
+};
 
 /// Where the line through a segment meets a border: `axis` coordinate `c`, the other one computed.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -94,61 +81,23 @@ pub fn crossing_at<R: Real>(segment: &Segment, axis: Axis, border: f64) -> Cross
     }
 }
 
-/// `(o1·w2 + o2·w1) / whole`, where `w1 = c − a1`, `w2 = a2 − c` and `whole = a2 − a1 ≠ 0`; `raw` is
-/// `[a1, a2, c]`.
-///
-/// Where the border passes through an end, that end's own coordinate: `o·w / w` need not round back to it.
-/// Otherwise all three are taken positive along the segment, so that even the sign of a zero is the same
-/// from both ends.
-#[inline]
-pub fn weighted_mean<R: Real>([o1, o2]: [R; 2], [w1, w2]: [R; 2], whole: R, raw: [f64; 3]) -> R {
-    if w1.get() == 0.0 {
-        return o1;
-    }
-    if w2.get() == 0.0 {
-        return o2;
-    }
-    // By its bit: to guess whether a segment goes up or down costs more than a multiplication.
-    let sign = whole.get().to_bits() & (1 << 63);
-    let along = |w: R| R::new(f64::from_bits(w.get().to_bits() ^ sign));
-    let [w1, w2, whole] = [w1, w2, whole].map(along);
-    let sum = o1 * w2 + o2 * w1;
-    if PLAIN.contains(&whole.get()) && sum.get().is_finite() {
-        sum / whole
-    } else {
-        R::new(scaled_mean(o1.get(), o2.get(), raw))
-    }
-}
-
-/// [`weighted_mean`] for coordinates whose differences or products leave the range of f64.
-#[cold]
-fn scaled_mean(o1: f64, o2: f64, [a1, a2, c]: [f64; 3]) -> f64 {
-    // Halves cannot overflow when subtracted; tiny differences are made large. Both scales are powers
-    // of two, and the same from both ends.
-    let scale = if (a2 - a1).abs() < 1.0 {
-        2f64.powi(500)
-    } else {
-        0.5
+/// Distances of P₁ and P₂ from a border, inside positive. One rounding each, and none in their signs.
+/// Where one overflows, half of both: only their ratio counts.
+pub fn signed_distances<R: Real>(segment: &Segment, window: &Window, edge: Edge) -> [R; 2] {
+    let at_scale = |scale: f64| {
+        let c = R::new(scale * window.border(edge));
+        End::BOTH.map(|end| {
+            let [a, _] = split::<f64>(end.of(segment), edge.axis());
+            let a = R::new(scale * a);
+            if edge.is_max() { c - a } else { a - c }
+        })
     };
-    let [a1, a2, c] = [a1, a2, c].map(|x| x * scale);
-    let whole = a2 - a1;
-    let mean = o1 * ((a2 - c) / whole) + o2 * ((c - a1) / whole);
-    if mean.is_nan() {
-        // The border is so far outside the segment that its crossing has no coordinate.
-        o1.midpoint(o2)
+    let distances = at_scale(1.0);
+    if distances.iter().all(|d| d.get().is_finite()) {
+        distances
     } else {
-        mean.clamp(f64::MIN, f64::MAX)
+        at_scale(0.5)
     }
-}
-
-/// Keeps `x` between two bounds in either order. Selections, not branches: neither outcome is likelier.
-#[inline]
-pub fn clamp_between<R: Real>(x: R, bound: R, other: R) -> R {
-    let ordered = bound < other;
-    let low = if ordered { bound } else { other };
-    let high = if ordered { other } else { bound };
-    let x = if x < low { low } else { x };
-    if x > high { high } else { x }
 }
 
 /// The crossing with a side, which is known to lie on the window's border: a computed coordinate that

@@ -36,8 +36,6 @@
 //! # Ok::<(), clipscope::geom::GeomError>(())
 //! ```
 
-use std::cmp::Ordering;
-
 use serde::Serialize;
 
 use crate::{
@@ -46,9 +44,9 @@ use crate::{
 };
 
 use super::{
+    super::parameter::{Interval, Param},
     End, Visible,
     convex_border::{Border, plane_distances},
-    order::Param,
     segment_between,
 };
 
@@ -188,7 +186,7 @@ impl Algorithm for CyrusBeck {
     fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Visible {
         use CyrusBeckEvent as Event;
         let CyrusBeckInput { clip, segment } = input;
-        let mut interval = End::BOTH.map(Param::at_end);
+        let mut interval = Interval::whole();
         for (edge_idx, plane) in clip.half_planes().enumerate() {
             let [d1, d2] = plane_distances::<R>(segment, &plane);
             let slope = d2 - d1;
@@ -225,7 +223,8 @@ impl Algorithm for CyrusBeck {
             }
         }
         let vertex = touched_vertex(&interval, clip);
-        let ends = End::BOTH.map(|end| put(end, &interval[end.idx()], vertex, input, &mut emit));
+        let ends =
+            End::BOTH.map(|end| put(end, &interval.bounds[end.idx()], vertex, input, &mut emit));
         let segment = segment_between(ends);
         emit(Event::Accept { segment });
         Some(segment)
@@ -302,7 +301,7 @@ impl CyrusBeckState {
 
 /// Raises t_min or lowers t_max to t. False where nothing is left.
 fn shrink<R: Real>(
-    interval: &mut [Param<R, Border>; 2],
+    interval: &mut Interval<R, Border>,
     t: R,
     border: Border,
     emit: &mut impl FnMut(CyrusBeckEvent),
@@ -314,56 +313,39 @@ fn shrink<R: Real>(
         border: Some(border),
         leaving: d2 < d1,
     };
-    let t = t.get();
     // Of two at the same place a vertical one wins.
-    let wins_tie = |old: &Param<R, Border>| {
-        border.is_vertical() && old.border.is_some_and(|b| !b.is_vertical())
-    };
-    let moves = |old: &Param<R, Border>, inwards: Ordering| {
-        let order = old.compare(&param, |b| b.distances);
-        order == inwards || order.is_eq() && wins_tie(old)
-    };
-    let [t_min, t_max] = interval;
-    if param.leaving {
-        let lowers = moves(t_max, Ordering::Greater);
-        if lowers {
-            *t_max = param;
-        }
-        let t_max = t_max.u.get();
-        emit(Event::Leave {
+    let wins_tie = |old: Border| border.is_vertical() && !old.is_vertical();
+    let moves = interval.shrink(param, |b| b.distances, wins_tie);
+    let (t, [t_min, t_max]) = (t.get(), interval.values());
+    emit(if param.leaving {
+        let lowers = moves;
+        Event::Leave {
             edge_idx,
             t,
             lowers,
             t_max,
-        });
-    } else {
-        let raises = moves(t_min, Ordering::Less);
-        if raises {
-            *t_min = param;
         }
-        let t_min = t_min.u.get();
-        emit(Event::Enter {
+    } else {
+        let raises = moves;
+        Event::Enter {
             edge_idx,
             t,
             raises,
             t_min,
-        });
-    }
-    let empty = t_max.is_before(t_min, |b| b.distances);
+        }
+    });
+    let empty = interval.is_empty(|b| b.distances);
     emit(Event::Interval {
-        t_min: t_min.u.get(),
-        t_max: t_max.u.get(),
+        t_min,
+        t_max,
         empty,
     });
     !empty
 }
 
 /// The vertex that the line touches: there it comes in across one edge and goes out across its neighbour.
-fn touched_vertex<R: Real>(
-    [t_min, t_max]: &[Param<R, Border>; 2],
-    clip: &ConvexPolygon,
-) -> Option<Point> {
-    let [i, j] = [t_min.border?, t_max.border?].map(|b| b.edge_idx);
+fn touched_vertex<R: Real>(interval: &Interval<R, Border>, clip: &ConvexPolygon) -> Option<Point> {
+    let [i, j] = interval.borders()?.map(|b| b.edge_idx);
     let n = clip.vertices().len();
     let vertex_idx = if (i + 1) % n == j {
         j
@@ -372,8 +354,8 @@ fn touched_vertex<R: Real>(
     } else {
         return None;
     };
-    let order = t_min.compare(t_max, |b| b.distances);
-    order.is_eq().then(|| clip.vertices()[vertex_idx])
+    let is_touch = interval.is_touch(|b| b.distances);
+    is_touch.then(|| clip.vertices()[vertex_idx])
 }
 
 /// P(t), on the edge that set t.

@@ -44,9 +44,9 @@ use crate::{
 };
 
 use super::{
+    super::parameter::{Interval, Param},
     End, Visible, WindowInput,
-    crossing::{corner_between, on_border, split},
-    order::{Param, signed_distances},
+    crossing::{corner_between, on_border, signed_distances, split},
     segment_between,
 };
 
@@ -183,7 +183,7 @@ impl Algorithm for LiangBarsky {
             dx: dx.get(),
             dy: dy.get(),
         });
-        let mut interval = End::BOTH.map(Param::at_end);
+        let mut interval = Interval::whole();
         for edge in Edge::ALL {
             let border = R::new(window.border(edge));
             let (p, q) = match edge {
@@ -213,7 +213,8 @@ impl Algorithm for LiangBarsky {
             }
         }
         let corner = touched_corner(&interval, input);
-        let ends = End::BOTH.map(|end| put(end, &interval[end.idx()], corner, input, &mut emit));
+        let ends =
+            End::BOTH.map(|end| put(end, &interval.bounds[end.idx()], corner, input, &mut emit));
         let segment = segment_between(ends);
         emit(Event::Accept { segment });
         Some(segment)
@@ -289,7 +290,7 @@ struct Inequality<R> {
 
 /// Raises u_min or lowers u_max to q/p. False where nothing is left.
 fn shrink<R: Real>(
-    interval: &mut [Param<R, Edge>; 2],
+    interval: &mut Interval<R, Edge>,
     Inequality { edge, p, q }: Inequality<R>,
     WindowInput { window, segment }: &WindowInput,
     emit: &mut impl FnMut(LiangBarskyEvent),
@@ -302,37 +303,29 @@ fn shrink<R: Real>(
         leaving,
     };
     let distances = |edge| signed_distances(segment, window, edge);
-    let r = param.u.get();
-    let [u_min, u_max] = interval;
-    if leaving {
-        let lowers = param.is_before(u_max, distances);
-        if lowers {
-            *u_max = param;
-        }
-        let u_max = u_max.u.get();
-        emit(Event::Leave {
+    let moves = interval.shrink(param, distances, |_| false);
+    let (r, [u_min, u_max]) = (param.u.get(), interval.values());
+    emit(if leaving {
+        let lowers = moves;
+        Event::Leave {
             edge,
             r,
             lowers,
             u_max,
-        });
-    } else {
-        let raises = u_min.is_before(&param, distances);
-        if raises {
-            *u_min = param;
         }
-        let u_min = u_min.u.get();
-        emit(Event::Enter {
+    } else {
+        let raises = moves;
+        Event::Enter {
             edge,
             r,
             raises,
             u_min,
-        });
-    }
-    let empty = u_max.is_before(u_min, distances);
+        }
+    });
+    let empty = interval.is_empty(distances);
     emit(Event::Interval {
-        u_min: u_min.u.get(),
-        u_max: u_max.u.get(),
+        u_min,
+        u_max,
         empty,
     });
     !empty
@@ -352,12 +345,12 @@ fn quotient<R: Real>(q: R, p: R, segment: &Segment, window: &Window, edge: Edge)
 
 /// The corner that the line touches: there it comes in across one side and goes out across the other.
 fn touched_corner<R: Real>(
-    [u_min, u_max]: &[Param<R, Edge>; 2],
+    interval: &Interval<R, Edge>,
     WindowInput { window, segment }: &WindowInput,
 ) -> Option<Point> {
-    let edges = [u_min.border?, u_max.border?];
-    let order = u_min.compare(u_max, |edge| signed_distances(segment, window, edge));
-    order.is_eq().then(|| corner_between(window, edges))?
+    let edges = interval.borders()?;
+    let is_touch = interval.is_touch(|edge| signed_distances(segment, window, edge));
+    is_touch.then(|| corner_between(window, edges))?
 }
 
 /// P(u), on the border that set u.

@@ -27,10 +27,7 @@ mod cyrus_beck;
 pub mod kernel;
 mod liang_barsky;
 mod nicholl_lee_nicholl;
-mod order;
 mod outcode;
-
-use serde::Serialize;
 
 use crate::geom::{Point, Segment, Window};
 
@@ -39,38 +36,19 @@ pub use cohen_sutherland::{
     CohenSutherland, CohenSutherlandEvent, CohenSutherlandInput, CohenSutherlandState,
 };
 pub use corner_line::{CornerLine, Turn};
-pub use crossing::Ratio;
 pub use cyrus_beck::{CyrusBeck, CyrusBeckEvent, CyrusBeckInput, CyrusBeckRow, CyrusBeckState};
 pub use liang_barsky::{LiangBarsky, LiangBarskyEvent, LiangBarskyState, Row};
 pub use nicholl_lee_nicholl::{
     NichollLeeNicholl, NichollLeeNichollEvent, NichollLeeNichollState, Question, Region,
 };
-pub use order::Param;
 pub use outcode::{BitOrder, Outcode};
+
+pub use super::parameter::{End, Param, Ratio};
 
 /// The visible part of a segment; `None` where there is none.
 pub type Visible = Option<Segment>;
 
-/// One of a segment's two ends.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum End {
-    /// P₁, where u = 0.
-    P1,
-    /// P₂, where u = 1.
-    P2,
-}
-
 impl End {
-    /// Both, first end first.
-    pub const BOTH: [Self; 2] = [Self::P1, Self::P2];
-
-    /// 0 or 1.
-    #[must_use]
-    pub const fn idx(self) -> usize {
-        self as usize
-    }
-
     /// The point of `segment` at this end.
     #[must_use]
     pub const fn of(self, segment: &Segment) -> Point {

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{geom::Point, trace::Real};
 
-use super::super::line::crossing::{clamp_between, weighted_mean};
+use super::super::parameter::{clamp_between, weighted_mean};
 
 /// A corner of a polygon that can be cut: a position, and attributes that a crossing interpolates.
 pub trait Vertex: Copy + PartialEq {

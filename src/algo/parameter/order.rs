@@ -1,5 +1,7 @@
 //! Which of two crossings comes first, exactly.
 //!
+//! Borders are sides, edges or planes: all that is asked of one is how far both ends lie from it.
+//!
 //! With `a1` and `a2` the signed distances of P₁ and P₂ from one border (inside positive), `b1` and `b2`
 //! those from another, the crossings lie at `u = a1 / (a1 − a2)` and `v = b1 / (b1 − b2)`. Multiplied out,
 //! `u < v` compares two products:
@@ -14,12 +16,9 @@
 
 use std::cmp::Ordering;
 
-use crate::{
-    geom::{Edge, Segment, Window},
-    trace::Real,
-};
+use crate::trace::Real;
 
-use super::{End, crossing::split};
+use super::End;
 
 /// A value of the parameter: one of the ends, or the crossing with a border `B`.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -43,16 +42,13 @@ impl<R: Real, B: Copy> Param<R, B> {
         }
     }
 
-    /// Signed distances of both ends from the border, inside positive; for an end of the segment those
-    /// from a border through it, square to the segment, which has length 1.
-    fn side(&self, distances: impl Fn(B) -> [f64; 2]) -> Side {
-        Side {
-            distances: match self.border {
-                None if self.leaving => [1.0, 0.0],
-                None => [0.0, 1.0],
-                Some(border) => distances(border),
-            },
-            leaving: self.leaving,
+    /// Signed distances of both ends from the border, inside positive: they grow from P₁ to P₂ where the line
+    /// enters. For an end of the segment those from a border through it, square to the segment, which has length 1.
+    fn distances(&self, of_border: impl Fn(B) -> [f64; 2]) -> [f64; 2] {
+        match self.border {
+            None if self.leaving => [1.0, 0.0],
+            None => [0.0, 1.0],
+            Some(border) => of_border(border),
         }
     }
 
@@ -74,52 +70,19 @@ impl<R: Real, B: Copy> Param<R, B> {
 
     #[cold]
     fn compare_distances(&self, other: &Self, distances: impl Fn(B) -> [f64; 2]) -> Ordering {
-        compare_crossings(self.side(&distances), other.side(&distances))
+        let [[a1, a2], [b1, b2]] = [self, other].map(|param| param.distances(&distances));
+        // u = d1 / (d1 − d2): the denominator is negative where the line enters.
+        let order = compare_products([a1, b2], [b1, a2]);
+        if self.leaving == other.leaving {
+            order.reverse()
+        } else {
+            order
+        }
     }
 
     /// Is this parameter strictly less than `other`?
     pub fn is_before(&self, other: &Self, distances: impl Fn(B) -> [f64; 2]) -> bool {
         self.compare(other, distances) == Ordering::Less
-    }
-}
-
-/// A border that the line crosses, by the signed distances of P₁ and P₂ from it, inside positive.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Side {
-    /// The distance grows from P₁ to P₂ where the line enters, and shrinks where it leaves.
-    pub distances: [f64; 2],
-    /// Does the line go outside here?
-    pub leaving: bool,
-}
-
-/// Which of two borders does the line cross first? Exact on the distances.
-pub fn compare_crossings(a: Side, b: Side) -> Ordering {
-    let ([a1, a2], [b1, b2]) = (a.distances, b.distances);
-    // u = d1 / (d1 − d2): the denominator is negative where the line enters.
-    let order = compare_products([a1, b2], [b1, a2]);
-    if a.leaving == b.leaving {
-        order.reverse()
-    } else {
-        order
-    }
-}
-
-/// Distances of P₁ and P₂ from a border, inside positive. One rounding each, and none in their signs.
-/// Where one overflows, half of both: only their ratio counts.
-pub fn signed_distances<R: Real>(segment: &Segment, window: &Window, edge: Edge) -> [R; 2] {
-    let at_scale = |scale: f64| {
-        let c = R::new(scale * window.border(edge));
-        End::BOTH.map(|end| {
-            let [a, _] = split::<f64>(end.of(segment), edge.axis());
-            let a = R::new(scale * a);
-            if edge.is_max() { c - a } else { a - c }
-        })
-    };
-    let distances = at_scale(1.0);
-    if distances.iter().all(|d| d.get().is_finite()) {
-        distances
-    } else {
-        at_scale(0.5)
     }
 }
 
