@@ -125,10 +125,7 @@ impl App {
             // A handle that cannot go there stays where it is: that is answer enough.
             Err(_) if is_drag => {}
             Err(error) => {
-                let text = error.message().map_or_else(
-                    || error.to_string(),
-                    |message| self.catalog().message(&message),
-                );
+                let text = self.catalog().message(&error.message());
                 self.notices.push(Notice::passing(text, now));
             }
         }

@@ -80,7 +80,7 @@ impl Solver for MethodInfo {
 
 fn read_segment(node: &Node<'_>) -> Result<Segment, Refusal> {
     let [x1, y1, x2, y2] = node.numbers()?;
-    Segment::new(x1, y1, x2, y2).map_err(|error| Refusal::geometry(&node.path, error, 0))
+    Segment::new(x1, y1, x2, y2).map_err(|error| Refusal::geometry(&node.path, error))
 }
 
 fn bounds(clip: &ConvexPolygon) -> Result<Window, Refusal> {
@@ -93,7 +93,7 @@ fn bounds(clip: &ConvexPolygon) -> Result<Window, Refusal> {
     }
     let [xmin, ymin, xmax, ymax] = bounds;
     Window::new(xmin, ymin, xmax, ymax)
-        .map_err(|error| Refusal::geometry(&Path::Field("clip"), error, 0))
+        .map_err(|error| Refusal::geometry(&Path::Field("clip"), error))
 }
 
 /// For what the checks before have excluded: refused all the same, not a panic.

@@ -13,13 +13,12 @@ const MAX_VERTICES: usize = 1024;
 
 pub(super) fn read_window(node: &Node<'_>) -> Result<Window, Refusal> {
     let [xmin, ymin, xmax, ymax] = node.numbers()?;
-    Window::new(xmin, ymin, xmax, ymax).map_err(|error| Refusal::geometry(&node.path, error, 0))
+    Window::new(xmin, ymin, xmax, ymax).map_err(|error| Refusal::geometry(&node.path, error))
 }
 
 pub(super) fn read_clip(node: &Node<'_>) -> Result<ConvexPolygon, Refusal> {
     let outline: Vec<[f64; 2]> = node.points(MAX_VERTICES)?;
-    ConvexPolygon::new(&outline)
-        .map_err(|error| Refusal::geometry(&node.path, error, outline.len()))
+    ConvexPolygon::new(&outline).map_err(|error| Refusal::geometry(&node.path, error))
 }
 
 /// The clip polygon's corners.

@@ -1,8 +1,8 @@
 //! Why a case is refused.
 
 use crate::{
-    geom::{Axis, GeomError},
-    text::{Catalog, Lang, Message},
+    geom::GeomError,
+    text::{Catalog, Diagnostic, Lang, Message},
 };
 
 use super::Path;
@@ -37,7 +37,7 @@ pub enum Code {
 }
 
 impl Code {
-    /// As JSON spells it; also the tail of the catalogue key `error-…`.
+    /// As JSON spells it.
     #[must_use]
     pub const fn id(self) -> &'static str {
         match self {
@@ -53,6 +53,20 @@ impl Code {
             Self::SelfIntersecting => "self-intersecting",
             Self::Degenerate => "degenerate",
             Self::TooLarge => "too-large",
+        }
+    }
+}
+
+impl From<GeomError> for Code {
+    fn from(error: GeomError) -> Self {
+        match error {
+            GeomError::NotFinite { .. } => Self::NotFinite,
+            GeomError::EmptyWindow { .. } => Self::EmptyWindow,
+            GeomError::TooFewVertices | GeomError::Degenerate { .. } => Self::Degenerate,
+            GeomError::NotConvex { .. } => Self::NotConvex,
+            GeomError::SelfIntersecting { .. }
+            | GeomError::EdgesMeet { .. }
+            | GeomError::MisplacedHole { .. } => Self::SelfIntersecting,
         }
     }
 }
@@ -89,57 +103,25 @@ impl Refusal {
         }
     }
 
-    /// A primitive that the field's numbers do not make. `n_vertices` is 0 for what has none.
+    /// A primitive that the field's numbers do not make.
     #[must_use]
-    pub fn geometry(field: &Path<'_>, error: GeomError, n_vertices: usize) -> Self {
-        let (code, vertex_idx, problem) = match error {
-            // The numbers were read one by one before: this names the place as well as it can.
-            GeomError::NotFinite { .. } => {
-                (Code::NotFinite, None, Message::new("error-not-finite"))
-            }
-            GeomError::EmptyWindow { axis, min, max } => {
-                let [low, high] = match axis {
-                    Axis::X => ["xmin", "xmax"],
-                    Axis::Y => ["ymin", "ymax"],
-                };
-                let problem = Message::new("case-empty-window")
-                    .with("low", low.to_owned())
-                    .with("min", min)
-                    .with("high", high.to_owned())
-                    .with("max", max);
-                (Code::EmptyWindow, None, problem)
-            }
-            GeomError::Degenerate { vertex_idx } => {
-                let key = if vertex_idx < n_vertices {
-                    "error-degenerate"
-                } else {
-                    "error-too-few-vertices"
-                };
-                (Code::Degenerate, Some(vertex_idx), Message::new(key))
-            }
-            GeomError::NotConvex { vertex_idx } => {
-                let problem = Message::new("error-not-convex");
-                (Code::NotConvex, Some(vertex_idx), problem)
-            }
-            GeomError::SelfIntersecting { vertex_idx } => {
-                let problem = Message::new("error-self-intersecting");
-                (Code::SelfIntersecting, Some(vertex_idx), problem)
-            }
+    pub fn geometry(field: &Path<'_>, error: GeomError) -> Self {
+        let idx = match error {
+            GeomError::Degenerate { vertex_idx }
+            | GeomError::NotConvex { vertex_idx }
+            | GeomError::SelfIntersecting { vertex_idx } => Some(vertex_idx),
             // Edge i starts from vertex i: the place is the first of the two.
-            GeomError::EdgesMeet { edges: [i, j] } => {
-                let problem = Message::new("error-edges-meet")
-                    .with("first", i)
-                    .with("second", j);
-                (Code::SelfIntersecting, Some(i), problem)
-            }
-            GeomError::MisplacedHole { hole_idx } => {
-                let problem = Message::new("error-misplaced-hole").with("hole", hole_idx);
-                (Code::SelfIntersecting, None, problem)
-            }
+            GeomError::EdgesMeet { edges: [i, _] } => Some(i),
+            GeomError::MisplacedHole { hole_idx } => Some(hole_idx),
+            // The numbers were read one by one before: this names the place as well as it can.
+            GeomError::NotFinite { .. }
+            | GeomError::EmptyWindow { .. }
+            | GeomError::TooFewVertices => None,
         };
-        match vertex_idx.filter(|&idx| idx < n_vertices) {
-            Some(idx) => Self::at(code, &Path::Index(field, idx), problem),
-            None => Self::at(code, field, problem),
+        let problem = Diagnostic::from(error).message;
+        match idx {
+            Some(idx) => Self::at(error.into(), &Path::Index(field, idx), problem),
+            None => Self::at(error.into(), field, problem),
         }
     }
 
@@ -157,7 +139,7 @@ impl Refusal {
         }
         let said = Message::new("error-at")
             .with("place", short(&self.field))
-            .with("problem", catalog.message(&self.problem));
+            .with("problem", self.problem.clone());
         catalog.message(&said)
     }
 }

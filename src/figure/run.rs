@@ -5,7 +5,10 @@ use std::{fmt, str::FromStr};
 
 use serde_json::Value as Json;
 
-use crate::trace::Counts;
+use crate::{
+    text::{Diagnostic, Message},
+    trace::Counts,
+};
 
 use super::{Caption, Frame};
 
@@ -170,12 +173,18 @@ pub enum MomentError {
     BadNumber,
 }
 
+impl From<MomentError> for Diagnostic {
+    fn from(error: MomentError) -> Self {
+        Self::new(Message::new("error-bad-moment")).noting(Message::new(match error {
+            MomentError::Empty => "expect-moment",
+            MomentError::BadNumber => "expect-moment-number",
+        }))
+    }
+}
+
 impl fmt::Display for MomentError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Empty => "expected a moment: start, end, or an event's name such as `cut left`",
-            Self::BadNumber => "expected a number from 1 after `#`",
-        })
+        Diagnostic::from(*self).fmt(f)
     }
 }
 

@@ -11,8 +11,8 @@ pub enum Axis {
     Y,
 }
 
-/// Why numbers do not make a primitive. `Display` is English, for logs; people read the message
-/// catalogue's sentence for [`GeomError::code`].
+/// Why numbers do not make a primitive. `Display` is for logs; people read the sentence of
+/// [`Diagnostic`](crate::text::Diagnostic).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum GeomError {
     /// A coordinate is NaN or infinite; `index` counts the numbers in the order in which they were given.
@@ -31,7 +31,9 @@ pub enum GeomError {
         /// Given maximum.
         max: f64,
     },
-    /// Fewer than three vertices, a repeated vertex, or no area.
+    /// Fewer than three vertices.
+    TooFewVertices,
+    /// A repeated vertex, or no area.
     Degenerate {
         /// The vertex at which it shows.
         vertex_idx: usize,
@@ -60,13 +62,13 @@ pub enum GeomError {
 }
 
 impl GeomError {
-    /// The stable code of `interfaces.md`: also the tail of the catalogue key `error-…`.
+    /// The stable code of `interfaces.md`.
     #[must_use]
     pub const fn code(self) -> &'static str {
         match self {
             Self::NotFinite { .. } => "not-finite",
             Self::EmptyWindow { .. } => "empty-window",
-            Self::Degenerate { .. } => "degenerate",
+            Self::TooFewVertices | Self::Degenerate { .. } => "degenerate",
             Self::NotConvex { .. } => "not-convex",
             Self::SelfIntersecting { .. } | Self::EdgesMeet { .. } | Self::MisplacedHole { .. } => {
                 "self-intersecting"
@@ -77,39 +79,7 @@ impl GeomError {
 
 impl fmt::Display for GeomError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::NotFinite { index, value } => {
-                write!(f, "coordinate {index} is {value}: expected a finite number")
-            }
-            Self::EmptyWindow { axis, min, max } => {
-                let axis = if axis == Axis::X { 'x' } else { 'y' };
-                write!(
-                    f,
-                    "the window is empty: {axis}min = {min} is not below {axis}max = {max}"
-                )
-            }
-            Self::Degenerate { vertex_idx } => write!(
-                f,
-                "vertex {vertex_idx} repeats a vertex, or the polygon has no area: expected at least three corners"
-            ),
-            Self::NotConvex { vertex_idx } => {
-                write!(f, "the polygon is not convex at vertex {vertex_idx}")
-            }
-            Self::SelfIntersecting { vertex_idx } => write!(
-                f,
-                "the outline crosses itself: it runs around more than once by vertex {vertex_idx}"
-            ),
-            Self::EdgesMeet { edges: [i, j] } => {
-                write!(
-                    f,
-                    "the outline crosses or touches itself: edges {i} and {j} meet"
-                )
-            }
-            Self::MisplacedHole { hole_idx } => write!(
-                f,
-                "hole {hole_idx} does not lie inside the outline, clear of it and of the other holes"
-            ),
-        }
+        write!(f, "{}: {self:?}", self.code())
     }
 }
 

@@ -14,7 +14,7 @@ pub struct Polygon {
 
 impl Polygon {
     /// # Errors
-    /// [`GeomError::NotFinite`], or [`GeomError::Degenerate`] where there are fewer than three vertices.
+    /// [`GeomError::NotFinite`], or [`GeomError::TooFewVertices`] where there are fewer than three vertices.
     pub fn new(outline: &[[f64; 2]]) -> Result<Self, GeomError> {
         finite(outline.as_flattened())?;
         Self::from_points(
@@ -26,10 +26,10 @@ impl Polygon {
     }
 
     /// # Errors
-    /// [`GeomError::Degenerate`] where there are fewer than three vertices.
+    /// [`GeomError::TooFewVertices`] where there are fewer than three vertices.
     pub fn from_points(vertices: Vec<Point>) -> Result<Self, GeomError> {
         match vertices.len() {
-            vertex_idx @ 0..3 => Err(GeomError::Degenerate { vertex_idx }),
+            0..3 => Err(GeomError::TooFewVertices),
             _ => Ok(Self { vertices }),
         }
     }
@@ -105,10 +105,7 @@ mod tests {
         let bow_tie = [[0.0, 0.0], [2.0, 2.0], [2.0, 0.0], [0.0, 2.0]];
         let polygon = Polygon::new(&bow_tie).unwrap();
         assert_eq!(polygon.edge(3).to_array(), [0.0, 2.0, 0.0, 0.0]);
-        assert_eq!(
-            Polygon::new(&bow_tie[..2]),
-            Err(GeomError::Degenerate { vertex_idx: 2 })
-        );
+        assert_eq!(Polygon::new(&bow_tie[..2]), Err(GeomError::TooFewVertices));
         let refused = Polygon::new(&[[0.0, 0.0], [1.0, f64::NAN], [2.0, 0.0]]).unwrap_err();
         assert!(matches!(refused, GeomError::NotFinite { index: 3, .. }));
     }

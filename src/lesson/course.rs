@@ -8,11 +8,11 @@ use std::{
 use crate::{
     figure::Moment,
     labs::{Lab, Lock, Scene},
-    text::{Lang, Message},
+    text::{Diagnostic, Lang, Message},
 };
 
 use super::{
-    files::{Embedded, FileError, Files, MAX_FILE_BYTES},
+    files::{Embedded, Files},
     lesson_file::{self, Skeleton},
     markdown::Block,
     problem::{Problem, Severity},
@@ -162,7 +162,9 @@ impl Course {
         let paths = match files.list() {
             Ok(paths) => paths,
             Err(error) => {
-                loaded.problems.push(unreadable(files.shown(""), &error));
+                loaded
+                    .problems
+                    .push(whole_file(files.shown(""), Severity::Error, error));
                 return loaded;
             }
         };
@@ -217,7 +219,7 @@ fn load_lesson(
             continue;
         };
         match files.read(&path) {
-            Err(error) => problems.push(unreadable(files.shown(&path), &error)),
+            Err(error) => problems.push(whole_file(files.shown(&path), Severity::Error, error)),
             Ok(bytes) => {
                 let source = Source::new(files.shown(&path), &bytes);
                 let mut sink = Sink::new(&source);
@@ -257,7 +259,7 @@ fn lesson_toml(
     }
     match files.read(&path) {
         Err(error) => {
-            problems.push(unreadable(files.shown(&path), &error));
+            problems.push(whole_file(files.shown(&path), Severity::Error, error));
             None
         }
         Ok(bytes) => {
@@ -275,33 +277,20 @@ fn is_text(name: &str) -> bool {
     !name.contains('/') && name != "README.md" && name.strip_suffix(".md").is_some()
 }
 
-fn whole_file(file: String, severity: Severity, message: Message) -> Problem {
+fn whole_file(file: String, severity: Severity, what: impl Into<Diagnostic>) -> Problem {
     Problem {
         file,
         place: None,
         severity,
-        message,
-        notes: Vec::new(),
+        what: what.into(),
     }
 }
 
 impl Problem {
     fn expecting(mut self, key: &'static str) -> Self {
-        self.notes.push(Message::new(key));
+        self.what.notes.push(Message::new(key));
         self
     }
-}
-
-fn unreadable(file: String, error: &FileError) -> Problem {
-    let message = match error {
-        FileError::TooLarge => {
-            Message::new("problem-file-too-large").with("limit", MAX_FILE_BYTES >> 20)
-        }
-        FileError::Unreadable(reason) => {
-            Message::new("problem-unreadable").with("reason", reason.clone())
-        }
-    };
-    whole_file(file, Severity::Error, message)
 }
 
 fn unknown_language(file: String, stem: &str) -> Problem {
@@ -309,7 +298,7 @@ fn unknown_language(file: String, stem: &str) -> Problem {
     let known = Lang::ALL.map(Lang::id);
     let mut problem = whole_file(file, Severity::Error, message);
     let meant = Lang::from_locale(stem).map(Lang::id);
-    problem.notes = super::toml_fields::suggestion(meant, &known);
+    problem.what.notes = super::toml_fields::suggestion(meant, &known);
     problem
 }
 

@@ -1,19 +1,40 @@
 //! Where lesson files come from: the binary itself, a folder, or a map in memory.
 
-use std::collections::BTreeMap;
+use std::{collections::BTreeMap, io};
 
 use include_dir::{Dir, DirEntry, include_dir};
+
+use crate::text::{Diagnostic, Message, SystemError};
 
 /// A larger file is refused: no lesson is that long, so it is something else.
 pub const MAX_FILE_BYTES: usize = 4 << 20;
 
 /// Why a file could not be had.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum FileError {
     /// Larger than [`MAX_FILE_BYTES`].
     TooLarge,
-    /// In the words of the system.
-    Unreadable(String),
+    /// The system would not have it.
+    Unreadable(SystemError),
+}
+
+impl From<FileError> for Diagnostic {
+    fn from(error: FileError) -> Self {
+        Self::new(match error {
+            FileError::TooLarge => {
+                Message::new("error-file-too-large").with("limit", MAX_FILE_BYTES >> 20)
+            }
+            FileError::Unreadable(reason) => {
+                Message::new("error-unreadable").with("reason", Self::from(reason))
+            }
+        })
+    }
+}
+
+impl From<io::Error> for FileError {
+    fn from(error: io::Error) -> Self {
+        Self::Unreadable(error.into())
+    }
 }
 
 /// A set of files. Paths are relative and use `/`.
@@ -82,5 +103,5 @@ impl Files for BTreeMap<String, Vec<u8>> {
 }
 
 fn no_such_file() -> FileError {
-    FileError::Unreadable("no such file".to_owned())
+    FileError::Unreadable(SystemError::of_kind(io::ErrorKind::NotFound))
 }

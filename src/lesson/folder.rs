@@ -51,12 +51,12 @@ impl Folder {
 impl Files for Folder {
     fn list(&self) -> Result<Vec<String>, FileError> {
         if let Some(id) = &self.single {
-            let names = names(&self.root).map_err(|error| unreadable(&error))?;
+            let names = names(&self.root)?;
             return Ok(names.iter().map(|name| format!("{id}/{name}")).collect());
         }
         let mut paths = Vec::new();
         let mut n_lessons = 0;
-        for id in names(&self.root).map_err(|error| unreadable(&error))? {
+        for id in names(&self.root)? {
             let folder = self.root.join(&id);
             // A folder that may not be opened is not a lesson of this person's.
             let Ok(names) = names(&folder) else { continue };
@@ -99,22 +99,21 @@ fn names(folder: &Path) -> io::Result<Vec<String>> {
 
 /// Reads a regular file, and never more of it than is allowed.
 fn read(path: &Path) -> Result<Vec<u8>, FileError> {
-    let open = || -> io::Result<Vec<u8>> {
-        if !fs::metadata(path)?.is_file() {
-            return Err(io::Error::other("not a file"));
-        }
-        let mut bytes = Vec::new();
-        let limit = MAX_FILE_BYTES as u64 + 1;
-        fs::File::open(path)?.take(limit).read_to_end(&mut bytes)?;
-        Ok(bytes)
-    };
-    match open() {
-        Ok(bytes) if bytes.len() > MAX_FILE_BYTES => Err(FileError::TooLarge),
-        Ok(bytes) => Ok(bytes),
-        Err(error) => Err(unreadable(&error)),
+    let kind = fs::metadata(path)?;
+    if !kind.is_file() {
+        // Opening a pipe would wait for somebody to write into it.
+        let kind = if kind.is_dir() {
+            io::ErrorKind::IsADirectory
+        } else {
+            io::ErrorKind::InvalidInput
+        };
+        return Err(io::Error::from(kind).into());
     }
-}
-
-fn unreadable(error: &io::Error) -> FileError {
-    FileError::Unreadable(error.to_string())
+    let mut bytes = Vec::new();
+    let limit = MAX_FILE_BYTES as u64 + 1;
+    fs::File::open(path)?.take(limit).read_to_end(&mut bytes)?;
+    if bytes.len() > MAX_FILE_BYTES {
+        return Err(FileError::TooLarge);
+    }
+    Ok(bytes)
 }

@@ -283,20 +283,10 @@ impl Steps {
 }
 
 fn moment(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Moment> {
-    let error = match text(item, sink)?.parse() {
-        Ok(moment) => return Some(moment),
-        Err(error) => error,
-    };
-    let expected = match error {
-        MomentError::Empty => "expect-moment",
-        MomentError::BadNumber => "expect-moment-number",
-    };
-    sink.error(
-        item.span(),
-        Message::new("problem-bad-moment"),
-        [Message::new(expected)],
-    );
-    None
+    text(item, sink)?
+        .parse()
+        .map_err(|error: MomentError| sink.refuse(item.span(), error, []))
+        .ok()
 }
 
 /// The most moments that an error lists.

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::text::{Catalog, Message};
+use crate::text::{Catalog, Diagnostic};
 
 /// Whether a lesson can still be shown.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -37,27 +37,21 @@ pub struct Problem {
     pub place: Option<Place>,
     /// Does it keep the lesson from being shown?
     pub severity: Severity,
-    /// What is wrong.
-    pub message: Message,
-    /// What was expected, and what may have been meant.
-    pub notes: Vec<Message>,
+    /// What is wrong, and what was expected.
+    pub what: Diagnostic,
 }
 
 impl Problem {
-    /// A stable name for this kind of mistake: `empty-window`, `unknown-field`. Where the command line's
-    /// JSON refuses the same thing, it is the same code.
+    /// The stable name of this kind of mistake.
     #[must_use]
-    pub fn code(&self) -> &'static str {
-        let key = self.message.key;
-        key.strip_prefix("problem-")
-            .or_else(|| key.strip_prefix("error-"))
-            .unwrap_or(key)
+    pub const fn code(&self) -> &'static str {
+        self.what.code
     }
 
     /// As a compiler prints it, without a line break at the end:
     ///
     /// ```text
-    /// lessons/03-x/lesson.toml:5:10: error: The window is empty: xmin = 1 is not below xmax = −1.
+    /// lessons/03-x/lesson.toml:5:10: error: The window is empty: xmin = 1 must be less than xmax = −1.
     ///   5 | window = [1, -1, -1, 1]
     ///     |           ^
     ///     = Expected: [xmin, ymin, xmax, ymax], with xmin < xmax and ymin < ymax.
@@ -72,7 +66,11 @@ impl Problem {
             Severity::Error => "lesson-error",
             Severity::Warning => "lesson-warning",
         });
-        let _ = write!(text, ": {severity}: {}", catalog.message(&self.message));
+        let _ = write!(
+            text,
+            ": {severity}: {}",
+            catalog.message(&self.what.message)
+        );
         let mut margin = 2;
         if let Some(place) = &self.place {
             let number = place.line.to_string();
@@ -80,7 +78,7 @@ impl Problem {
             let (line, marks) = place.underlined();
             let _ = write!(text, "\n  {number} | {line}\n{:margin$} | {marks}", "");
         }
-        for note in &self.notes {
+        for note in &self.what.notes {
             let _ = write!(text, "\n{:margin$} = {}", "", catalog.message(note));
         }
         // An escape sequence in a file must not reach the terminal.

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::text::Message;
+use crate::text::{Diagnostic, Message};
 
 use super::{
     nearest::nearest,
@@ -62,8 +62,18 @@ impl<'s> Sink<'s> {
         message: Message,
         notes: impl IntoIterator<Item = Message>,
     ) {
+        self.refuse(span, Diagnostic::new(message), notes);
+    }
+
+    /// A typed error, with what else there is to say of it.
+    pub fn refuse(
+        &mut self,
+        span: Range<usize>,
+        error: impl Into<Diagnostic>,
+        notes: impl IntoIterator<Item = Message>,
+    ) {
         self.n_errors += 1;
-        self.push(Severity::Error, span, message, notes);
+        self.push(Severity::Error, span, error.into(), notes);
     }
 
     /// A mistake that does not.
@@ -73,26 +83,26 @@ impl<'s> Sink<'s> {
         message: Message,
         notes: impl IntoIterator<Item = Message>,
     ) {
-        self.push(Severity::Warning, span, message, notes);
+        self.push(Severity::Warning, span, Diagnostic::new(message), notes);
     }
 
     fn push(
         &mut self,
         severity: Severity,
         span: Range<usize>,
-        message: Message,
+        mut what: Diagnostic,
         notes: impl IntoIterator<Item = Message>,
     ) {
         if self.problems.len() >= MAX_PROBLEMS {
             self.n_more += 1;
             return;
         }
+        what.notes.extend(notes);
         self.problems.push(Problem {
             file: self.source.file.clone(),
             place: Some(self.source.place(span)),
             severity,
-            message,
-            notes: notes.into_iter().collect(),
+            what,
         });
     }
 
@@ -127,8 +137,9 @@ impl<'s> Sink<'s> {
                 } else {
                     Severity::Warning
                 },
-                message: Message::new("problem-more").with("count", self.n_more),
-                notes: Vec::new(),
+                what: Message::new("problem-more")
+                    .with("count", self.n_more)
+                    .into(),
             });
         }
         problems

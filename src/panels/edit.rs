@@ -5,7 +5,7 @@ use std::fmt;
 use crate::{
     geom::GeomError,
     labs::{Handle, Scene, lines, polygons},
-    text::{Message, Value},
+    text::{Diagnostic, Message},
 };
 
 use super::{lines::LinesEdit, polygons::PolygonsEdit};
@@ -55,25 +55,15 @@ impl fmt::Display for EditError {
 impl std::error::Error for EditError {}
 
 impl EditError {
-    /// For people; nothing where only the log's English says it.
+    /// For people.
     #[must_use]
-    pub fn message(&self) -> Option<Message> {
-        let key = match self {
-            Self::Polygons(polygons::SceneError::TooFewVertices) => "refused-last-three",
-            Self::Polygons(polygons::SceneError::TooManyVertices(n)) => {
-                let most = Value::Count(polygons::MAX_VERTICES);
-                return Some(
-                    Message::new("refused-too-many")
-                        .with("count", *n)
-                        .with("most", most),
-                );
-            }
-            Self::Geom(GeomError::NotFinite { .. }) => "error-not-finite",
-            Self::Geom(GeomError::EmptyWindow { .. }) => "error-empty-window",
-            Self::Geom(GeomError::Degenerate { .. }) => "error-too-few-vertices",
-            Self::Geom(_) | Self::Lines(_) => return None,
+    pub fn message(&self) -> Message {
+        let diagnostic = match self {
+            Self::Geom(error) => Diagnostic::from(*error),
+            Self::Lines(error) => Diagnostic::from(*error),
+            Self::Polygons(error) => Diagnostic::from(*error),
         };
-        Some(Message::new(key))
+        diagnostic.message
     }
 }
 

@@ -43,7 +43,9 @@ macro_rules! catalogues {
     };
 }
 
-catalogues!("app", "geometry", "lines", "polygons", "lesson", "cli");
+catalogues!(
+    "app", "geometry", "lines", "polygons", "lesson", "cli", "errors"
+);
 
 /// One language's messages, falling back to English for a missing key.
 ///
@@ -177,6 +179,7 @@ impl Catalog {
             Value::Point(p) => self.point(*p),
             Value::Name(name) => name.clone(),
             Value::Term(key) => self.term(key),
+            Value::Message(message) => self.message(message),
             Value::Formula(formula) => self.formula(formula),
         }
     }

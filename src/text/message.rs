@@ -49,6 +49,8 @@ pub enum Value {
     Name(String),
     /// A key into the catalogue: a word such as an edge's name, translated.
     Term(&'static str),
+    /// A sentence, or a part of one, with values of its own.
+    Message(Message),
     /// Arithmetic with its numbers filled in.
     Formula(Formula),
 }
@@ -74,6 +76,12 @@ impl From<usize> for Value {
 impl From<String> for Value {
     fn from(name: String) -> Self {
         Self::Name(name)
+    }
+}
+
+impl From<Message> for Value {
+    fn from(message: Message) -> Self {
+        Self::Message(message)
     }
 }
 

@@ -20,10 +20,14 @@
 //! a key missing everywhere is shown as `⟦key⟧`, so that it cannot pass unseen.
 
 mod catalog;
+mod diagnostic;
 mod lang;
 mod message;
 mod number;
+mod system;
 
 pub use catalog::{AREAS, Catalog, sources};
+pub use diagnostic::Diagnostic;
 pub use lang::{Lang, UnknownLang};
 pub use message::{Formula, Message, Token, Value};
+pub use system::SystemError;

@@ -36,7 +36,6 @@ case-wrong-type = Expected { $expected }, found { $found }.
 case-wrong-word = Expected one of { $expected }, found “{ $found }”.
 case-wrong-length = Expected { $expected } numbers, found { $found }.
 case-not-finite = { $number } is beyond the range of a 64-bit number: every coordinate must be finite.
-case-empty-window = The window is empty: { $low } = { $min } must be less than { $high } = { $max }.
 case-too-many = { $found } vertices: at most { $max } are handled.
 case-too-many-pairs = { $found } pairs of an edge and a clip edge: at most { $max } are handled.
 case-uv-length = Expected one [u, v] for each of the { $expected } vertices, found { $found }.

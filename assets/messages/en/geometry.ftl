@@ -1,4 +1,4 @@
-### The words of the field that all labs share: objects, edges, regions, algorithms, verdicts, refusals.
+### The words of the field that all labs share: objects, edges, regions, algorithms, verdicts.
 
 ## Objects
 
@@ -49,15 +49,3 @@ alg-triangulate-and-clip = Triangulate, then clip
 verdict-entering = entering
 verdict-leaving = leaving
 verdict-parallel = parallel
-
-## Why an input is refused; the last part of the key is the error’s code in the command line’s JSON
-
-error-not-finite = Every coordinate must be a finite number.
-error-empty-window = The window is empty: its left edge must lie left of its right edge, and its bottom edge below its top edge.
-error-not-convex = The clip polygon must be convex: this algorithm keeps what is inside every one of its edges.
-error-self-intersecting = The polygon crosses itself.
-error-edges-meet = The outline must not meet itself: edges { $first } and { $second } cross, touch or overlap.
-error-misplaced-hole = Hole { $hole } must lie inside the outline, clear of its edges and of every other hole.
-error-degenerate = The shape is degenerate: it has no extent where it needs one.
-error-too-few-vertices = A polygon needs at least three vertices.
-error-at = { $place }: { $problem }

@@ -23,8 +23,6 @@ problem-toml-no-value = A “=” and a value are missing after the name.
 problem-toml-name = A name cannot have this character.
 problem-toml-unclosed = A closing { $closer } is missing.
 problem-not-utf8 = The file is not UTF-8 text: the byte { $byte } does not belong here.
-problem-unreadable = The file cannot be read: { $reason }.
-problem-file-too-large = The file is larger than { $limit } MiB.
 problem-no-lessons = There is no lesson here.
 problem-too-many-lessons = There are more than { $limit } lessons: the rest are left out.
 problem-missing-file = This file is missing.
@@ -41,20 +39,8 @@ problem-wrong-length =
 problem-not-finite = This must be a finite number.
 problem-out-of-range = { $value } is out of range.
 problem-empty-text = This text is empty.
-problem-empty-window-x = The window is empty: xmin = { $min } is not below xmax = { $max }.
-problem-empty-window-y = The window is empty: ymin = { $min } is not below ymax = { $max }.
-problem-not-convex = The clip polygon is not convex: at this vertex it turns the other way.
-problem-degenerate = The clip polygon is degenerate: a vertex is repeated, or there is no area.
-problem-no-segments = There is no segment.
-problem-too-large = There are too many segments: { $count }, where a file may have { $limit }.
 problem-two-kinds-of-segments = Both “segments” and “random” are given: only one of the two may be.
 problem-two-kinds-of-polygons = Both “polygon” and “random” are given: only one of the two may be.
-problem-too-many-vertices = There are too many vertices: { $count }, where a scene may have { $limit }.
-problem-no-such-focus =
-    { $count ->
-        [one] There is no segment { $focus }: there is { $count } segment, counted from 0.
-       *[other] There is no segment { $focus }: there are { $count } segments, counted from 0.
-    }
 problem-unknown-method = There is no method “{ $name }”.
 problem-unknown-lab = There is no lab “{ $name }”.
 problem-unknown-scene = There is no scene “{ $name }”.
@@ -65,7 +51,6 @@ problem-bad-step-id = “{ $name }” cannot be the id of a step.
 problem-duplicate-step = There are two steps “{ $name }”.
 problem-bad-figure = “{ $name }” cannot be the name of a figure.
 problem-duplicate-figure = There are two figures “{ $name }”.
-problem-bad-moment = This does not name a moment.
 problem-moment-never-happens = The moment “{ $name }” never comes in the run of this scene.
 problem-unused-scene = No step shows this scene.
 problem-missing-title = The text has no title.

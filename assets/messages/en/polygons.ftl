@@ -27,8 +27,6 @@ draw-clip = Click to place vertex { $number } of the new clip polygon; Backspace
 draw-hole = Click to place vertex { $number } of the new hole; Backspace takes one back, Escape gives up.
 draw-close = Click to place vertex { $number }; Enter, a double click or a click on the first vertex closes the outline.
 draw-no-use = The algorithms on stage cannot use { $part }.
-refused-last-three = The vertex stays: a polygon needs at least three.
-refused-too-many = { $count } vertices are too many: at most { $most }.
 
 ## Polygons and regions to start from
 

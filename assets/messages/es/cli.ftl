@@ -36,7 +36,6 @@ case-wrong-type = Se esperaba { $expected } y hay { $found }.
 case-wrong-word = Se esperaba uno de { $expected } y hay «{ $found }».
 case-wrong-length = Se esperaban { $expected } números y hay { $found }.
 case-not-finite = { $number } excede el rango de un número de 64 bits: toda coordenada debe ser finita.
-case-empty-window = La ventana está vacía: { $low } = { $min } debe ser menor que { $high } = { $max }.
 case-too-many = { $found } vértices: se admiten { $max } como máximo.
 case-too-many-pairs = { $found } pares de arista y arista de recorte: se admiten { $max } como máximo.
 case-uv-length = Se esperaba un [u, v] para cada uno de los { $expected } vértices; hay { $found }.

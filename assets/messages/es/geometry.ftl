@@ -1,4 +1,4 @@
-### The words of the field that all labs share: objects, edges, regions, algorithms, verdicts, refusals.
+### The words of the field that all labs share: objects, edges, regions, algorithms, verdicts.
 
 ## Objects
 
@@ -49,15 +49,3 @@ alg-triangulate-and-clip = Triangular y después recortar
 verdict-entering = entra
 verdict-leaving = sale
 verdict-parallel = paralelo
-
-## Why an input is refused; the last part of the key is the error’s code in the command line’s JSON
-
-error-not-finite = Todas las coordenadas deben ser números finitos.
-error-empty-window = La ventana está vacía: su borde izquierdo debe quedar a la izquierda del derecho, y el inferior por debajo del superior.
-error-not-convex = El polígono de recorte debe ser convexo: este algoritmo conserva lo que queda en el lado interior de todas sus aristas.
-error-self-intersecting = El polígono se corta a sí mismo.
-error-edges-meet = El contorno no debe tocarse ni cortarse a sí mismo: las aristas { $first } y { $second } se cortan, se tocan o se superponen.
-error-misplaced-hole = El hueco { $hole } debe quedar dentro del contorno, sin tocar sus aristas ni ningún otro hueco.
-error-degenerate = La figura es degenerada: no tiene extensión donde la necesita.
-error-too-few-vertices = Un polígono necesita al menos tres vértices.
-error-at = { $place }: { $problem }

@@ -23,8 +23,6 @@ problem-toml-no-value = Faltan «=» y un valor después del nombre.
 problem-toml-name = Un nombre no puede tener este carácter.
 problem-toml-unclosed = Falta { $closer } para cerrar.
 problem-not-utf8 = El archivo no es texto UTF-8: el byte { $byte } no puede estar aquí.
-problem-unreadable = No se puede leer el archivo: { $reason }.
-problem-file-too-large = El archivo supera los { $limit } MiB.
 problem-no-lessons = Aquí no hay ninguna lección.
 problem-too-many-lessons = Hay más de { $limit } lecciones: las demás se omiten.
 problem-missing-file = Falta este archivo.
@@ -41,20 +39,8 @@ problem-wrong-length =
 problem-not-finite = Debe ser un número finito.
 problem-out-of-range = { $value } está fuera del intervalo permitido.
 problem-empty-text = Este texto está vacío.
-problem-empty-window-x = La ventana está vacía: xmin = { $min } no es menor que xmax = { $max }.
-problem-empty-window-y = La ventana está vacía: ymin = { $min } no es menor que ymax = { $max }.
-problem-not-convex = El polígono de recorte no es convexo: en este vértice gira en sentido contrario.
-problem-degenerate = El polígono de recorte es degenerado: repite un vértice o no tiene área.
-problem-no-segments = No hay ningún segmento.
-problem-too-large = Hay demasiados segmentos: { $count }; un archivo admite { $limit }.
 problem-two-kinds-of-segments = Se dan a la vez «segments» y «random»: solo puede haber uno de los dos.
 problem-two-kinds-of-polygons = Se dan a la vez «polygon» y «random»: solo puede haber uno de los dos.
-problem-too-many-vertices = Hay demasiados vértices: { $count }; una escena admite { $limit }.
-problem-no-such-focus =
-    { $count ->
-        [one] No existe el segmento { $focus }: hay { $count } segmento, contando desde 0.
-       *[other] No existe el segmento { $focus }: hay { $count } segmentos, contando desde 0.
-    }
 problem-unknown-method = No existe el método «{ $name }».
 problem-unknown-lab = No existe el laboratorio «{ $name }».
 problem-unknown-scene = No existe la escena «{ $name }».
@@ -65,7 +51,6 @@ problem-bad-step-id = «{ $name }» no puede ser el id de un paso.
 problem-duplicate-step = Hay dos pasos «{ $name }».
 problem-bad-figure = «{ $name }» no puede ser el nombre de una figura.
 problem-duplicate-figure = Hay dos figuras «{ $name }».
-problem-bad-moment = Esto no nombra ningún momento.
 problem-moment-never-happens = El momento «{ $name }» no llega nunca en la ejecución de esta escena.
 problem-unused-scene = Ningún paso muestra esta escena.
 problem-missing-title = El texto no tiene título.

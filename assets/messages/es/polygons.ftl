@@ -27,8 +27,6 @@ draw-clip = Haz clic para poner el vértice { $number } del nuevo polígono de r
 draw-hole = Haz clic para poner el vértice { $number } del nuevo hueco; Retroceso quita el último; Escape cancela.
 draw-close = Haz clic para poner el vértice { $number }; Intro, un doble clic o un clic en el primer vértice cierra el contorno.
 draw-no-use = Los algoritmos en escena no saben usar { $part }.
-refused-last-three = El vértice se queda: un polígono necesita al menos tres.
-refused-too-many = { $count } vértices son demasiados: como máximo { $most }.
 
 ## Polígonos y regiones para empezar
 

@@ -36,7 +36,6 @@ case-wrong-type = Esperava-se { $expected }, mas há { $found }.
 case-wrong-word = Esperava-se um de { $expected }, mas há “{ $found }”.
 case-wrong-length = Esperavam-se { $expected } números, mas há { $found }.
 case-not-finite = { $number } excede o intervalo de um número de 64 bits: toda coordenada deve ser finita.
-case-empty-window = A janela está vazia: { $low } = { $min } deve ser menor que { $high } = { $max }.
 case-too-many = { $found } vértices: no máximo { $max } são aceitos.
 case-too-many-pairs = { $found } pares de aresta e aresta de recorte: são aceitos no máximo { $max }.
 case-uv-length = Era esperado um [u, v] para cada um dos { $expected } vértices; há { $found }.

@@ -1,4 +1,4 @@
-### The words of the field that all labs share: objects, edges, regions, algorithms, verdicts, refusals.
+### The words of the field that all labs share: objects, edges, regions, algorithms, verdicts.
 
 ## Objects
 
@@ -49,15 +49,3 @@ alg-triangulate-and-clip = Triangular e depois recortar
 verdict-entering = entrando
 verdict-leaving = saindo
 verdict-parallel = paralelo
-
-## Why an input is refused; the last part of the key is the error’s code in the command line’s JSON
-
-error-not-finite = Todas as coordenadas devem ser números finitos.
-error-empty-window = A janela está vazia: a borda esquerda deve ficar à esquerda da direita, e a inferior abaixo da superior.
-error-not-convex = O polígono de recorte deve ser convexo: este algoritmo conserva o que fica do lado interno de todas as arestas.
-error-self-intersecting = O polígono cruza a si mesmo.
-error-edges-meet = O contorno não pode encontrar a si mesmo: as arestas { $first } e { $second } se cruzam, se tocam ou se sobrepõem.
-error-misplaced-hole = O furo { $hole } deve ficar dentro do contorno, sem tocar suas arestas nem qualquer outro furo.
-error-degenerate = A figura é degenerada: não tem extensão onde precisa.
-error-too-few-vertices = Um polígono precisa de pelo menos três vértices.
-error-at = { $place }: { $problem }

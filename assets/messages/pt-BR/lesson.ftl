@@ -23,8 +23,6 @@ problem-toml-no-value = Faltam “=” e um valor depois do nome.
 problem-toml-name = Um nome não pode ter este caractere.
 problem-toml-unclosed = Falta { $closer } para fechar.
 problem-not-utf8 = O arquivo não é texto UTF-8: o byte { $byte } não pode estar aqui.
-problem-unreadable = Não é possível ler o arquivo: { $reason }.
-problem-file-too-large = O arquivo tem mais de { $limit } MiB.
 problem-no-lessons = Não há nenhuma lição aqui.
 problem-too-many-lessons = Há mais de { $limit } lições: as demais ficam de fora.
 problem-missing-file = Falta este arquivo.
@@ -41,20 +39,8 @@ problem-wrong-length =
 problem-not-finite = Deve ser um número finito.
 problem-out-of-range = { $value } está fora do intervalo permitido.
 problem-empty-text = Este texto está vazio.
-problem-empty-window-x = A janela está vazia: xmin = { $min } não é menor que xmax = { $max }.
-problem-empty-window-y = A janela está vazia: ymin = { $min } não é menor que ymax = { $max }.
-problem-not-convex = O polígono de recorte não é convexo: neste vértice ele vira para o lado contrário.
-problem-degenerate = O polígono de recorte é degenerado: repete um vértice ou não tem área.
-problem-no-segments = Não há nenhum segmento.
-problem-too-large = Há segmentos demais: { $count }; um arquivo admite { $limit }.
 problem-two-kinds-of-segments = “segments” e “random” foram dados ao mesmo tempo: só pode haver um dos dois.
 problem-two-kinds-of-polygons = “polygon” e “random” foram dados ao mesmo tempo: só pode haver um dos dois.
-problem-too-many-vertices = Há vértices demais: { $count }; uma cena admite { $limit }.
-problem-no-such-focus =
-    { $count ->
-        [one] Não existe o segmento { $focus }: há { $count } segmento, contando a partir de 0.
-       *[other] Não existe o segmento { $focus }: há { $count } segmentos, contando a partir de 0.
-    }
 problem-unknown-method = Não existe o método “{ $name }”.
 problem-unknown-lab = Não existe o laboratório “{ $name }”.
 problem-unknown-scene = Não existe a cena “{ $name }”.
@@ -65,7 +51,6 @@ problem-bad-step-id = “{ $name }” não pode ser o id de um passo.
 problem-duplicate-step = Há dois passos “{ $name }”.
 problem-bad-figure = “{ $name }” não pode ser o nome de uma figura.
 problem-duplicate-figure = Há duas figuras “{ $name }”.
-problem-bad-moment = Isto não nomeia nenhum momento.
 problem-moment-never-happens = O momento “{ $name }” nunca chega na execução desta cena.
 problem-unused-scene = Nenhum passo mostra esta cena.
 problem-missing-title = O texto não tem título.

@@ -27,8 +27,6 @@ draw-clip = Clique para colocar o vértice { $number } do novo polígono de reco
 draw-hole = Clique para colocar o vértice { $number } do novo furo; Backspace remove o último, Esc desiste.
 draw-close = Clique para colocar o vértice { $number }; Enter, um clique duplo ou um clique no primeiro vértice fecha o contorno.
 draw-no-use = Os algoritmos em cena não sabem usar { $part }.
-refused-last-three = O vértice fica: um polígono precisa de pelo menos três.
-refused-too-many = Vértices demais: { $count }; o máximo é { $most }.
 
 ## Polígonos e regiões para começar
 

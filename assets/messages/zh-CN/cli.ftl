@@ -24,7 +24,6 @@ case-wrong-type = 应为{ $expected }，实为{ $found }。
 case-wrong-word = 应为以下之一：{ $expected }，实为“{ $found }”。
 case-wrong-length = 应有 { $expected } 个数，实有 { $found } 个。
 case-not-finite = { $number } 超出 64 位浮点数的范围：每个坐标都必须是有限的数。
-case-empty-window = 窗口为空：{ $low } = { $min } 必须小于 { $high } = { $max }。
 case-too-many = 有 { $found } 个顶点：最多处理 { $max } 个。
 case-too-many-pairs = 边与裁剪边共有 { $found } 对：最多处理 { $max } 对。
 case-uv-length = 应为 { $expected } 个顶点各给出一个 [u, v]，这里有 { $found } 个。

@@ -1,4 +1,4 @@
-### The words of the field that all labs share: objects, edges, regions, algorithms, verdicts, refusals.
+### The words of the field that all labs share: objects, edges, regions, algorithms, verdicts.
 
 ## Objects
 
@@ -49,15 +49,3 @@ alg-triangulate-and-clip = 先三角剖分，再裁剪
 verdict-entering = 进入
 verdict-leaving = 离开
 verdict-parallel = 平行
-
-## Why an input is refused; the last part of the key is the error’s code in the command line’s JSON
-
-error-not-finite = 所有坐标都必须是有限数。
-error-empty-window = 裁剪窗口为空：左边界必须在右边界左侧，下边界必须在上边界下方。
-error-not-convex = 裁剪多边形必须是凸多边形：该算法只保留位于所有边内侧的部分。
-error-self-intersecting = 多边形自相交。
-error-edges-meet = 多边形的轮廓不得与自身相交或相接：第 { $first } 条边与第 { $second } 条边相交、相接或重叠。
-error-misplaced-hole = 内孔 { $hole } 必须位于外轮廓之内，且不得与外轮廓或其他内孔相接。
-error-degenerate = 图形已退化：应有的长度或面积为零。
-error-too-few-vertices = 多边形至少需要三个顶点。
-error-at = { $place }：{ $problem }

@@ -23,8 +23,6 @@ problem-toml-no-value = 名称之后缺少“=”和值。
 problem-toml-name = 名称中不能有这个字符。
 problem-toml-unclosed = 缺少右侧的 { $closer }。
 problem-not-utf8 = 文件不是 UTF-8 文本：此处不应出现字节 { $byte }。
-problem-unreadable = 无法读取文件：{ $reason }。
-problem-file-too-large = 文件大于 { $limit } MiB。
 problem-no-lessons = 这里没有任何课。
 problem-too-many-lessons = 课超过了 { $limit } 节：其余的已略去。
 problem-missing-file = 缺少这个文件。
@@ -37,16 +35,8 @@ problem-wrong-length = 列表的长度不对：有 { $count } 个值。
 problem-not-finite = 这里必须是有限的数。
 problem-out-of-range = { $value } 超出了范围。
 problem-empty-text = 这段文本是空的。
-problem-empty-window-x = 窗口是空的：xmin = { $min } 不小于 xmax = { $max }。
-problem-empty-window-y = 窗口是空的：ymin = { $min } 不小于 ymax = { $max }。
-problem-not-convex = 裁剪多边形不是凸的：它在这个顶点处反向转弯。
-problem-degenerate = 裁剪多边形已退化：有重复的顶点，或没有面积。
-problem-no-segments = 没有线段。
-problem-too-large = 线段太多：有 { $count } 条，而一个文件最多可有 { $limit } 条。
 problem-two-kinds-of-segments = 同时给出了“segments”和“random”：只能给出其中之一。
 problem-two-kinds-of-polygons = 同时给出了“polygon”和“random”：只能给出其中之一。
-problem-too-many-vertices = 顶点太多：有 { $count } 个，而一个场景最多可有 { $limit } 个。
-problem-no-such-focus = 没有第 { $focus } 条线段：共有 { $count } 条，从 0 数起。
 problem-unknown-method = 没有名为“{ $name }”的算法。
 problem-unknown-lab = 没有名为“{ $name }”的实验。
 problem-unknown-scene = 没有名为“{ $name }”的场景。
@@ -57,7 +47,6 @@ problem-bad-step-id = “{ $name }”不能用作步骤的 id。
 problem-duplicate-step = 有两个步骤都叫“{ $name }”。
 problem-bad-figure = “{ $name }”不能用作插图的名称。
 problem-duplicate-figure = 有两幅插图都叫“{ $name }”。
-problem-bad-moment = 这没有指明任何时刻。
 problem-moment-never-happens = 在这个场景的运行过程中，时刻“{ $name }”从不出现。
 problem-unused-scene = 没有任何步骤用到这个场景。
 problem-missing-title = 文本没有标题。

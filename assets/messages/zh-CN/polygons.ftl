@@ -27,8 +27,6 @@ draw-clip = 单击放置新裁剪多边形的顶点 { $number }；Backspace 撤�
 draw-hole = 单击放置新内孔的顶点 { $number }；Backspace 撤回一个，Esc 放弃。
 draw-close = 单击放置顶点 { $number }；按 Enter、双击或单击第一个顶点即可闭合轮廓。
 draw-no-use = 当前算法不支持{ $part }。
-refused-last-three = 保留该顶点：多边形至少需要三个顶点。
-refused-too-many = { $count } 个顶点过多：最多 { $most } 个。
 
 ## 可供选用的多边形与区域
 

@@ -242,7 +242,7 @@ fn the_last_three_vertices_stay_and_it_is_said_in_every_language() {
             bench.key(Key::Delete);
         }
         assert_eq!(bench.subject().len(), 3);
-        let said = crate::text::Catalog::of(lang).term("refused-last-three");
+        let said = crate::text::Catalog::of(lang).term("error-last-three");
         let notices = bench.app.notices.shown();
         assert!(notices.iter().any(|notice| notice.text == said), "{lang}");
     }

@@ -3,10 +3,10 @@
 use crate::{
     algo::polygon::ClipRegion,
     case::{
-        Code, Fields, Given, Node, Path, Refusal,
+        Code, Fields, Given, Node, Refusal,
         parts::{given_clip, given_window, read_clip, read_window},
     },
-    geom::{GeomError, Point, Polygon, Region, SimplePolygon},
+    geom::{Point, Polygon, Region, SimplePolygon},
     labs::vertex_symbol,
     text::{Formula, Message, Value},
 };
@@ -96,13 +96,7 @@ impl<'a> Reader<'a> {
         for hole in &outlines {
             self.given.push(given_outline("object-hole", hole));
         }
-        Region::new(outer, holes).map_err(|error| match error {
-            GeomError::MisplacedHole { hole_idx } => {
-                let hole = Path::Index(&node.path, hole_idx);
-                Refusal::geometry(&hole, error, 0)
-            }
-            _ => Refusal::geometry(&node.path, error, 0),
-        })
+        Region::new(outer, holes).map_err(|error| Refusal::geometry(&node.path, error))
     }
 
     /// `uv`: a place in the texture for each vertex.
@@ -137,13 +131,12 @@ impl<'a> Reader<'a> {
 /// A list of three points or more.
 fn outline(node: &Node<'_>) -> Result<Polygon, Refusal> {
     let outline: Vec<[f64; 2]> = node.points(MAX_VERTICES)?;
-    Polygon::new(&outline).map_err(|error| Refusal::geometry(&node.path, error, outline.len()))
+    Polygon::new(&outline).map_err(|error| Refusal::geometry(&node.path, error))
 }
 
 /// An outline that does not meet itself.
 fn simple(node: &Node<'_>, outline: &Polygon) -> Result<SimplePolygon, Refusal> {
-    SimplePolygon::try_from(outline)
-        .map_err(|error| Refusal::geometry(&node.path, error, outline.vertices().len()))
+    SimplePolygon::try_from(outline).map_err(|error| Refusal::geometry(&node.path, error))
 }
 
 /// `V₁ = (0, 0)`, `V₂ = …`

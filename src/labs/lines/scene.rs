@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use crate::{
     algo::line::BitOrder,
     geom::{ConvexPolygon, Segment, Window},
+    text::{Diagnostic, Message},
 };
 
 use super::Method;
@@ -65,18 +66,25 @@ pub enum SceneError {
     },
 }
 
+impl From<SceneError> for Diagnostic {
+    fn from(error: SceneError) -> Self {
+        match error {
+            SceneError::NoSegments => Self::new(Message::new("error-no-segments")),
+            SceneError::TooManySegments(count) => {
+                let message = Message::new("error-too-many-segments").with("count", count);
+                Self::new(message.with("limit", MAX_SEGMENTS)).coded("too-large")
+            }
+            SceneError::NoSuchFocus { focus, n_segments } => {
+                let message = Message::new("error-no-such-focus").with("focus", focus.to_string());
+                Self::new(message.with("count", n_segments))
+            }
+        }
+    }
+}
+
 impl fmt::Display for SceneError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NoSegments => f.write_str("expected at least one segment"),
-            Self::TooManySegments(n) => {
-                write!(f, "{n} segments: expected at most {MAX_SEGMENTS}")
-            }
-            Self::NoSuchFocus { focus, n_segments } => write!(
-                f,
-                "focus = {focus}: expected the index of one of the {n_segments} segments, from 0"
-            ),
-        }
+        Diagnostic::from(*self).fmt(f)
     }
 }
 

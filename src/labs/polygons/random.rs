@@ -13,7 +13,7 @@ const COARSE: usize = 24;
 /// window. The directions go round a square, so that no sine is needed.
 ///
 /// # Errors
-/// [`GeomError::Degenerate`] where `count` is less than 3.
+/// [`GeomError::TooFewVertices`] where `count` is less than 3.
 pub fn random_polygon(window: &Window, count: usize, seed: u64) -> Result<Polygon, GeomError> {
     let mut bits = SplitMix64(seed);
     let [xmin, ymin, xmax, ymax] = window.to_array();

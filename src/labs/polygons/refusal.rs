@@ -68,7 +68,10 @@ impl Refusal {
                     .with("second", second)
             }
             GeomError::MisplacedHole { .. } => Message::new("refused-misplaced-hole"),
-            _ => Message::new("refused-degenerate"),
+            GeomError::NotFinite { .. }
+            | GeomError::EmptyWindow { .. }
+            | GeomError::TooFewVertices
+            | GeomError::Degenerate { .. } => Message::new("refused-degenerate"),
         };
         Caption::new(message.with("part", part))
     }

@@ -2,7 +2,10 @@
 
 use std::fmt;
 
-use crate::geom::{ConvexPolygon, Point, Polygon, Window};
+use crate::{
+    geom::{ConvexPolygon, Point, Polygon, Window},
+    text::{Diagnostic, Message},
+};
 
 use super::{Method, Part, Refusal};
 
@@ -65,14 +68,21 @@ pub enum SceneError {
     TooFewVertices,
 }
 
+impl From<SceneError> for Diagnostic {
+    fn from(error: SceneError) -> Self {
+        match error {
+            SceneError::TooManyVertices(count) => {
+                let message = Message::new("error-too-many-vertices").with("count", count);
+                Self::new(message.with("limit", MAX_VERTICES)).coded("too-large")
+            }
+            SceneError::TooFewVertices => Self::new(Message::new("error-last-three")),
+        }
+    }
+}
+
 impl fmt::Display for SceneError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::TooManyVertices(n) => {
-                write!(f, "{n} vertices: expected at most {MAX_VERTICES}")
-            }
-            Self::TooFewVertices => f.write_str("a polygon keeps at least three vertices"),
-        }
+        Diagnostic::from(*self).fmt(f)
     }
 }
 

@@ -7,7 +7,7 @@ use crate::{
     geom::{ConvexPolygon, Segment, Window},
     labs::{
         Lab,
-        lines::{MAX_SEGMENTS, Method, Scene, random_segments},
+        lines::{MAX_SEGMENTS, Method, Scene, SceneError, random_segments},
     },
     lesson::{
         sink::Sink,
@@ -67,10 +67,12 @@ pub(super) fn scene(
         let number = whole(item, 0..MAX_SEGMENTS as u64, sink)? as usize;
         let n_segments = segments.as_ref()?.len();
         if number >= n_segments {
-            let message = Message::new("problem-no-such-focus")
-                .with("focus", number.to_string())
-                .with("count", n_segments);
-            sink.error(item.span(), message, []);
+            let focus = number;
+            sink.refuse(
+                item.span(),
+                SceneError::NoSuchFocus { focus, n_segments },
+                [],
+            );
         }
         Some(number)
     });
@@ -119,12 +121,11 @@ fn segments(
 fn listed(item: &Item<'_>, most: usize, sink: &mut Sink<'_>) -> Option<Vec<Segment>> {
     let items = list(item, "expect-segments", sink)?;
     if items.is_empty() || items.len() > most {
-        let message = if items.is_empty() {
-            Message::new("problem-no-segments")
-        } else {
-            too_many(items.len())
+        let error = match items.len() {
+            0 => SceneError::NoSegments,
+            n => SceneError::TooManySegments(n),
         };
-        sink.error(item.span(), message, [Message::new("expect-segments")]);
+        sink.refuse(item.span(), error, [Message::new("expect-segments")]);
         return None;
     }
     // One segment without its list is a slip worth a word of its own.
@@ -154,16 +155,10 @@ fn random(
         .and_then(|item| whole(item, 0..i64::MAX as u64, sink));
     let (count, seed) = (count? as usize, seed?);
     if count > most {
-        sink.error(item.span(), too_many(count), []);
+        sink.refuse(item.span(), SceneError::TooManySegments(count), []);
         return None;
     }
     Some(random_segments(window?, count, seed))
-}
-
-fn too_many(count: usize) -> Message {
-    Message::new("problem-too-large")
-        .with("count", count)
-        .with("limit", MAX_SEGMENTS)
 }
 
 /// Writes a scene.

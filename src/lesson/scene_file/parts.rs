@@ -45,9 +45,13 @@ pub(super) fn outline<T>(
         GeomError::Degenerate { vertex_idx }
         | GeomError::NotConvex { vertex_idx }
         | GeomError::SelfIntersecting { vertex_idx } => span_of(item, vertex_idx),
-        _ => item.span(),
+        GeomError::NotFinite { .. }
+        | GeomError::EmptyWindow { .. }
+        | GeomError::TooFewVertices
+        | GeomError::EdgesMeet { .. }
+        | GeomError::MisplacedHole { .. } => item.span(),
     };
-    sink.error(span, Message::new(geometry(error)), [Message::new(expect)]);
+    sink.refuse(span, error, [Message::new(expect)]);
     None
 }
 
@@ -70,31 +74,13 @@ pub(super) fn window(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Window> {
         Ok(window) => return Some(window),
         Err(error) => error,
     };
-    if let GeomError::EmptyWindow { axis, min, max } = error {
-        let (key, index) = match axis {
-            Axis::X => ("problem-empty-window-x", 0),
-            Axis::Y => ("problem-empty-window-y", 1),
-        };
-        let message = Message::new(key).with("min", min).with("max", max);
-        let expected = [Message::new("expect-window")];
-        sink.error(span_of(item, index), message, expected);
-    } else {
-        sink.error(item.span(), Message::new(geometry(error)), []);
-    }
+    let span = match error {
+        GeomError::EmptyWindow { axis: Axis::X, .. } => span_of(item, 0),
+        GeomError::EmptyWindow { axis: Axis::Y, .. } => span_of(item, 1),
+        _ => item.span(),
+    };
+    sink.refuse(span, error, [Message::new("expect-window")]);
     None
-}
-
-/// The catalogue's sentence for a refused primitive.
-pub(super) const fn geometry(error: GeomError) -> &'static str {
-    match error {
-        GeomError::NotFinite { .. } => "problem-not-finite",
-        GeomError::EmptyWindow { .. } => "error-empty-window",
-        GeomError::Degenerate { .. } => "problem-degenerate",
-        GeomError::NotConvex { .. } => "problem-not-convex",
-        GeomError::SelfIntersecting { .. }
-        | GeomError::EdgesMeet { .. }
-        | GeomError::MisplacedHole { .. } => "error-self-intersecting",
-    }
 }
 
 /// Where an element of a list stands; the whole list where there is no such element.

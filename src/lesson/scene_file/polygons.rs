@@ -6,7 +6,7 @@ use crate::{
     geom::{Polygon, Window},
     labs::{
         Lab,
-        polygons::{MAX_VERTICES, Method, Scene, Texture, random_polygon},
+        polygons::{MAX_VERTICES, Method, Scene, SceneError, Texture, random_polygon},
     },
     lesson::{
         sink::Sink,
@@ -58,7 +58,7 @@ pub(super) fn scene(
     scene.texture = texture.unwrap_or_default();
     let n_vertices = scene.n_vertices();
     if n_vertices > MAX_VERTICES.min(*vertices_left) {
-        sink.error(fields.span(), too_many(n_vertices), []);
+        sink.refuse(fields.span(), SceneError::TooManyVertices(n_vertices), []);
     } else {
         *vertices_left -= n_vertices;
     }
@@ -97,12 +97,6 @@ fn random(item: &Item<'_>, window: Option<&Window>, sink: &mut Sink<'_>) -> Opti
         .require("seed", sink)
         .and_then(|item| whole(item, 0..i64::MAX as u64, sink));
     random_polygon(window?, count? as usize, seed?).ok()
-}
-
-fn too_many(count: usize) -> Message {
-    Message::new("problem-too-many-vertices")
-        .with("count", count)
-        .with("limit", MAX_VERTICES)
 }
 
 /// Writes a scene.

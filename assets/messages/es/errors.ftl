@@ -1,0 +1,51 @@
+### Why something is refused, or fails: one sentence for each typed error, whoever reports it.
+
+## Shapes; the last part of the key is the code in the command line’s JSON where that has one
+
+error-not-finite = Todas las coordenadas deben ser números finitos.
+error-empty-window = La ventana está vacía: { $low } = { $min } debe ser menor que { $high } = { $max }.
+error-too-few-vertices = Un polígono necesita al menos tres vértices.
+error-degenerate = La figura es degenerada: no tiene extensión donde la necesita.
+error-not-convex = El polígono de recorte debe ser convexo: este algoritmo conserva lo que queda en el lado interior de todas sus aristas.
+error-self-intersecting = El polígono se corta a sí mismo.
+error-edges-meet = El contorno no debe tocarse ni cortarse a sí mismo: las aristas { $first } y { $second } se cortan, se tocan o se superponen.
+error-misplaced-hole = El hueco { $hole } debe quedar dentro del contorno, sin tocar sus aristas ni ningún otro hueco.
+error-at = { $place }: { $problem }
+
+## Scenes
+
+error-no-segments = No hay ningún segmento.
+error-too-many-segments = Hay demasiados segmentos: { $count }; se admiten { $limit } como máximo.
+error-no-such-focus =
+    { $count ->
+        [one] No existe el segmento { $focus }: hay { $count } segmento, contando desde 0.
+       *[other] No existe el segmento { $focus }: hay { $count } segmentos, contando desde 0.
+    }
+error-last-three = El vértice se queda: un polígono necesita al menos tres.
+error-too-many-vertices = Hay demasiados vértices: { $count }; se admiten { $limit } como máximo.
+
+## Moments of a run
+
+error-bad-moment = Esto no nombra ningún momento.
+
+## Files
+
+error-unreadable = No se puede leer el archivo: { $reason }.
+error-file-too-large = El archivo supera los { $limit } MiB.
+
+## What the system answers; set after a colon, in the middle of a sentence
+
+system-not-found = no existe ese archivo o carpeta
+system-denied = no hay permiso
+system-exists = ya existe
+system-is-folder = es una carpeta
+system-not-file = no es un archivo
+system-not-folder = una parte de la ruta no es una carpeta
+system-full = el disco está lleno
+system-read-only = el disco es de solo lectura
+system-bad-name = el nombre no es válido
+system-too-large = el archivo es demasiado grande
+system-busy = otro programa lo está usando
+system-no-files = aquí no hay archivos
+system-number = el sistema indica el error { $number }
+system-silent = el sistema no da ningún motivo

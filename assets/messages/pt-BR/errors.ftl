@@ -1,0 +1,51 @@
+### Why something is refused, or fails: one sentence for each typed error, whoever reports it.
+
+## Shapes; the last part of the key is the code in the command line’s JSON where that has one
+
+error-not-finite = Todas as coordenadas devem ser números finitos.
+error-empty-window = A janela está vazia: { $low } = { $min } deve ser menor que { $high } = { $max }.
+error-too-few-vertices = Um polígono precisa de pelo menos três vértices.
+error-degenerate = A figura é degenerada: não tem extensão onde precisa.
+error-not-convex = O polígono de recorte deve ser convexo: este algoritmo conserva o que fica do lado interno de todas as arestas.
+error-self-intersecting = O polígono cruza a si mesmo.
+error-edges-meet = O contorno não pode encontrar a si mesmo: as arestas { $first } e { $second } se cruzam, se tocam ou se sobrepõem.
+error-misplaced-hole = O furo { $hole } deve ficar dentro do contorno, sem tocar suas arestas nem qualquer outro furo.
+error-at = { $place }: { $problem }
+
+## Scenes
+
+error-no-segments = Não há nenhum segmento.
+error-too-many-segments = Há segmentos demais: { $count }; são aceitos no máximo { $limit }.
+error-no-such-focus =
+    { $count ->
+        [one] Não existe o segmento { $focus }: há { $count } segmento, contando a partir de 0.
+       *[other] Não existe o segmento { $focus }: há { $count } segmentos, contando a partir de 0.
+    }
+error-last-three = O vértice fica: um polígono precisa de pelo menos três.
+error-too-many-vertices = Há vértices demais: { $count }; são aceitos no máximo { $limit }.
+
+## Moments of a run
+
+error-bad-moment = Isto não nomeia nenhum momento.
+
+## Files
+
+error-unreadable = Não é possível ler o arquivo: { $reason }.
+error-file-too-large = O arquivo tem mais de { $limit } MiB.
+
+## What the system answers; set after a colon, in the middle of a sentence
+
+system-not-found = não existe esse arquivo ou pasta
+system-denied = não há permissão
+system-exists = já existe
+system-is-folder = é uma pasta
+system-not-file = não é um arquivo
+system-not-folder = uma parte do caminho não é uma pasta
+system-full = o disco está cheio
+system-read-only = o disco é somente leitura
+system-bad-name = o nome não é válido
+system-too-large = o arquivo é grande demais
+system-busy = outro programa o está usando
+system-no-files = aqui não há arquivos
+system-number = o sistema relata o erro { $number }
+system-silent = o sistema não dá nenhum motivo

@@ -1,0 +1,47 @@
+### Why something is refused, or fails: one sentence for each typed error, whoever reports it.
+
+## Shapes; the last part of the key is the code in the command line’s JSON where that has one
+
+error-not-finite = 所有坐标都必须是有限数。
+error-empty-window = 窗口为空：{ $low } = { $min } 必须小于 { $high } = { $max }。
+error-too-few-vertices = 多边形至少需要三个顶点。
+error-degenerate = 图形已退化：应有的长度或面积为零。
+error-not-convex = 裁剪多边形必须是凸多边形：该算法只保留位于所有边内侧的部分。
+error-self-intersecting = 多边形自相交。
+error-edges-meet = 多边形的轮廓不得与自身相交或相接：第 { $first } 条边与第 { $second } 条边相交、相接或重叠。
+error-misplaced-hole = 内孔 { $hole } 必须位于外轮廓之内，且不得与外轮廓或其他内孔相接。
+error-at = { $place }：{ $problem }
+
+## Scenes
+
+error-no-segments = 没有线段。
+error-too-many-segments = 线段太多：有 { $count } 条，最多可有 { $limit } 条。
+error-no-such-focus = 没有第 { $focus } 条线段：共有 { $count } 条，从 0 数起。
+error-last-three = 保留该顶点：多边形至少需要三个顶点。
+error-too-many-vertices = 顶点太多：有 { $count } 个，最多可有 { $limit } 个。
+
+## Moments of a run
+
+error-bad-moment = 这没有指明任何时刻。
+
+## Files
+
+error-unreadable = 无法读取文件：{ $reason }。
+error-file-too-large = 文件大于 { $limit } MiB。
+
+## What the system answers; set after a colon, in the middle of a sentence
+
+system-not-found = 文件或文件夹不存在
+system-denied = 没有访问权限
+system-exists = 它已经存在
+system-is-folder = 它是一个文件夹
+system-not-file = 它不是文件
+system-not-folder = 路径中有一部分不是文件夹
+system-full = 磁盘空间不足
+system-read-only = 磁盘是只读的
+system-bad-name = 名称无效
+system-too-large = 文件过大
+system-busy = 另一个程序正在使用它
+system-no-files = 这里没有文件可用
+system-number = 系统报告错误 { $number }
+system-silent = 系统没有说明原因

@@ -1,0 +1,98 @@
+//! What is wrong, for people: every typed error becomes a [`Diagnostic`], and nothing else of it is shown.
+
+use std::fmt;
+
+use crate::geom::{Axis, GeomError};
+
+use super::{Catalog, Lang, Message, Value};
+
+/// What is wrong, in every language. `Display` is the English sentence, for logs.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Diagnostic {
+    /// A stable name for this kind of mistake: `empty-window`. Where the command line's JSON has one, it is that.
+    pub code: &'static str,
+    /// What is wrong.
+    pub message: Message,
+    /// What was expected, and what may have been meant.
+    pub notes: Vec<Message>,
+}
+
+impl Diagnostic {
+    /// This sentence, and the code that its key ends in.
+    #[must_use]
+    pub fn new(message: Message) -> Self {
+        let key = message.key;
+        let code = ["error-", "problem-", "case-", "system-"]
+            .iter()
+            .find_map(|area| key.strip_prefix(area))
+            .unwrap_or(key);
+        Self {
+            code,
+            message,
+            notes: Vec::new(),
+        }
+    }
+
+    /// The same under another code.
+    #[must_use]
+    pub const fn coded(mut self, code: &'static str) -> Self {
+        self.code = code;
+        self
+    }
+
+    /// The same with one more note.
+    #[must_use]
+    pub fn noting(mut self, note: Message) -> Self {
+        self.notes.push(note);
+        self
+    }
+}
+
+impl fmt::Display for Diagnostic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&Catalog::of(Lang::En).message(&self.message))
+    }
+}
+
+impl From<Message> for Diagnostic {
+    fn from(message: Message) -> Self {
+        Self::new(message)
+    }
+}
+
+/// As the reason in another sentence.
+impl From<Diagnostic> for Value {
+    fn from(diagnostic: Diagnostic) -> Self {
+        Self::Message(diagnostic.message)
+    }
+}
+
+impl From<GeomError> for Diagnostic {
+    fn from(error: GeomError) -> Self {
+        let message = match error {
+            GeomError::NotFinite { .. } => Message::new("error-not-finite"),
+            GeomError::EmptyWindow { axis, min, max } => {
+                let [low, high] = match axis {
+                    Axis::X => ["xmin", "xmax"],
+                    Axis::Y => ["ymin", "ymax"],
+                };
+                Message::new("error-empty-window")
+                    .with("low", low.to_owned())
+                    .with("min", min)
+                    .with("high", high.to_owned())
+                    .with("max", max)
+            }
+            GeomError::TooFewVertices => Message::new("error-too-few-vertices"),
+            GeomError::Degenerate { .. } => Message::new("error-degenerate"),
+            GeomError::NotConvex { .. } => Message::new("error-not-convex"),
+            GeomError::SelfIntersecting { .. } => Message::new("error-self-intersecting"),
+            GeomError::EdgesMeet { edges: [i, j] } => Message::new("error-edges-meet")
+                .with("first", i)
+                .with("second", j),
+            GeomError::MisplacedHole { hole_idx } => {
+                Message::new("error-misplaced-hole").with("hole", hole_idx)
+            }
+        };
+        Self::new(message).coded(error.code())
+    }
+}
