@@ -70,16 +70,23 @@ pub enum Shape {
     Line([[f64; 2]; 2]),
     /// The ray from the first point through the second.
     Ray([[f64; 2]; 2]),
-    /// A filled outline, convex.
-    Polygon(Vec<[f64; 2]>),
     /// Closed outlines of any shape, filled where an odd number of them goes round.
     Area(Vec<Vec<[f64; 2]>>),
     /// A closed outline of any shape, not filled.
     Outline(Vec<[f64; 2]>),
     /// From point to point, not closed.
     Path(Vec<[f64; 2]>),
-    /// Everything to the left of the line from a to b, shaded, and the line itself.
+    /// Everything to the left of the line from a to b, shaded, and the line itself. Its label stands on the other
+    /// side, unless it says otherwise.
     HalfPlane([[f64; 2]; 2]),
+    /// Everything to the left of the line from a to b, shaded, without the line.
+    Wash([[f64; 2]; 2]),
+    /// A bound: an arrowhead whose flat side is at a, pointing towards b, to where the bound allows.
+    Bound([[f64; 2]; 2]),
+    /// The arc at the first point, from the direction of the second to that of the third, the shorter way round.
+    Angle([[f64; 2]; 3]),
+    /// The small square that says that the directions from the first point to the other two are at right angles.
+    RightAngle([[f64; 2]; 3]),
     /// Triangles with a texture on them: each corner's place, and its texture coordinates.
     Textured(Vec<[Texel; 3]>),
     /// A filled point.
@@ -103,6 +110,22 @@ pub struct Label {
     pub mono: bool,
     /// The one thing that matters here: semibold.
     pub strong: bool,
+    /// The direction, in the world, in which it has to stand off its mark; for an inequality, where it holds.
+    pub toward: Option<[f64; 2]>,
+    /// The character, by its index, that is this step's: drawn in the signal's colour, as one bit of a code.
+    pub lit: Option<usize>,
+}
+
+impl Label {
+    fn new(text: impl Into<Value>, mono: bool) -> Self {
+        Self {
+            text: text.into(),
+            mono,
+            strong: false,
+            toward: None,
+            lit: None,
+        }
+    }
 }
 
 /// A shape with its meaning.
@@ -143,22 +166,14 @@ impl Mark {
     /// With a label in the text face.
     #[must_use]
     pub fn labelled(mut self, text: impl Into<Value>) -> Self {
-        self.label = Some(Label {
-            text: text.into(),
-            mono: false,
-            strong: false,
-        });
+        self.label = Some(Label::new(text, false));
         self
     }
 
     /// With a label in the monospaced face.
     #[must_use]
     pub fn coded(mut self, text: impl Into<Value>) -> Self {
-        self.label = Some(Label {
-            text: text.into(),
-            mono: true,
-            strong: false,
-        });
+        self.label = Some(Label::new(text, true));
         self
     }
 
@@ -167,6 +182,24 @@ impl Mark {
     pub fn strong(mut self) -> Self {
         if let Some(label) = &mut self.label {
             label.strong = true;
+        }
+        self
+    }
+
+    /// Its label in this direction from it, in the world.
+    #[must_use]
+    pub const fn toward(mut self, direction: [f64; 2]) -> Self {
+        if let Some(label) = &mut self.label {
+            label.toward = Some(direction);
+        }
+        self
+    }
+
+    /// With one character of its label in the signal's colour.
+    #[must_use]
+    pub const fn lit(mut self, character: usize) -> Self {
+        if let Some(label) = &mut self.label {
+            label.lit = Some(character);
         }
         self
     }

@@ -2,7 +2,7 @@
 
 use egui::{Color32, Mesh, Painter, Pos2, Shape, Stroke, Vec2};
 
-use super::{Viewport, stage::cut_to};
+use super::{Theme, Viewport, cut::cut_to, line::Line, pen::Pen};
 
 /// Beyond this number lines are drawn as bare quadrilaterals, without the soft edges that take most of the
 /// time.
@@ -12,17 +12,27 @@ const MAX_SMOOTH: usize = 2_000;
 /// frame stays short where there is no GPU.
 const MAX_DRAWN: usize = 20_000;
 
-/// Draws the segments with one stroke.
-pub fn crowd(painter: &Painter, viewport: &Viewport, segments: &[[[f64; 2]; 2]], stroke: Stroke) {
+/// Draws the segments with one pen.
+pub fn crowd(
+    painter: &Painter,
+    theme: &Theme,
+    viewport: &Viewport,
+    segments: &[[[f64; 2]; 2]],
+    pen: &Pen,
+) {
     let each = segments.len().div_ceil(MAX_DRAWN).max(1);
     let lines = segments.iter().step_by(each).filter_map(|ends| {
         let ends = ends.map(|p| viewport.to_screen(p));
         cut_to(ends, viewport.rect.expand(4.0))
     });
-    if segments.len() <= MAX_SMOOTH {
-        painter.extend(lines.map(|ends| Shape::line_segment(ends, stroke)));
+    if pen.is_dashed {
+        lines.for_each(|ends| {
+            Line::new(&ends, false).dash(painter, pen.stroke, theme.stroke_scale);
+        });
+    } else if segments.len() <= MAX_SMOOTH {
+        painter.extend(lines.map(|ends| Shape::line_segment(ends, pen.stroke)));
     } else {
-        painter.add(quads(lines, segments.len().div_ceil(each), stroke));
+        painter.add(quads(lines, segments.len().div_ceil(each), pen.stroke));
     }
 }
 

@@ -8,11 +8,17 @@ use std::sync::Arc;
 use egui::{Color32, FontFamily, FontId, Galley, Painter, Pos2, Rect, Vec2, pos2, vec2};
 
 use crate::{
-    figure::{Label, Role},
+    figure::{Label, Mark, Role, Shape},
     text::Catalog,
 };
 
-use super::{Theme, fonts::semibold};
+use super::{
+    Theme, Viewport,
+    fonts::semibold,
+    layers::Piece,
+    parts::{Part, parts, visible},
+    pen::{Pen, radius},
+};
 
 /// More labels than this would cover the figure, and finding places for them would take longer than a frame.
 const MOST_LABELS: usize = 160;
@@ -31,55 +37,67 @@ pub enum Anchor {
 }
 
 /// Labels waiting for a place, and what they must not cover.
-pub struct Labels<'a> {
+pub struct Labels {
     stage: Rect,
-    waiting: Vec<(&'a Label, Anchor, Color32, Role)>,
     lines: Vec<[Pos2; 2]>,
     discs: Vec<(Pos2, f32)>,
 }
 
-impl<'a> Labels<'a> {
-    /// None yet, on a stage.
-    pub const fn new(stage: Rect) -> Self {
-        Self {
-            stage,
-            waiting: Vec::new(),
+impl Labels {
+    /// With what they must not cover.
+    pub fn new(viewport: &Viewport, theme: &Theme, pieces: &[Piece<'_>]) -> Self {
+        let mut labels = Self {
+            stage: viewport.rect,
             lines: Vec::new(),
             discs: Vec::new(),
+        };
+        for Piece { mark, part, .. } in pieces {
+            match part {
+                Part::Stroke(points) | Part::Ring(points) => {
+                    labels.lines.extend(points.windows(2).map(|e| [e[0], e[1]]));
+                    if let (Part::Ring(_), Some(&a), Some(&b)) =
+                        (part, points.first(), points.last())
+                    {
+                        labels.lines.push([b, a]);
+                    }
+                }
+                Part::Arrow(ends) | Part::Head(ends) => labels.lines.push(*ends),
+                Part::Marker(marker, at) => {
+                    labels.discs.push((*at, radius(theme, *marker, mark.role)));
+                }
+                Part::Wash(_) | Part::Fill(_) | Part::Texture(_) | Part::Crowd(_) => {}
+            }
         }
-    }
-
-    /// Keeps labels off a line.
-    pub fn avoid_line(&mut self, ends: [Pos2; 2]) {
-        if self.lines.len() < MOST_AVOIDED {
-            self.lines.push(ends);
-        }
-    }
-
-    /// Keeps labels off a point mark.
-    pub fn avoid_disc(&mut self, centre: Pos2, radius: f32) {
-        if self.discs.len() < MOST_AVOIDED {
-            self.discs.push((centre, radius));
-        }
-    }
-
-    /// Adds a label.
-    pub fn add(&mut self, label: &'a Label, anchor: Anchor, colour: Color32, role: Role) {
-        self.waiting.push((label, anchor, colour, role));
+        labels.lines.truncate(MOST_AVOIDED);
+        labels.discs.truncate(MOST_AVOIDED);
+        labels
     }
 
     /// Places and draws them, this step's first.
-    pub fn draw(mut self, painter: &Painter, theme: &Theme, catalog: &Catalog) {
+    pub fn draw(
+        &self,
+        painter: &Painter,
+        viewport: &Viewport,
+        theme: &Theme,
+        catalog: &Catalog,
+        marks: &[Mark],
+    ) {
+        let mut waiting: Vec<(&Label, Anchor, Color32, Role)> = Vec::new();
+        for mark in marks {
+            let anchor = anchor(viewport, &mark.shape);
+            if let (Some(anchor), Some(label)) = (anchor, &mark.label) {
+                waiting.push((label, anchor, Pen::of(theme, mark).text, mark.role));
+            }
+        }
         // This step's labels choose first, those that can stand anywhere choose last.
-        self.waiting
-            .sort_by_key(|(label, anchor, _, role)| match (role, anchor) {
-                (_, Anchor::Inside(_)) => 3,
-                (Role::Signal, _) => 0,
-                _ if label.strong => 1,
-                _ => 2,
-            });
+        waiting.sort_by_key(|(label, anchor, _, role)| match (role, anchor) {
+            (_, Anchor::Inside(_)) => 3,
+            (Role::Signal, _) => 0,
+            _ if label.strong => 1,
+            _ => 2,
+        });
         let mut placed: Vec<Rect> = Vec::new();
-        for &(label, anchor, colour, _) in self.waiting.iter().take(MOST_LABELS) {
+        for &(label, anchor, colour, _) in waiting.iter().take(MOST_LABELS) {
             let text = catalog.value(&label.text);
             let galley = painter.layout_no_wrap(text, font(label, theme), colour);
             let place = self.best(&galley, anchor, &placed);
@@ -126,6 +144,22 @@ impl<'a> Labels<'a> {
         };
         lines * 2.0 + discs as f32 * 60.0 + labels * 2.0 + outside
     }
+}
+
+fn anchor(viewport: &Viewport, shape: &Shape) -> Option<Anchor> {
+    if let Shape::Region(corners) = shape {
+        return Some(Anchor::Inside(visible(viewport, *corners)));
+    }
+    parts(viewport, shape)
+        .into_iter()
+        .find_map(|part| match part {
+            Part::Stroke(points) => match points[..] {
+                [a, b] => Some(Anchor::Line([a, b])),
+                _ => None,
+            },
+            Part::Arrow([_, at]) | Part::Marker(_, at) => Some(Anchor::Point(at)),
+            _ => None,
+        })
 }
 
 fn font(label: &Label, theme: &Theme) -> FontId {

@@ -99,8 +99,12 @@ pub struct Theme {
     pub accent_wash: Color32,
     /// What happens at this step.
     pub signal: Color32,
+    /// The signal as text, whose strokes are thinner.
+    pub signal_text: Color32,
     /// What has been accepted.
     pub accepted: Color32,
+    /// The same as text.
+    pub accepted_text: Color32,
     /// What has been discarded (always dashed, too).
     pub discarded: Color32,
     /// Factor on the strokes of a figure.
@@ -125,8 +129,10 @@ const LIGHT: Theme = Theme {
     accent: rgb(0x00_72B2),
     accent_wash: rgb(0xE6_F1F8),
     signal: rgb(0xD5_5E00),
-    accepted: rgb(0x00_9E73),
-    discarded: rgb(0x87_909A),
+    signal_text: rgb(0xAE_4B00),
+    accepted: rgb(0x00_8A64),
+    accepted_text: rgb(0x00_795A),
+    discarded: rgb(0x7B_848E),
     stroke_scale: 1.0,
     text_scale: 1.0,
 };
@@ -143,7 +149,9 @@ const DARK: Theme = Theme {
     accent: rgb(0x56_B4E9),
     accent_wash: rgb(0x1E_3140),
     signal: rgb(0xF0_8A3C),
+    signal_text: rgb(0xF0_8A3C),
     accepted: rgb(0x2B_C79A),
+    accepted_text: rgb(0x2B_C79A),
     discarded: rgb(0x77_818C),
     stroke_scale: 1.0,
     text_scale: 1.0,

@@ -3,9 +3,8 @@
 use egui::Pos2;
 
 use crate::{
-    figure::{Link, Mark, Shape},
-    geom::Axis,
-    paint::Viewport,
+    figure::{Link, Mark},
+    paint::{Part, Viewport, parts},
 };
 
 /// How near the pointer has to be to a line or a point, in points.
@@ -14,48 +13,38 @@ const REACH: f32 = 8.0;
 /// The link of the topmost mark with one within reach of a place on the screen.
 #[must_use]
 pub fn link_at(viewport: &Viewport, marks: &[Mark], at: Pos2) -> Option<Link> {
-    let hits = |mark: &&Mark| mark.link.is_some() && distance(viewport, &mark.shape, at) <= REACH;
-    // Points are drawn over lines, and are harder to hit.
-    let is_point =
-        |mark: &&Mark| matches!(mark.shape, Shape::Dot(_) | Shape::Ring(_) | Shape::Cross(_));
-    let topmost = || marks.iter().rev();
-    topmost()
-        .filter(is_point)
-        .find(hits)
-        .or_else(|| topmost().find(hits))
-        .and_then(|mark| mark.link)
-}
-
-fn distance(viewport: &Viewport, shape: &Shape, at: Pos2) -> f32 {
-    let screen = |p: [f64; 2]| viewport.to_screen(p);
-    match shape {
-        Shape::Segment([a, b])
-        | Shape::Arrow([a, b])
-        | Shape::Heading([a, b])
-        | Shape::Ray([a, b])
-        | Shape::Line([a, b])
-        | Shape::HalfPlane([a, b]) => distance_to_segment(at, screen(*a), screen(*b)),
-        Shape::Border(Axis::X, x) => (at.x - screen([*x, 0.0]).x).abs(),
-        Shape::Border(Axis::Y, y) => (at.y - screen([0.0, *y]).y).abs(),
-        Shape::Polygon(outline) | Shape::Outline(outline) => to_outline(viewport, outline, at),
-        Shape::Area(outlines) => outlines
-            .iter()
-            .map(|outline| to_outline(viewport, outline, at))
-            .fold(f32::INFINITY, f32::min),
-        Shape::Path(points) => points
-            .windows(2)
-            .map(|ends| distance_to_segment(at, screen(ends[0]), screen(ends[1])))
-            .fold(f32::INFINITY, f32::min),
-        Shape::Dot(p) | Shape::Ring(p) | Shape::Cross(p) => screen(*p).distance(at),
-        Shape::Region(_) | Shape::Crowd(_) | Shape::Textured(_) => f32::INFINITY,
+    let mut nearby = Vec::new();
+    for mark in marks.iter().rev() {
+        let Some(link) = mark.link else { continue };
+        for part in parts(viewport, &mark.shape) {
+            if distance(&part, at) <= REACH {
+                nearby.push((matches!(part, Part::Marker(..)), link));
+            }
+        }
     }
+    // Points are drawn over lines, and are harder to hit.
+    let point = nearby.iter().find(|(is_point, _)| *is_point);
+    point.or(nearby.first()).map(|&(_, link)| link)
 }
 
-fn to_outline(viewport: &Viewport, outline: &[[f64; 2]], at: Pos2) -> f32 {
-    let screen = |i: usize| viewport.to_screen(outline[i % outline.len()]);
-    (0..outline.len())
-        .map(|i| distance_to_segment(at, screen(i), screen(i + 1)))
-        .fold(f32::INFINITY, f32::min)
+fn distance(part: &Part<'_>, at: Pos2) -> f32 {
+    let to_line = |points: &[Pos2]| {
+        let edges = points.windows(2);
+        edges
+            .map(|ends| distance_to_segment(at, ends[0], ends[1]))
+            .fold(f32::INFINITY, f32::min)
+    };
+    match part {
+        Part::Stroke(points) => to_line(points),
+        Part::Ring(points) => {
+            let closing = [points.last().copied(), points.first().copied()];
+            let closing: Vec<Pos2> = closing.into_iter().flatten().collect();
+            to_line(points).min(to_line(&closing))
+        }
+        Part::Arrow(ends) | Part::Head(ends) => to_line(ends),
+        Part::Marker(_, centre) => centre.distance(at),
+        Part::Wash(_) | Part::Fill(_) | Part::Texture(_) | Part::Crowd(_) => f32::INFINITY,
+    }
 }
 
 /// Distance of a point from a segment, all on the screen.
@@ -76,7 +65,7 @@ mod tests {
     use egui::{Rect, pos2, vec2};
 
     use super::*;
-    use crate::figure::Role;
+    use crate::figure::{Role, Shape};
 
     #[test]
     fn the_topmost_mark_within_reach_is_found() {

@@ -13,7 +13,7 @@ use super::{Method, Scene, crowd::crowd};
 pub fn backdrop(scene: &Scene, method: Method, at_end: bool) -> Vec<Mark> {
     let region = scene.region(method);
     let outline = region.vertices().iter().map(|p| p.to_array()).collect();
-    let mut marks = vec![Mark::new(Role::Ink, Shape::Polygon(outline)).linked("window")];
+    let mut marks = vec![Mark::new(Role::Ink, Shape::Area(vec![outline])).linked("window")];
     marks.extend(crowd(scene, at_end));
     marks
 }

@@ -218,13 +218,14 @@ impl<'a> ClipEdge<'a> {
         [t, point]
     }
 
-    /// Its half-plane, shaded.
+    /// Its line, what lies outside it shaded, and inside it what holds there.
     pub fn mark(&self, role: Role) -> Mark {
+        let [a, b] = self.ends();
         let label: Value = match self.side() {
             Some(_) => self.inside().into(),
             None => self.name(),
         };
-        Mark::new(role, Shape::HalfPlane(self.ends()))
+        Mark::new(role, Shape::HalfPlane([b, a]))
             .labelled(label)
             .linked(self.link())
     }

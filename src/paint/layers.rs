@@ -1,0 +1,105 @@
+//! What lies over what: the parts of all marks in the order in which they are painted.
+
+use egui::{Pos2, vec2};
+
+use crate::figure::{Link, Mark, Role};
+
+use super::{
+    Theme, Viewport,
+    parts::{Part, parts},
+    pen::radius,
+};
+
+/// What lies over what, whatever the order of the marks; within a layer theirs holds.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Layer {
+    /// Shaded half-planes: the window's area covers them.
+    Wash,
+    /// Lines that may be missed do not cross the window.
+    Construction,
+    /// Areas.
+    Area,
+    /// What stands out glows under every stroke.
+    Glow,
+    /// Lines.
+    Stroke,
+    /// Arrows, and heads on lines.
+    Head,
+    /// Markers, over the strokes that meet in them.
+    Marker,
+}
+
+/// A part of a mark in its layer.
+#[derive(Clone, Debug)]
+pub struct Piece<'a> {
+    /// Its layer.
+    pub layer: Layer,
+    /// Whose part it is.
+    pub mark: &'a Mark,
+    /// Where and what.
+    pub part: Part<'a>,
+}
+
+/// An arrow's tip this near to a marker's centre points at the marker.
+const AT_MARKER: f32 = 1.5;
+/// White space between a tip and the marker that it points at.
+const GAP: f32 = 2.5;
+
+/// All parts of the marks, lowest first; arrows stop short of markers. What is about `lit` has a glow, too.
+#[must_use]
+pub fn pieces<'a>(
+    viewport: &Viewport,
+    theme: &Theme,
+    marks: &'a [Mark],
+    lit: Option<Link>,
+) -> Vec<Piece<'a>> {
+    let mut pieces = Vec::new();
+    for mark in marks {
+        let is_lit = lit.is_some() && mark.link == lit;
+        for part in parts(viewport, &mark.shape) {
+            let piece = |layer| Piece {
+                layer,
+                mark,
+                part: part.clone(),
+            };
+            pieces.extend(is_lit.then(|| piece(Layer::Glow)));
+            pieces.push(piece(layer_of(&part, mark.role)));
+        }
+    }
+    stop_short(theme, &mut pieces);
+    pieces.sort_by_key(|piece| piece.layer);
+    pieces
+}
+
+const fn layer_of(part: &Part<'_>, role: Role) -> Layer {
+    match part {
+        Part::Wash(_) => Layer::Wash,
+        Part::Fill(_) | Part::Texture(_) => Layer::Area,
+        Part::Stroke(_) | Part::Ring(_) if matches!(role, Role::Faint) => Layer::Construction,
+        Part::Crowd(_) | Part::Stroke(_) | Part::Ring(_) => Layer::Stroke,
+        Part::Arrow(_) | Part::Head(_) => Layer::Head,
+        Part::Marker(..) => Layer::Marker,
+    }
+}
+
+fn stop_short(theme: &Theme, pieces: &mut [Piece<'_>]) {
+    let markers: Vec<(Pos2, f32)> = pieces
+        .iter()
+        .filter_map(|piece| match piece.part {
+            Part::Marker(marker, at) => Some((at, radius(theme, marker, piece.mark.role))),
+            _ => None,
+        })
+        .collect();
+    for piece in pieces {
+        let Part::Arrow([from, tip]) = &mut piece.part else {
+            continue;
+        };
+        let met = markers
+            .iter()
+            .filter(|(at, _)| at.distance(*tip) <= AT_MARKER);
+        let room = met.map(|(_, radius)| radius + GAP).fold(0.0, f32::max);
+        let along = *tip - *from;
+        let short = along.normalized() * room.min(0.5 * along.length());
+        *tip -= vec2(short.x, short.y);
+    }
+}

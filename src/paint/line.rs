@@ -1,0 +1,111 @@
+//! Lines from point to point: solid with round joins, or dashed.
+
+use egui::{Painter, Pos2, Shape, Stroke};
+
+use super::cut::cut_to;
+
+/// Length of a dash and of the gap after it, as multiples of the pattern's scale, in points.
+const DASH: [f32; 2] = [6.0, 4.0];
+/// A line that would take more dashes is drawn solid: no dash could be told from the next.
+const MOST_DASHES: f32 = 4_000.0;
+/// Of more points than this, joins are too many to be seen one by one.
+const MOST_JOINS: usize = 1_000;
+/// Cosine of the turn past which a mitre would show: 45°.
+const SHARP: f32 = 0.7;
+/// Lines are cut this far outside the stage, so that no end shows.
+const BEYOND: f32 = 16.0;
+
+/// From point to point, and from the last to the first where it is closed.
+pub struct Line {
+    points: Vec<Pos2>,
+    is_closed: bool,
+}
+
+impl Line {
+    /// Points that coincide with the one before are left out.
+    pub fn new(points: &[Pos2], is_closed: bool) -> Self {
+        let mut points = points.to_vec();
+        points.dedup_by(|a, b| a.distance_sq(*b) < 1e-4);
+        let is_closed = is_closed && points.len() > 2;
+        if is_closed && points[0].distance_sq(points[points.len() - 1]) < 1e-4 {
+            points.pop();
+        }
+        Self { points, is_closed }
+    }
+
+    /// Draws it without gaps; turns are round.
+    pub fn draw(&self, painter: &Painter, stroke: Stroke) {
+        if let [a, b] = self.points[..] {
+            let seen = cut_to([a, b], painter.clip_rect().expand(BEYOND));
+            painter.extend(seen.map(|ends| Shape::line_segment(ends, stroke)));
+            return;
+        }
+        let turns = self.sharp_turns();
+        if !turns.is_empty() && self.points.len() <= MOST_JOINS {
+            for run in self.between(&turns) {
+                painter.add(Shape::line(run, stroke));
+            }
+            // egui's own joins are mitred: a needle at an acute vertex.
+            for turn in turns {
+                painter.circle_filled(self.points[turn], 0.5 * stroke.width, stroke.color);
+            }
+        } else if self.is_closed {
+            painter.add(Shape::closed_line(self.points.clone(), stroke));
+        } else if self.points.len() > 1 {
+            painter.add(Shape::line(self.points.clone(), stroke));
+        }
+    }
+
+    /// Draws it with gaps, whose pattern grows with `scale`.
+    pub fn dash(&self, painter: &Painter, stroke: Stroke, scale: f32) {
+        let [dash, gap] = DASH.map(|length| length * scale);
+        let whole = self.around(0);
+        let length: f32 = whole.windows(2).map(|e| e[0].distance(e[1])).sum();
+        if length <= MOST_DASHES * (dash + gap) && self.points.len() != 2 {
+            painter.extend(Shape::dashed_line(&whole, stroke, dash, gap));
+        } else if self.points.len() <= MOST_JOINS {
+            let stage = painter.clip_rect().expand(BEYOND);
+            for ends in whole.windows(2) {
+                if let Some(ends) = cut_to([ends[0], ends[1]], stage) {
+                    painter.extend(Shape::dashed_line(&ends, stroke, dash, gap));
+                }
+            }
+        } else {
+            self.draw(painter, stroke);
+        }
+    }
+
+    /// All points beginning with this one, and this one again at the end where it is closed.
+    fn around(&self, first: usize) -> Vec<Pos2> {
+        let n = self.points.len();
+        let n_ends = if self.is_closed { n + 1 } else { n };
+        (0..n_ends).map(|i| self.points[(first + i) % n]).collect()
+    }
+
+    fn sharp_turns(&self) -> Vec<usize> {
+        let n = self.points.len();
+        let inner = if self.is_closed {
+            0..n
+        } else {
+            1..n.max(2) - 1
+        };
+        let is_sharp = |&i: &usize| {
+            let [before, at, after] = [i + n - 1, i, i + 1].map(|i| self.points[i % n]);
+            (at - before).normalized().dot((after - at).normalized()) < SHARP
+        };
+        inner.filter(is_sharp).collect()
+    }
+
+    /// The runs from each of these places to the next; an open line's from its first point and to its last.
+    fn between(&self, turns: &[usize]) -> Vec<Vec<Pos2>> {
+        let first = if self.is_closed { turns[0] } else { 0 };
+        let whole = self.around(first);
+        let mut cuts: Vec<usize> = turns.iter().map(|turn| turn - first).collect();
+        cuts.insert(0, 0);
+        cuts.push(whole.len() - 1);
+        cuts.windows(2)
+            .filter(|ends| ends[0] < ends[1])
+            .map(|ends| whole[ends[0]..=ends[1]].to_vec())
+            .collect()
+    }
+}

@@ -1,0 +1,171 @@
+//! What a shape comes to on the screen. The painter, the labels and the pointer all ask here, so that what is drawn is
+//! also what labels keep off and what can be pointed at.
+
+use egui::{Pos2, Rect, Vec2, pos2, vec2};
+
+use crate::{
+    figure::{Shape, Texel},
+    geom::Axis,
+};
+
+use super::{Viewport, pen::HEAD};
+
+/// Radius of the arc of an angle, and side of the square of a right one, in points.
+const ARC_RADIUS: f32 = 32.0;
+const SQUARE_SIDE: f32 = 9.0;
+/// Directions along an arc that two neighbouring points of it have between them, at most.
+const ARC_STEP_RAD: f32 = 0.1;
+/// An edge shorter than this has no room for a head in its middle.
+const LEAST_HEADED: f32 = 27.0;
+
+/// A piece of a shape, in points on the screen.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Part<'a> {
+    /// A half-plane's shade, convex.
+    Wash(Vec<Pos2>),
+    /// What an odd number of outlines goes round, in world coordinates.
+    Fill(&'a [Vec<[f64; 2]>]),
+    /// Textured triangles, in world coordinates.
+    Texture(&'a [[Texel; 3]]),
+    /// Many segments, in world coordinates.
+    Crowd(&'a [[[f64; 2]; 2]]),
+    /// From point to point.
+    Stroke(Vec<Pos2>),
+    /// From point to point and back to the first.
+    Ring(Vec<Pos2>),
+    /// A shaft with a head at its end.
+    Arrow([Pos2; 2]),
+    /// A head alone, its tip at the second point.
+    Head([Pos2; 2]),
+    /// A mark of constant size at a point.
+    Marker(Marker, Pos2),
+}
+
+/// Marks of constant size.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Marker {
+    /// Filled.
+    Dot,
+    /// Hollow.
+    Circle,
+    /// Two strokes.
+    Cross,
+    /// A head with its flat side at the point, in this direction.
+    Bound(Vec2),
+}
+
+/// The parts of a shape, those that lie under others first. Lines without ends reach beyond the stage.
+#[must_use]
+pub fn parts<'a>(viewport: &Viewport, shape: &'a Shape) -> Vec<Part<'a>> {
+    let at = |p: &[f64; 2]| viewport.to_screen(*p);
+    let all = |points: &[[f64; 2]]| points.iter().map(at).collect::<Vec<_>>();
+    match shape {
+        Shape::Segment(ends) => vec![Part::Stroke(all(ends))],
+        Shape::Arrow([a, b]) => vec![Part::Arrow([at(a), at(b)])],
+        Shape::Heading([a, b]) => heading(at(a), at(b)).into_iter().collect(),
+        Shape::Border(axis, c) => vec![Part::Stroke(border(viewport, *axis, *c).to_vec())],
+        Shape::Line([a, b]) => {
+            let reach = reach(viewport.rect, at(a), at(b));
+            vec![Part::Stroke(vec![at(a) - reach, at(b) + reach])]
+        }
+        Shape::Ray([a, b]) => {
+            let end = at(b) + reach(viewport.rect, at(a), at(b));
+            vec![Part::Stroke(vec![at(a), end])]
+        }
+        Shape::Area(outlines) => {
+            let rings = outlines.iter().map(|outline| Part::Ring(all(outline)));
+            std::iter::once(Part::Fill(outlines)).chain(rings).collect()
+        }
+        Shape::Outline(outline) => vec![Part::Ring(all(outline))],
+        Shape::Path(points) => vec![Part::Stroke(all(points))],
+        Shape::HalfPlane([a, b]) => {
+            let reach = reach(viewport.rect, at(a), at(b));
+            let line = vec![at(a) - reach, at(b) + reach];
+            vec![wash(viewport.rect, at(a), at(b)), Part::Stroke(line)]
+        }
+        Shape::Wash([a, b]) => vec![wash(viewport.rect, at(a), at(b))],
+        Shape::Textured(triangles) => vec![Part::Texture(triangles)],
+        Shape::Dot(p) => vec![Part::Marker(Marker::Dot, at(p))],
+        Shape::Ring(p) => vec![Part::Marker(Marker::Circle, at(p))],
+        Shape::Cross(p) => vec![Part::Marker(Marker::Cross, at(p))],
+        Shape::Bound([a, b]) => {
+            let along = (at(b) - at(a)).normalized();
+            vec![Part::Marker(Marker::Bound(along), at(a))]
+        }
+        Shape::Angle([apex, a, b]) => vec![Part::Stroke(arc(at(apex), at(a), at(b)))],
+        Shape::RightAngle([apex, a, b]) => {
+            let [a, b] = [a, b].map(|p| (at(p) - at(apex)).normalized() * SQUARE_SIDE);
+            vec![Part::Stroke(vec![
+                at(apex) + a,
+                at(apex) + a + b,
+                at(apex) + b,
+            ])]
+        }
+        Shape::Crowd(segments) => vec![Part::Crowd(segments)],
+        Shape::Region(_) => Vec::new(),
+    }
+}
+
+/// The part of a world rectangle, possibly without end, that is on the stage.
+#[must_use]
+pub fn visible(viewport: &Viewport, [a, b]: [[f64; 2]; 2]) -> Rect {
+    let rect = viewport.rect;
+    let along = |i: usize, value: f64, min: f32, max: f32| {
+        if value == f64::NEG_INFINITY {
+            if i == 0 { min } else { max }
+        } else if value == f64::INFINITY {
+            if i == 0 { max } else { min }
+        } else {
+            let at = viewport.to_screen([value, value]);
+            let on_screen = if i == 0 { at.x } else { at.y };
+            on_screen.clamp(min, max)
+        }
+    };
+    let x = [a[0], b[0]].map(|v| along(0, v, rect.left(), rect.right()));
+    let y = [b[1], a[1]].map(|v| along(1, v, rect.top(), rect.bottom()));
+    Rect::from_min_max(pos2(x[0], y[0]), pos2(x[1], y[1]))
+}
+
+fn border(viewport: &Viewport, axis: Axis, c: f64) -> [Pos2; 2] {
+    let (rect, at) = (viewport.rect, viewport.to_screen([c, c]));
+    match axis {
+        Axis::X => [pos2(at.x, rect.top()), pos2(at.x, rect.bottom())],
+        Axis::Y => [pos2(rect.left(), at.y), pos2(rect.right(), at.y)],
+    }
+}
+
+/// A step along a → b that leaves the stage from anywhere on it.
+fn reach(stage: Rect, a: Pos2, b: Pos2) -> Vec2 {
+    let size = stage.size();
+    (b - a).normalized() * (size.x + size.y + (b - a).length())
+}
+
+/// What lies to the left of a → b on the world's plane, whose y points up: to the right of it in the screen's
+/// numbers, to the left as it is seen.
+fn wash<'a>(stage: Rect, a: Pos2, b: Pos2) -> Part<'a> {
+    let along = reach(stage, a, b);
+    let left = vec2(along.y, -along.x);
+    Part::Wash(vec![
+        a - along,
+        b + along,
+        b + along + left,
+        a - along + left,
+    ])
+}
+
+fn heading<'a>(a: Pos2, b: Pos2) -> Option<Part<'a>> {
+    (a.distance(b) > LEAST_HEADED).then(|| {
+        let half = (b - a).normalized() * HEAD / 2.0;
+        Part::Head([a, a.lerp(b, 0.5) + half])
+    })
+}
+
+fn arc(apex: Pos2, a: Pos2, b: Pos2) -> Vec<Pos2> {
+    let from = (a - apex).angle();
+    let turn = (b - apex).angle() - from;
+    let turn = turn - std::f32::consts::TAU * (turn / std::f32::consts::TAU).round();
+    let n = (turn.abs() / ARC_STEP_RAD).ceil().max(1.0);
+    (0..=n as usize)
+        .map(|i| apex + Vec2::angled(from + turn * i as f32 / n) * ARC_RADIUS)
+        .collect()
+}

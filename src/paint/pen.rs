@@ -1,0 +1,152 @@
+//! What each role is drawn with: colour, weight and dash. No two roles differ by hue alone.
+
+use egui::{Color32, Stroke};
+
+use crate::figure::{Mark, Role, Shape};
+
+use super::{Theme, parts::Marker};
+
+/// Length of an arrowhead, in points.
+pub const HEAD: f32 = 9.0;
+const DOT_RADIUS: f32 = 5.5;
+/// A given vertex, whose place matters and not what happens there.
+const SMALL_DOT_RADIUS: f32 = 3.5;
+const RING_RADIUS: f32 = 6.5;
+const CROSS_RADIUS: f32 = 6.0;
+
+/// Up to this number the segments out of focus are part of the point that is made, and as strong as the one in focus.
+const FEW: usize = 3;
+/// Up to this number, segments out of focus can be told apart.
+const FEW_ENOUGH: usize = 2_000;
+
+/// What a mark is drawn with.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Pen {
+    /// Of lines, heads and markers.
+    pub stroke: Stroke,
+    /// Are its lines dashed?
+    pub is_dashed: bool,
+    /// Of areas.
+    pub wash: Color32,
+    /// Of its label.
+    pub text: Color32,
+}
+
+impl Pen {
+    /// For a mark.
+    #[must_use]
+    pub fn of(theme: &Theme, mark: &Mark) -> Self {
+        let colour = match mark.shape {
+            Shape::Segment(_) if mark.role == Role::Discarded => theme.soft,
+            _ => stroke_colour(theme, mark.role),
+        };
+        let is_dashed = mark.is_dashed || matches!(mark.role, Role::Discarded | Role::Faint);
+        Self {
+            stroke: theme.stroke(width(mark), colour),
+            is_dashed,
+            wash: wash(theme, mark.role),
+            text: text_colour(theme, mark.role),
+        }
+    }
+
+    /// For a crowd: the more there are, the quieter each is, so that the focused segment stays in front.
+    #[must_use]
+    pub fn of_crowd(theme: &Theme, mark: &Mark, n: usize) -> Self {
+        let pen = Self::of(theme, mark);
+        let is_living = mark.role == Role::Accent;
+        let (width, strength) = match n {
+            ..=FEW => (3.0, 1.0),
+            ..=50 => (if is_living { 2.0 } else { 1.25 }, 1.0),
+            ..=FEW_ENOUGH => (if is_living { 2.0 } else { 1.0 }, 0.35),
+            // So many cover every point several times over: what lies beneath still shows.
+            n => (1.0, 0.35 * (FEW_ENOUGH as f32 / n as f32).powf(0.75)),
+        };
+        Self {
+            stroke: theme.stroke(width, pen.stroke.color.gamma_multiply(strength)),
+            is_dashed: pen.is_dashed && n <= FEW,
+            ..pen
+        }
+    }
+}
+
+/// Of lines and markers: at least 3 : 1 on every ground.
+#[must_use]
+pub const fn stroke_colour(theme: &Theme, role: Role) -> Color32 {
+    match role {
+        Role::Ink => theme.ink,
+        Role::Soft => theme.soft,
+        Role::Accent => theme.accent,
+        Role::Signal => theme.signal,
+        Role::Accepted => theme.accepted,
+        Role::Faint | Role::Discarded => theme.discarded,
+    }
+}
+
+/// Of labels: at least 4.5 : 1 on the stage.
+#[must_use]
+pub const fn text_colour(theme: &Theme, role: Role) -> Color32 {
+    match role {
+        Role::Ink => theme.ink,
+        Role::Accent => theme.accent,
+        Role::Signal => theme.signal_text,
+        Role::Accepted => theme.accepted_text,
+        Role::Soft | Role::Faint | Role::Discarded => theme.soft,
+    }
+}
+
+/// Of areas. The window's is opaque: no other wash is blended with it. What is kept is a step stronger than what is
+/// discarded.
+fn wash(theme: &Theme, role: Role) -> Color32 {
+    let strength = match role {
+        Role::Ink => return theme.accent_wash,
+        Role::Accent | Role::Accepted => 0.2,
+        Role::Signal => 0.1,
+        Role::Soft | Role::Faint | Role::Discarded => 0.08,
+    };
+    stroke_colour(theme, role).gamma_multiply(strength)
+}
+
+/// Of a mark's lines, in points before the theme's factor.
+fn width(mark: &Mark) -> f32 {
+    let role = mark.role;
+    let is_living = matches!(role, Role::Accent | Role::Accepted | Role::Signal);
+    match &mark.shape {
+        Shape::Angle(_) | Shape::RightAngle(_) => 1.25,
+        _ if role == Role::Faint => 1.0,
+        Shape::Segment(_) if role != Role::Soft => 3.0,
+        Shape::Path(_) if is_living || mark.is_dashed => 3.0,
+        Shape::Arrow(_) => 2.5,
+        Shape::Cross(_) if role == Role::Discarded => 1.75,
+        Shape::Segment(_)
+        | Shape::Path(_)
+        | Shape::Cross(_)
+        | Shape::Heading(_)
+        | Shape::Border(..)
+        | Shape::Line(_)
+        | Shape::Ray(_)
+        | Shape::Area(_)
+        | Shape::Outline(_)
+        | Shape::HalfPlane(_)
+        | Shape::Wash(_)
+        | Shape::Textured(_)
+        | Shape::Dot(_)
+        | Shape::Ring(_)
+        | Shape::Bound(_)
+        | Shape::Crowd(_)
+        | Shape::Region(_) => 2.0,
+    }
+}
+
+/// Room that a marker takes around its point, in points; a bound reaches to one side only.
+#[must_use]
+pub fn radius(theme: &Theme, marker: Marker, role: Role) -> f32 {
+    let is_small = matches!(role, Role::Soft | Role::Faint);
+    let radius = match marker {
+        Marker::Dot if is_small => SMALL_DOT_RADIUS,
+        Marker::Dot => DOT_RADIUS,
+        Marker::Circle => RING_RADIUS,
+        Marker::Cross => CROSS_RADIUS,
+        Marker::Bound(_) => HEAD,
+    };
+    radius * theme.stroke_scale.sqrt()
+}
