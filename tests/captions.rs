@@ -5,10 +5,10 @@
 )]
 
 use clipscope::{
-    figure::Body,
+    figure::{Body, Run},
     geom::{Polygon, Segment, Window},
     labs::{
-        Lab, Scene,
+        LABS, MethodCard, Scene,
         lines::{self, Method},
         polygons,
     },
@@ -169,10 +169,19 @@ fn said_in(body: &Body, catalog: &Catalog) -> Vec<String> {
     }
 }
 
+fn record(scene: &Scene) -> Vec<(&'static MethodCard, Box<dyn Run>)> {
+    let document = scene.document();
+    document
+        .methods()
+        .into_iter()
+        .zip(document.record())
+        .collect()
+}
+
 #[test]
 fn nothing_that_is_said_is_missing_from_a_catalogue() {
     for scene in scenes() {
-        for (card, run) in scene.methods().into_iter().zip(scene.record()) {
+        for (card, run) in record(&scene) {
             for step in 0..=run.n_steps() {
                 let frame = run.frame(step);
                 for lang in Lang::ALL {
@@ -202,7 +211,7 @@ fn nothing_that_is_said_is_missing_from_a_catalogue() {
 
 #[test]
 fn every_method_has_its_pseudocode_in_every_language() {
-    let cards = Lab::ALL.into_iter().flat_map(Lab::methods);
+    let cards = LABS.into_iter().flat_map(|lab| lab.methods());
     for (card, lang) in cards.flat_map(|card| Lang::ALL.map(|lang| (card, lang))) {
         let catalog = Catalog::of(lang);
         for line in card.code {
@@ -216,7 +225,7 @@ fn every_method_has_its_pseudocode_in_every_language() {
 #[test]
 fn every_step_has_a_line_of_pseudocode() {
     for scene in scenes() {
-        for (card, run) in scene.methods().into_iter().zip(scene.record()) {
+        for (card, run) in record(&scene) {
             for step in 1..=run.n_steps() {
                 let line = run.frame(step).code_line;
                 assert!(
@@ -233,7 +242,7 @@ fn every_step_has_a_line_of_pseudocode() {
 fn decisions_carry_numbers_or_names_of_the_step() {
     // A decision without an argument says the same at every step: its arithmetic must carry the numbers.
     for scene in scenes() {
-        for (card, run) in scene.methods().into_iter().zip(scene.record()) {
+        for (card, run) in record(&scene) {
             for step in 1..=run.n_steps() {
                 let caption = run.frame(step).caption;
                 assert!(

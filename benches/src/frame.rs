@@ -4,8 +4,11 @@ use std::f32::consts::TAU;
 
 use clipscope::{
     app::Command,
-    labs::Lab,
-    panels::{Edit, lines::LinesEdit, polygons::PolygonsEdit},
+    labs::{
+        Edit,
+        lines::LinesChange,
+        polygons::{self, PolygonsChange},
+    },
 };
 use egui::{Event, Key, vec2};
 
@@ -168,7 +171,7 @@ pub fn run() {
         ("100,000 segments, clipped", usize::MAX),
     ] {
         for doing in [Doing::Nothing, Doing::Hovering, Doing::Dragging] {
-            let mut desk = edited(Edit::Lines(LinesEdit::Random {
+            let mut desk = edited(Edit::own(LinesChange::Random {
                 count: N_CROWD,
                 seed: 1,
             }));
@@ -179,9 +182,9 @@ pub fn run() {
     }
     for doing in Doing::OF_A_POLYGON {
         let mut desk = Desk::at(CUTTING[0], CUTTING[1]);
-        desk.apply(Command::Lab(Lab::Polygons));
+        desk.apply(Command::Lab(polygons::LAB.id()));
         desk.apply(Command::Edit(
-            Edit::Polygons(PolygonsEdit::Random {
+            Edit::own(PolygonsChange::Random {
                 count: N_VERTICES,
                 seed: 1,
             }),

@@ -3,13 +3,8 @@
 use egui::Context;
 
 use crate::{
-    labs::{Handle, Lab},
-    lesson::scene_to_toml,
-    panels::{
-        Edit,
-        polygons::{Outline, Sketch},
-    },
-    text::{Catalog, Message, Value},
+    labs::{Edit, OutlineKind, Sketch},
+    text::{Catalog, Diagnostic, Message, Value},
 };
 
 use super::{
@@ -28,20 +23,25 @@ impl App {
             Command::Edit(edit, gesture) => self.edit(edit, gesture, now),
             Command::Add => {
                 self.edit(Edit::Add(self.stage.chosen()), None, now);
-                // The new vertex comes after it: another one is put in after that.
-                self.stage.selected = self.stage.selected.map(Handle::next);
             }
             Command::Remove => {
                 self.edit(Edit::Remove(self.stage.chosen()), None, now);
                 self.stage.selected = None;
             }
             Command::Select(handle) => self.stage.selected = Some(handle),
-            Command::Draw(_) | Command::Place(_) | Command::TakeBack | Command::CloseOutline => {
-                self.sketch(ctx, &command, now);
+            Command::DrawNth(nth) => {
+                let outlines = self.document.now().document().lab().outlines();
+                if let Some(outline) = outlines.get(nth) {
+                    self.draw(ctx, outline, now);
+                }
+            }
+            Command::Draw(outline) => self.draw(ctx, outline, now),
+            Command::Place(_) | Command::TakeBack | Command::CloseOutline => {
+                self.sketch(&command, now);
             }
             // Half an outline has a past of its own.
             Command::Undo if self.stage.sketch.is_some() => {
-                self.sketch(ctx, &Command::TakeBack, now);
+                self.sketch(&Command::TakeBack, now);
             }
             Command::EndGesture => self.document.end_gesture(),
             Command::Undo => self.travel(|app| app.document.undo()),
@@ -104,12 +104,15 @@ impl App {
     }
 
     fn edit(&mut self, edit: Edit, gesture: Option<Gesture>, now: f64) {
-        let size = self.document.now().size();
+        let size = self.document.now().document().size();
         let is_drag = matches!(edit, Edit::Drag(..));
         let fits = edit.brings_another();
-        let changed = self
-            .document
-            .edit(gesture, now, size, |scene| edit.apply(scene));
+        let mut selected = None;
+        let changed = self.document.edit(gesture, now, size, |scene| {
+            selected = edit.apply(scene)?;
+            Ok(())
+        });
+        self.stage.selected = selected.or(self.stage.selected);
         match changed {
             Ok(true) => {
                 if is_drag && self.document.is_in_gesture() {
@@ -124,43 +127,31 @@ impl App {
             Ok(false) => {}
             // A handle that cannot go there stays where it is: that is answer enough.
             Err(_) if is_drag => {}
-            Err(error) => {
-                let text = self.catalog().message(&error.message());
-                self.notices.push(Notice::passing(text, now));
-            }
-        }
-    }
-
-    /// The name of what no method on stage can use.
-    fn useless(&self, outline: Outline) -> Option<Value> {
-        let scene = self.document.now().as_polygons()?;
-        match outline {
-            Outline::Clip if !scene.clips() => Some(Value::Term("part-clip")),
-            Outline::Hole if !scene.knows_holes() => Some(Value::Term("part-hole")),
-            _ => None,
-        }
-    }
-
-    /// Draws an outline: the scene changes when it is closed.
-    fn sketch(&mut self, ctx: &Context, command: &Command, now: f64) {
-        if self.document.now().lab() != Lab::Polygons {
-            return;
-        }
-        if let Command::Draw(outline) = *command {
-            if let Some(part) = self.useless(outline) {
-                let message = Message::new("draw-no-use").with("part", part);
+            Err(Diagnostic { message, .. }) => {
                 let text = self.catalog().message(&message);
                 self.notices.push(Notice::passing(text, now));
-                return;
             }
-            self.stage.sketch = Some(Sketch::new(outline));
-            self.stage.selected = None;
-            self.shown.room = Room::Stage;
-            self.playback.transport_mut().pause();
-            // Enter closes the outline: it must not press a button.
-            ctx.memory_mut(egui::Memory::stop_text_input);
+        }
+    }
+
+    /// Begins an outline, if a method on stage can use it.
+    fn draw(&mut self, ctx: &Context, outline: &'static OutlineKind, now: f64) {
+        if !(outline.is_of_use)(self.document.now()) {
+            let message = Message::new("draw-no-use").with("part", Value::Term(outline.part_key));
+            let text = self.catalog().message(&message);
+            self.notices.push(Notice::passing(text, now));
             return;
         }
+        self.stage.sketch = Some(Sketch::new(outline));
+        self.stage.selected = None;
+        self.shown.room = Room::Stage;
+        self.playback.transport_mut().pause();
+        // Enter closes the outline: it must not press a button.
+        ctx.memory_mut(egui::Memory::stop_text_input);
+    }
+
+    /// Goes on with an outline: the scene changes when it is closed.
+    fn sketch(&mut self, command: &Command, now: f64) {
         let Some(sketch) = &mut self.stage.sketch else {
             return;
         };
@@ -168,9 +159,9 @@ impl App {
             Command::Place(at) => sketch.place(at),
             Command::TakeBack if !sketch.take_back() => self.stage.sketch = None,
             Command::CloseOutline => {
-                if let Some(edit) = sketch.edit() {
+                if let Some(change) = sketch.change() {
                     self.stage.sketch = None;
-                    self.edit(Edit::Polygons(edit), None, now);
+                    self.edit(Edit::Own(change), None, now);
                 }
             }
             _ => {}
@@ -178,13 +169,16 @@ impl App {
     }
 
     /// The first lesson of a lab; its own first scene where the course has none.
-    fn open_lab(&mut self, lab: Lab) {
+    fn open_lab(&mut self, lab: &str) {
         let lessons = self.place.lessons();
         if let Some(lesson_idx) = lessons.iter().position(|lesson| lesson.lab == lab) {
             self.place.open(lesson_idx, 0);
             self.enter_step();
         } else {
-            self.show_scene(lab.first_scene());
+            let mut labs = self.kit.panels.iter().map(|panel| panel.lab());
+            if let Some(lab) = labs.find(|known| known.id() == lab) {
+                self.show_scene(lab.first_scene());
+            }
         }
     }
 
@@ -205,7 +199,7 @@ impl App {
             .step()
             .map(|step| (step.scene.clone(), step.position));
         if let Some((scene, position)) = wanted {
-            let replace = Edit::Replace(Box::new((*scene).clone()));
+            let replace = Edit::Replace((*scene).clone());
             self.edit(replace, None, now);
             self.playback.transport_mut().seek(position);
         } else {
@@ -231,7 +225,7 @@ impl App {
             Command::Snap(snap) => self.settings.snap = snap,
             Command::Measure(open) => {
                 // Only the lines lab has methods that give the same answer to compare.
-                self.lab.is_measuring = open && self.document.now().lab() == Lab::Lines;
+                self.shown.is_measuring = open && self.measures();
             }
             Command::Dismiss => self.notices.clear(),
             _ => {}
@@ -242,7 +236,7 @@ impl App {
         if self.shown.dialog.take().is_some() || self.stage.sketch.take().is_some() {
             return;
         }
-        if std::mem::take(&mut self.lab.is_measuring) {
+        if std::mem::take(&mut self.shown.is_measuring) {
             return;
         }
         if !self.notices.is_empty() {
@@ -260,6 +254,7 @@ impl App {
             let stem = step.unwrap_or_else(|| {
                 app.document
                     .now()
+                    .document()
                     .methods()
                     .first()
                     .map_or_else(String::new, |card| card.id.to_owned())
@@ -300,7 +295,7 @@ impl App {
     }
 
     fn save(&mut self, path: &str, now: f64) -> Notice {
-        let text = scene_to_toml(self.document.now());
+        let text = self.kit.formats.write(self.document.now());
         let written = self.platform.write(path, text.as_bytes());
         self.reported(path, written, ["status-saved", "status-save-failed"], now)
     }

@@ -3,13 +3,10 @@
 use egui::{Align, Button, Layout, Rect, RichText, Ui, UiBuilder, pos2, vec2};
 
 use crate::{
-    labs::{Lab, Scene},
+    labs::Lab,
     lesson::CodeView,
     paint::theme,
-    panels::{
-        Edit, compare_picker, lines, method_picker,
-        polygons::{self, PolygonsAsk},
-    },
+    panels::{LabPanel, PanelAsk, compare_picker, method_picker, panel_of},
     text::{Message, Value},
     widgets::{
         Icon, Press, Timeline, caption_text, icon_button, language_menu, speed_menu, theme_menu,
@@ -18,7 +15,7 @@ use crate::{
 };
 
 use super::{
-    Command, Fields,
+    Command,
     layout::{Room, SIDES, transport_has_room},
     model::Model,
 };
@@ -27,7 +24,7 @@ use super::{
 pub fn top(
     model: &Model<'_>,
     ui: &mut Ui,
-    fields: &mut Fields,
+    panels: &mut [Box<dyn LabPanel>],
     room: Room,
     course_width: f32,
     commands: &mut Vec<Command>,
@@ -38,9 +35,9 @@ pub fn top(
         ui.spacing_mut().item_spacing.x = 4.0;
         if model.is_narrow {
             sides(model, ui, room, commands);
-            icon_menu(model, ui, fields, commands);
+            icon_menu(model, ui, panels, commands);
         } else {
-            menus(model, ui, fields, commands);
+            menus(model, ui, panels, commands);
         }
         let right = ui.available_rect_before_wrap().right();
         let left = Rect::from_min_max(bar.min, pos2(right - 8.0, bar.bottom()));
@@ -59,8 +56,8 @@ pub fn top(
                 } else {
                     24.0
                 });
-                for lab in Lab::ALL {
-                    tab(model, ui, lab, bar, commands);
+                for panel in &*panels {
+                    tab(model, ui, panel.lab(), bar, commands);
                     ui.add_space(12.0);
                 }
                 ui.add_space(4.0);
@@ -71,8 +68,14 @@ pub fn top(
 }
 
 /// A lab; underlined where it is open.
-fn tab(model: &Model<'_>, ui: &mut Ui, lab: Lab, bar: Rect, commands: &mut Vec<Command>) {
-    let (look, is_open) = (model.look, model.scene.lab() == lab);
+fn tab(
+    model: &Model<'_>,
+    ui: &mut Ui,
+    lab: &'static dyn Lab,
+    bar: Rect,
+    commands: &mut Vec<Command>,
+) {
+    let (look, is_open) = (model.look, model.scene.document().lab() == lab);
     let colour = if is_open {
         look.theme.accent
     } else {
@@ -87,7 +90,7 @@ fn tab(model: &Model<'_>, ui: &mut Ui, lab: Lab, bar: Rect, commands: &mut Vec<C
         let line = Rect::from_x_y_ranges(label.rect.x_range(), bar.bottom() - 2.0..=bar.bottom());
         ui.painter().rect_filled(line, 0.0, look.theme.accent);
     } else if label.clicked() {
-        commands.push(Command::Lab(lab));
+        commands.push(Command::Lab(lab.id()));
     }
 }
 
@@ -101,7 +104,12 @@ fn pickers(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
 }
 
 /// From right to left.
-fn menus(model: &Model<'_>, ui: &mut Ui, fields: &mut Fields, commands: &mut Vec<Command>) {
+fn menus(
+    model: &Model<'_>,
+    ui: &mut Ui,
+    panels: &mut [Box<dyn LabPanel>],
+    commands: &mut Vec<Command>,
+) {
     let look = model.look;
     if ui.button(look.say("action-present")).clicked() {
         commands.push(Command::Present);
@@ -113,7 +121,7 @@ fn menus(model: &Model<'_>, ui: &mut Ui, fields: &mut Fields, commands: &mut Vec
         commands.extend(language_menu(ui, model.settings.lang).map(Command::Language));
     });
     ui.menu_button(look.say("panel-scene"), |ui| {
-        scene(model, ui, fields, commands);
+        scene(model, ui, panels, commands);
     });
     if !(model.settings.course && model.settings.inspector) {
         sides(model, ui, Room::Stage, commands);
@@ -121,20 +129,26 @@ fn menus(model: &Model<'_>, ui: &mut Ui, fields: &mut Fields, commands: &mut Vec
 }
 
 /// Everything that the wide bar holds, behind one button.
-fn icon_menu(model: &Model<'_>, ui: &mut Ui, fields: &mut Fields, commands: &mut Vec<Command>) {
+fn icon_menu(
+    model: &Model<'_>,
+    ui: &mut Ui,
+    panels: &mut [Box<dyn LabPanel>],
+    commands: &mut Vec<Command>,
+) {
     let look = model.look;
     let button = icon_button(ui, look, Icon::More, &look.say("menu-more"), true);
     egui::Popup::menu(&button).show(|ui| {
-        for lab in Lab::ALL {
-            let is_open = model.scene.lab() == lab;
+        for panel in &*panels {
+            let lab = panel.lab();
+            let is_open = model.scene.document().lab() == lab;
             if ui.radio(is_open, look.say(lab.name_key())).clicked() && !is_open {
-                commands.push(Command::Lab(lab));
+                commands.push(Command::Lab(lab.id()));
                 ui.close();
             }
         }
         ui.separator();
         ui.menu_button(look.say("panel-scene"), |ui| {
-            scene(model, ui, fields, commands);
+            scene(model, ui, panels, commands);
         });
         ui.menu_button(look.say("settings-theme"), |ui| {
             commands.extend(theme_menu(ui, look).map(Command::Theme));
@@ -167,18 +181,19 @@ fn sides(model: &Model<'_>, ui: &mut Ui, room: Room, commands: &mut Vec<Command>
     }
 }
 
-fn scene(model: &Model<'_>, ui: &mut Ui, fields: &mut Fields, commands: &mut Vec<Command>) {
+fn scene(
+    model: &Model<'_>,
+    ui: &mut Ui,
+    panels: &mut [Box<dyn LabPanel>],
+    commands: &mut Vec<Command>,
+) {
     let look = model.look;
-    commands.extend(match model.scene {
-        Scene::Lines(scene) => lines::scene_menu(ui, look, scene, &mut fields.batch)
-            .map(|edit| Command::Edit(Edit::Lines(edit), None)),
-        Scene::Polygons(scene) => {
-            polygons::scene_menu(ui, look, scene, &mut fields.random).map(|asked| match asked {
-                PolygonsAsk::Edit(edit) => Command::Edit(Edit::Polygons(edit), None),
-                PolygonsAsk::Draw(outline) => Command::Draw(outline),
-            })
-        }
-    });
+    let panel = panel_of(panels, model.scene);
+    let asked = panel.and_then(|panel| panel.menu(ui, look, model.scene));
+    commands.extend(asked.map(|asked| match asked {
+        PanelAsk::Edit(edit) => Command::Edit(edit, None),
+        PanelAsk::Draw(outline) => Command::Draw(outline),
+    }));
     let mut snap = model.settings.snap;
     if ui.checkbox(&mut snap, look.say("settings-snap")).changed() {
         commands.push(Command::Snap(snap));
@@ -210,13 +225,11 @@ fn scene(model: &Model<'_>, ui: &mut Ui, fields: &mut Fields, commands: &mut Vec
     ui.separator();
     action(ui, "action-save", "Ctrl+S", true, Command::Save);
     action(ui, "action-export", "Ctrl+E", true, Command::Export);
-    // Only the lines lab has methods that give the same answer to compare.
-    let measures = model.scene.lab() == Lab::Lines;
     action(
         ui,
         "cost-measure",
         "Ctrl+M",
-        measures,
+        model.measures,
         Command::Measure(true),
     );
     action(ui, "action-help", "?", true, Command::Help);

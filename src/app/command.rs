@@ -4,10 +4,9 @@ use egui::{Key, Modifiers};
 
 use crate::{
     figure::ViewId,
-    labs::{Handle, Lab},
+    labs::{Edit, Handle, OutlineKind},
     lesson::CodeView,
     paint::ThemeKind,
-    panels::{Edit, polygons::Outline},
     text::Lang,
     widgets::PanZoom,
 };
@@ -15,7 +14,7 @@ use crate::{
 use super::{dialog::Dialog, document::Gesture};
 
 /// Something to be done: applied between frames, whether a key, a button or a drag asked for it.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, Debug)]
 pub enum Command {
     /// So many steps on, or back.
     Step(isize),
@@ -40,8 +39,8 @@ pub enum Command {
     },
     /// Opens a step of a lesson, by its indices.
     Open([usize; 2]),
-    /// To the first lesson of a lab, or to a scene of its own where it has none.
-    Lab(Lab),
+    /// To the first lesson of the lab with this id, or to a scene of its own where it has none.
+    Lab(&'static str),
     /// Changes the scene.
     Edit(Edit, Option<Gesture>),
     /// One more of what the lab has many of.
@@ -51,7 +50,9 @@ pub enum Command {
     /// Takes hold of a vertex: what Insert and Delete are about.
     Select(Handle),
     /// Begins an outline that is drawn by clicking.
-    Draw(Outline),
+    Draw(&'static OutlineKind),
+    /// The same, by its place among those of the open lab.
+    DrawNth(usize),
     /// Places its next point.
     Place([f64; 2]),
     /// Takes its last point back.
@@ -207,20 +208,12 @@ pub static BINDINGS: [Binding; 32] = [
     once(Command::Add, &[(NONE, Key::Insert)], "help-add"),
     once(Command::Remove, &[(NONE, Key::Delete)], "help-remove"),
     once(
-        Command::Draw(Outline::Subject),
+        Command::DrawNth(0),
         &[(NONE, Key::D)],
         "action-draw-subject",
     ),
-    once(
-        Command::Draw(Outline::Clip),
-        &[(NONE, Key::C)],
-        "action-draw-clip",
-    ),
-    once(
-        Command::Draw(Outline::Hole),
-        &[(NONE, Key::H)],
-        "action-draw-hole",
-    ),
+    once(Command::DrawNth(1), &[(NONE, Key::C)], "action-draw-clip"),
+    once(Command::DrawNth(2), &[(NONE, Key::H)], "action-draw-hole"),
     once(
         Command::CloseOutline,
         &[(NONE, Key::Enter)],

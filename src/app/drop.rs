@@ -3,8 +3,8 @@
 use egui::Context;
 
 use crate::{
-    lesson::{Problem, scene_from_toml},
-    panels::Edit,
+    labs::Edit,
+    lesson::Problem,
     text::{Catalog, Message},
 };
 
@@ -31,10 +31,10 @@ impl App {
 
     /// Shows the scene in these bytes; what is wrong with them is shown, and the scene left as it was.
     pub fn open_scene(&mut self, ctx: &Context, name: &str, bytes: &[u8]) {
-        match scene_from_toml(name, bytes) {
+        match self.kit.formats.read(name, bytes) {
             Ok(scene) => {
                 self.notices.clear();
-                let replace = Edit::Replace(Box::new(scene));
+                let replace = Edit::Replace(scene);
                 self.apply(ctx, super::Command::Edit(replace, None));
                 self.apply(ctx, super::Command::First);
                 self.stage.is_foreign = true;

@@ -4,7 +4,7 @@ use egui::{Align, Layout, RichText, ScrollArea, Ui};
 
 use crate::{
     figure::{Role, unseen},
-    labs::{Lab, MethodCard},
+    labs::MethodCard,
     lesson::CodeView,
     trace::Counts,
     widgets::{CodeLine, Cost, code_view_switch, cost, pseudocode, rule, section, watch},
@@ -67,6 +67,7 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
 fn lines(model: &Model<'_>) -> Vec<CodeLine> {
     let code = model
         .scene
+        .document()
         .methods()
         .first()
         .map_or(&[][..], |card| card.code);
@@ -91,7 +92,7 @@ fn costs(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
     // Beside another method, both at this step; alone, with what brute force does in all.
     let beside = costs
         .get(1)
-        .zip(model.scene.methods().get(1).copied())
+        .zip(model.scene.document().methods().get(1).copied())
         .map(|([counts, end], method)| (*counts, *end, method));
     let baseline = || {
         let (method, counts) = model.playback.baseline()?;
@@ -109,7 +110,7 @@ fn costs(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
         most: most(end).max(compared.map_or(0, |(_, end, _)| most(end))),
     };
     ui.scope(|ui| cost(ui, look, &shown));
-    if model.scene.lab() != Lab::Lines {
+    if !model.measures {
         return;
     }
     ui.add_space(4.0);

@@ -2,10 +2,13 @@
 
 use egui::{CentralPanel, Frame, Margin, Panel, Ui, Vec2};
 
-use crate::widgets::{Icon, transport_width};
+use crate::{
+    panels::LabPanel,
+    widgets::{Icon, transport_width},
+};
 
 use super::{
-    App, Command, Fields, bars, course_panel, inspector, model::Model, overlays, stage,
+    App, Command, bars, course_panel, inspector, model::Model, overlays, stage,
     stage_state::StageState,
 };
 
@@ -48,8 +51,12 @@ pub fn show(app: &mut App, ui: &mut Ui, commands: &mut Vec<Command>) {
         stage_state.pointed_on_stage,
         stage_state.pointed_in_inspector,
     ) = (None, None);
-    let mut fields = app.lab.fields;
-    let model = app.model(size);
+    let measures = app.measures();
+    let mut panels = std::mem::take(&mut app.kit.panels);
+    let model = Model {
+        measures,
+        ..app.model(size)
+    };
     let room = if model.is_narrow {
         app.shown.room
     } else {
@@ -58,7 +65,7 @@ pub fn show(app: &mut App, ui: &mut Ui, commands: &mut Vec<Command>) {
     if app.shown.presenting {
         presentation(&model, ui, &mut stage_state, commands);
     } else {
-        top(&model, ui, &mut fields, room, commands);
+        top(&model, ui, &mut panels, room, commands);
         bottom(&model, ui, commands);
         if !model.is_narrow {
             sides(&model, ui, &mut stage_state, commands);
@@ -82,8 +89,8 @@ pub fn show(app: &mut App, ui: &mut Ui, commands: &mut Vec<Command>) {
         .pointed_on_stage
         .or(stage_state.pointed_in_inspector);
     app.stage = stage_state;
+    app.kit.panels = panels;
     overlays::show(app, ui, commands);
-    app.lab.fields = fields;
 }
 
 fn centre(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &mut Vec<Command>) {
@@ -112,7 +119,7 @@ fn presentation(
 fn top(
     model: &Model<'_>,
     ui: &mut Ui,
-    fields: &mut Fields,
+    panels: &mut [Box<dyn LabPanel>],
     room: Room,
     commands: &mut Vec<Command>,
 ) {
@@ -126,7 +133,7 @@ fn top(
         .exact_size(height.round())
         .frame(frame)
         .show(ui, |ui| {
-            bars::top(model, ui, fields, room, COURSE, commands);
+            bars::top(model, ui, panels, room, COURSE, commands);
         });
 }
 

@@ -35,6 +35,7 @@ mod settings;
 mod sketch;
 mod stage;
 mod stage_state;
+mod stopwatch;
 #[cfg(test)]
 mod tests;
 #[cfg(target_arch = "wasm32")]
@@ -55,10 +56,10 @@ use egui::{Pos2, Ui};
 
 use crate::{
     figure::Moment,
-    labs::{Lab, Scene},
-    lesson::{CodeView, Course, Step},
+    labs::Scene,
+    lesson::{CodeView, Course, SceneFormats, Step},
     paint::ThemeKind,
-    panels::{Seeded, lines::Measure},
+    panels::{self, LabPanel},
 };
 
 use document::Document;
@@ -68,6 +69,7 @@ use notice::Notices;
 use place::Place;
 use playback::Playback;
 use stage_state::StageState;
+use stopwatch::Stopwatch;
 
 /// The whole app, without a window of its own.
 pub struct App {
@@ -76,7 +78,7 @@ pub struct App {
     document: Document<Scene>,
     playback: Playback,
     stage: StageState,
-    lab: LabState,
+    kit: Kit,
     shown: Shown,
     notices: Notices,
     platform: Box<dyn Platform>,
@@ -84,26 +86,28 @@ pub struct App {
     reload: Option<reload::Reload>,
 }
 
-/// What the labs remember that is not part of their documents.
-#[derive(Default)]
-struct LabState {
-    fields: Fields,
-    measure: Option<Measure>,
-    /// Is the window with the measured costs open?
-    is_measuring: bool,
+/// The labs that the window has, with what each adds to it and how its scenes are spelt in files.
+pub struct Kit {
+    panels: Vec<Box<dyn LabPanel>>,
+    formats: SceneFormats,
 }
 
-/// The fields of the labs' menus.
-#[derive(Clone, Copy, Default)]
-struct Fields {
-    batch: Seeded,
-    random: Seeded,
+impl Default for Kit {
+    /// All labs.
+    fn default() -> Self {
+        Self {
+            panels: panels::all(),
+            formats: SceneFormats::standard(),
+        }
+    }
 }
 
 /// What of the window is shown.
 struct Shown {
     code: CodeView,
     dialog: Option<Dialog>,
+    /// Is the window with the measured costs open?
+    is_measuring: bool,
     /// Stage, caption and a small transport alone.
     presenting: bool,
     /// In a narrow window, the one place there is room for.
@@ -116,23 +120,35 @@ impl App {
     /// The app on a course, where it was left.
     #[must_use]
     pub fn new(course: Course, settings: Settings) -> Self {
+        Self::with_kit(course, settings, Kit::default())
+    }
+
+    /// The same with these labs, of which there is at least one.
+    ///
+    /// # Panics
+    /// Where there is none.
+    #[must_use]
+    pub fn with_kit(course: Course, settings: Settings, kit: Kit) -> Self {
         let mut place = Place::new(course);
         if let Some((lesson, step)) = &settings.last {
             place.open_ids(lesson, step);
         }
         let scene = place
             .step()
-            .map_or_else(|| Lab::Lines.first_scene(), |step| (*step.scene).clone());
+            .map(|step| (*step.scene).clone())
+            .or_else(|| Some(kit.panels.first()?.lab().first_scene()))
+            .expect("a window has a lab");
         let mut app = Self {
             settings,
             place,
             playback: Playback::record(&scene, 0),
             stage: StageState::new(&scene),
             document: Document::new(scene),
-            lab: LabState::default(),
+            kit,
             shown: Shown {
                 code: CodeView::Full,
                 dialog: None,
+                is_measuring: false,
                 presenting: false,
                 room: Room::Stage,
                 theme: None,
@@ -239,12 +255,12 @@ impl App {
         }
         if self.stage.focused.is_some() || egui::Popup::is_any_open(ctx) {
             // Escape gives the handle's focus back, or closes the menu: nothing more.
-            commands.retain(|command| *command != Command::Cancel);
+            commands.retain(|command| !matches!(command, Command::Cancel));
         }
         if self.stage.sketch.is_some() {
             commands.retain(Command::goes_with_a_sketch);
         }
-        if self.shown.dialog.is_some() || self.lab.is_measuring {
+        if self.shown.dialog.is_some() || self.shown.is_measuring {
             commands.retain(|command| matches!(command, Command::Cancel | Command::Help));
         }
         commands
@@ -257,12 +273,8 @@ impl App {
         if let Some(wait) = self.notices.expire(now) {
             ctx.request_repaint_after_secs(wait);
         }
-        if let Some(measure) = &mut self.lab.measure
-            && !measure.is_done()
-        {
-            measure.work();
-            ctx.request_repaint();
-        }
+        let stopwatch = Stopwatch::start();
+        panels::work(&mut self.kit.panels, ctx, &|| stopwatch.secs());
     }
 
     /// Gives the context the theme, unless it has it: a headless table brings its own.

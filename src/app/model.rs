@@ -21,6 +21,8 @@ pub struct Model<'a> {
     pub playback: &'a Playback,
     /// How the pseudocode is shown.
     pub code: CodeView,
+    /// Can costs be measured in its lab?
+    pub measures: bool,
     /// Is it still the lesson's own scene?
     pub is_untouched: bool,
     /// Is there something to undo, and to redo?
@@ -50,10 +52,18 @@ impl App {
             revision: self.document.revision(),
             playback: &self.playback,
             code: self.shown.code,
+            measures: self.measures(),
             is_untouched: self.is_untouched(),
             can_travel: [self.document.can_undo(), self.document.can_redo()],
             is_narrow: super::layout::is_narrow(size),
             is_low: size.y < 420.0,
         }
+    }
+
+    /// Has the open lab methods whose costs can be measured?
+    pub(super) fn measures(&self) -> bool {
+        let lab = self.document.now().document().lab();
+        let mut panels = self.kit.panels.iter();
+        panels.any(|panel| panel.lab() == lab && panel.measures())
     }
 }

@@ -6,9 +6,8 @@ use egui::{
 };
 
 use crate::{
-    labs::Scene,
     paint::theme,
-    panels::lines::{Measure, MeasureAsk, measure_window},
+    panels::panel_of,
     widgets::{Icon, Look, icon_button},
 };
 
@@ -24,7 +23,7 @@ pub fn show(app: &mut App, ui: &mut Ui, commands: &mut Vec<Command>) {
     if !app.notices.is_empty() {
         notices(&ctx, look, app.notices.shown(), commands);
     }
-    if app.lab.is_measuring {
+    if app.shown.is_measuring {
         measure(app, &ctx, look, commands);
     }
     match app.shown.dialog.clone() {
@@ -231,23 +230,19 @@ fn path_dialog(ctx: &Context, look: Look<'_>, dialog: &Dialog, commands: &mut Ve
 }
 
 fn measure(app: &mut App, ctx: &Context, look: Look<'_>, commands: &mut Vec<Command>) {
+    let scene = app.document.now();
+    let Some(bench) = panel_of(&mut app.kit.panels, scene).and_then(|panel| panel.bench()) else {
+        return;
+    };
     let response = modal("measure", look).show(ctx, |ui| {
         let height = (ctx.content_rect().height() - 96.0).max(60.0);
         ScrollArea::vertical()
             .max_height(height)
             .min_scrolled_height(height)
-            .show(ui, |ui| measure_window(ui, look, app.lab.measure.as_ref()))
+            .show(ui, |ui| bench.show(ui, look, scene))
             .inner
     });
-    match response.inner {
-        Some(MeasureAsk::Start) => {
-            if let Scene::Lines(scene) = app.document.now() {
-                app.lab.measure = Some(Measure::new(scene, app.lab.fields.batch.seed));
-            }
-            ctx.request_repaint();
-        }
-        Some(MeasureAsk::Close) => commands.push(Command::Measure(false)),
-        None if response.should_close() => commands.push(Command::Measure(false)),
-        None => {}
+    if !response.inner || response.should_close() {
+        commands.push(Command::Measure(false));
     }
 }

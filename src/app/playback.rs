@@ -3,9 +3,10 @@
 use crate::{
     figure::{Frame, Run, Tick},
     labs::{Difference, MethodCard, Scene},
-    panels::Stopwatch,
     trace::{Counts, Transport},
 };
+
+use super::stopwatch::Stopwatch;
 
 /// One run, or two side by side; with the frames of the present step.
 pub struct Playback {
@@ -49,7 +50,7 @@ impl Playback {
             main,
             other,
             difference,
-            baseline: scene.baseline(),
+            baseline: scene.document().baseline(),
             frames: Vec::new(),
             framed_at: None,
             n_slow: 0,
@@ -72,13 +73,13 @@ impl Playback {
         self.transport.rebase(main.n_steps(), position);
         self.phases = phases(&*main);
         (self.main, self.other, self.difference) = (main, other, difference);
-        self.baseline = scene.baseline();
+        self.baseline = scene.document().baseline();
         self.framed_at = None;
     }
 
     /// The same while a handle is dragged: a large scene whose run takes too long waits until it is let go.
     pub fn follow(&mut self, scene: &Scene) {
-        if scene.size() > LARGE && self.n_slow >= PATIENCE {
+        if scene.document().size() > LARGE && self.n_slow >= PATIENCE {
             (self.is_late, self.framed_at) = (true, None);
         } else {
             self.rerecord(scene);
@@ -196,9 +197,9 @@ fn phases(run: &dyn Run) -> Vec<usize> {
 
 /// The run of the scene's method, the one beside it, and how they differ.
 fn runs(scene: &Scene) -> (Box<dyn Run>, Option<Box<dyn Run>>, Option<Difference>) {
-    let runs = scene.record();
+    let runs = scene.document().record();
     let all: Vec<&dyn Run> = runs.iter().map(|run| &**run).collect();
-    let difference = Difference::between(&scene.methods(), &all);
+    let difference = Difference::between(&scene.document().methods(), &all);
     let mut runs = runs.into_iter();
     let main = runs.next().expect("a scene has a method");
     (main, runs.next(), difference)

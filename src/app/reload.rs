@@ -90,7 +90,7 @@ impl App {
                 reload.rearm();
             }
             let path = folder.root().display().to_string();
-            self.take_course(&path, Course::load(&folder), now);
+            self.take_course(&path, Course::load_with(&folder, self.kit.formats), now);
         }
     }
 

@@ -4,8 +4,8 @@ use egui::{Pos2, Shape, Stroke, Ui};
 
 use crate::{
     figure::ViewId,
+    labs::Sketch,
     paint::Viewport,
-    panels::polygons::Sketch,
     widgets::{CanvasShown, place_at},
 };
 

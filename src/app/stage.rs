@@ -5,9 +5,9 @@ use egui::{Align2, Id, Rect, Stroke, Ui, UiBuilder, pos2, vec2};
 
 use crate::{
     figure::{Caption, Frame, ViewId},
-    labs::{Handle, Lock, MethodCard},
+    labs::{Handle, Lock, MethodCard, Sketch},
     paint::Viewport,
-    panels::{Reach, polygons::Sketch, spots},
+    panels::{Reach, spots},
     text::Message,
     widgets::{
         Canvas, CanvasShown, Spot, caption, caption_height, caption_text, column_title, gripped,
@@ -32,13 +32,13 @@ struct Hands<'a> {
 pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &mut Vec<Command>) {
     let rect = ui.max_rect();
     let frames = model.playback.frames();
-    let methods = model.scene.methods();
+    let methods = model.scene.document().methods();
     // A place that is clicked while an outline is drawn is a point of it.
     let is_drawing = state.sketch.is_some();
     let handles = if is_drawing {
         Vec::new()
     } else {
-        model.scene.handles()
+        model.scene.document().handles()
     };
     // A scene from elsewhere is the reader's own: nothing of it is locked.
     let step = model.place.step().filter(|_| !state.is_foreign);

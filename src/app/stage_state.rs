@@ -6,9 +6,8 @@ use egui::{Context, Id, Rect};
 
 use crate::{
     figure::{Frame, Link, Mark, ViewId},
-    labs::{Handle, Scene},
+    labs::{Handle, Scene, Sketch},
     paint::Viewport,
-    panels::polygons::Sketch,
     widgets::PanZoom,
 };
 
@@ -57,7 +56,7 @@ impl StageState {
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
         Self {
-            bounds: scene.bounds(),
+            bounds: scene.document().bounds(),
             ..Self::default()
         }
     }
@@ -65,7 +64,7 @@ impl StageState {
     /// Shows all of a scene.
     pub fn fit(&mut self, scene: &Scene) {
         self.moved.clear();
-        self.bounds = scene.bounds();
+        self.bounds = scene.document().bounds();
     }
 
     /// What keys are about.
@@ -116,14 +115,19 @@ impl StageState {
     pub fn marks(&mut self, column: usize, model: &Model<'_>, frame: &Frame) -> &[Mark] {
         let transport = model.playback.transport();
         let step = transport.position();
-        let method = model.scene.methods().get(column).map_or("", |card| card.id);
+        let method = model
+            .scene
+            .document()
+            .methods()
+            .get(column)
+            .map_or("", |card| card.id);
         let under = (model.revision, method, step >= transport.n_steps());
         let known = self
             .layers
             .get(column)
             .filter(|layers| layers.under == under);
         if known.is_none() {
-            let marks = model.scene.backdrop(column, under.2);
+            let marks = model.scene.document().backdrop(column, under.2);
             self.layers.truncate(column);
             self.layers.push(Layers {
                 under,

@@ -140,20 +140,20 @@ impl Problem for LineCase {
     }
 
     fn output(&self) -> Json {
-        self.0.method.clip(&self.0, self.0.focused()).json()
+        self.0.method.info().clip(&self.0, self.0.focused()).json()
     }
 
     fn cost(&self) -> (Json, Counts) {
-        let (visible, counts) = self.0.method.cost(&self.0, self.0.focused());
+        let (visible, counts) = self.0.method.info().cost(&self.0, self.0.focused());
         (visible.json(), counts)
     }
 
     fn run(&self) -> Box<dyn Run> {
-        self.0.method.record(&self.0, self.0.focused())
+        self.0.method.info().record(&self.0, self.0.focused())
     }
 
     fn verdict(&self) -> Message {
-        match self.0.method.clip(&self.0, self.0.focused()) {
+        match self.0.method.info().clip(&self.0, self.0.focused()) {
             None => Message::new("case-invisible"),
             Some(Segment { p1, p2 }) if p1 == p2 => {
                 Message::new("case-touch").with("at", p1.to_array())

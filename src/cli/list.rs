@@ -118,7 +118,7 @@ fn lesson_json(lesson: &Lesson, catalog: &Catalog) -> Json {
     json!({
         "id": lesson.id,
         "title": text.title,
-        "lab": lesson.lab.id(),
+        "lab": lesson.lab,
         "source": lesson.source,
         "steps": steps,
     })

@@ -8,7 +8,7 @@ use std::{
 
 use crate::{
     app::{Opening, run_native},
-    lesson::{Folder, scene_from_toml},
+    lesson::{Folder, SceneFormats},
     text::{Catalog, Lang, Message},
 };
 
@@ -42,13 +42,15 @@ fn opening(path: &Path) -> Result<Opening, String> {
             .with("reason", error.to_string());
         catalog.message(&message)
     })?;
-    let scene = scene_from_toml(&name, &bytes).map_err(|problems| {
-        let lines: Vec<String> = problems
-            .iter()
-            .map(|problem| problem.render(catalog))
-            .collect();
-        lines.join("\n")
-    })?;
+    let scene = SceneFormats::standard()
+        .read(&name, &bytes)
+        .map_err(|problems| {
+            let lines: Vec<String> = problems
+                .iter()
+                .map(|problem| problem.render(catalog))
+                .collect();
+            lines.join("\n")
+        })?;
     Ok(Opening {
         scene: Some(scene),
         ..Opening::default()

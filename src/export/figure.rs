@@ -45,9 +45,10 @@ pub fn draw(table: &mut Headless, picture: &Picture<'_>) -> Image {
     let size = vec2(picture.size_px[0] as f32, picture.size_px[1] as f32);
     let pixels_per_point = (size.x / PAGE_PTS[0]).min(size.y / PAGE_PTS[1]);
     let scene = picture.scene;
-    let runs = scene.record();
+    let runs = scene.document().record();
     let all: Vec<&dyn Run> = runs.iter().map(|run| &**run).collect();
     let columns: Vec<Column> = scene
+        .document()
         .methods()
         .into_iter()
         .zip(&runs)
@@ -66,7 +67,7 @@ pub fn draw(table: &mut Headless, picture: &Picture<'_>) -> Image {
             catalog: Catalog::of(picture.lang),
         },
         is_comparison: columns.len() > 1,
-        difference: Difference::between(&scene.methods(), &all),
+        difference: Difference::between(&scene.document().methods(), &all),
         second_height: columns
             .iter()
             .flat_map(|column| column.frame.views.iter().skip(1))
@@ -173,9 +174,9 @@ impl Page<'_> {
 
     fn stage(&self, ui: &Ui, rect: Rect, index: usize, column: &Column) {
         let Column { frame, at_end, .. } = column;
-        let viewport = Viewport::fit(rect, self.scene.bounds());
+        let viewport = Viewport::fit(rect, self.scene.document().bounds());
         let painter = ui.painter().with_clip_rect(rect);
-        let mut marks = self.scene.backdrop(index, *at_end);
+        let mut marks = self.scene.document().backdrop(index, *at_end);
         marks.extend(frame.marks().iter().cloned());
         stage(
             &painter,

@@ -72,7 +72,7 @@ pub fn jobs<'a>(lessons: impl IntoIterator<Item = &'a Lesson>, steps: Steps) -> 
             match steps {
                 Steps::Figures => jobs.push(job(step.position, figure.clone())),
                 Steps::All => {
-                    let runs = step.scene.record();
+                    let runs = step.scene.document().record();
                     let n_steps = runs.first().map_or(0, |run| run.n_steps());
                     jobs.extend((0..=n_steps).map(|k| job(k, format!("{figure}-{k:03}"))));
                 }

@@ -4,6 +4,7 @@
 //! points inside; a front-facing outline runs counter-clockwise. Coordinates are `f64` in world units.
 
 mod convex_polygon;
+mod distance;
 mod error;
 mod exact;
 mod half_plane;
@@ -17,6 +18,7 @@ mod sweep;
 mod window;
 
 pub use convex_polygon::ConvexPolygon;
+pub use distance::distance_to_segment;
 pub use error::{Axis, GeomError};
 pub use half_plane::HalfPlane;
 pub use orientation::{is_certain, lexicographic, orientation, winding};

@@ -1,213 +1,107 @@
-//! What a person can take hold of on the stage, by mouse or by keyboard.
+//! What a person can take hold of on the stage, by mouse or by keyboard. A lab names its own handles, their groups
+//! and how each may move; whoever shows them knows none by name.
 
-use std::str::FromStr;
+use crate::text::Message;
 
-use crate::{
-    algo::line::End,
-    geom::{Edge, GeomError, Point, Window},
-    text::{Message, Value},
-};
+/// How a handle may move.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Motion {
+    /// In the plane of the drawing.
+    Plane,
+    /// Along one axis only.
+    Axis([f64; 3]),
+    /// In the plane through it that faces the eye.
+    FacingEye,
+}
 
-/// A corner of the window, by the sides that meet there.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
-pub struct Corner {
-    /// At xmax?
-    pub right: bool,
-    /// At ymax?
-    pub top: bool,
+/// A kind of handle: each lab lists its own.
+#[derive(Debug)]
+pub struct HandleKind {
+    /// Unique in its lab.
+    pub id: &'static str,
+    /// The group that a lesson can lock it with.
+    pub group: &'static str,
+    /// How it may move.
+    pub motion: Motion,
+    /// Does it move with an offset to the pointer, as a whole, and not to a place of its own?
+    pub is_whole: bool,
+    /// Is it one of a row, so that it can be taken out and another put in after it?
+    pub is_vertex: bool,
+    /// Does the figure draw a mark where it lies, so that the handle needs none?
+    pub is_marked: bool,
+    /// What the handle of this number is, for a screen reader.
+    pub name: fn([usize; 2]) -> Message,
+}
+
+impl HandleKind {
+    /// One that moves in the plane to a place of its own.
+    #[must_use]
+    pub const fn new(
+        id: &'static str,
+        group: &'static str,
+        name: fn([usize; 2]) -> Message,
+    ) -> Self {
+        Self {
+            id,
+            group,
+            motion: Motion::Plane,
+            is_whole: false,
+            is_vertex: false,
+            is_marked: false,
+            name,
+        }
+    }
+
+    /// The handle with this number, or numbers.
+    #[must_use]
+    pub const fn at(&'static self, idx: [usize; 2]) -> Handle {
+        Handle { kind: self, idx }
+    }
 }
 
 /// Something that can be dragged.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
-pub enum Handle {
-    /// An end of the focused segment.
-    End(End),
-    /// The focused segment as a whole.
-    Segment,
-    /// A corner of the window.
-    Corner(Corner),
-    /// A side of the window.
-    Side(Edge),
-    /// The window as a whole.
-    Window,
-    /// A vertex of the clip polygon.
-    ClipVertex(usize),
-    /// A vertex of the subject polygon.
-    Vertex(usize),
-    /// A vertex of one of its holes: which hole, which vertex.
-    HoleVertex(usize, usize),
-    /// The subject polygon with its holes.
-    Subject,
+#[derive(Clone, Copy, Debug)]
+pub struct Handle {
+    kind: &'static HandleKind,
+    idx: [usize; 2],
 }
 
+impl PartialEq for Handle {
+    fn eq(&self, other: &Self) -> bool {
+        self.is(other.kind) && self.idx == other.idx
+    }
+}
+
+impl Eq for Handle {}
+
 impl Handle {
-    /// Corners and sides of the window and the window itself, in the order in which Tab visits them.
-    pub fn of_window() -> impl Iterator<Item = Self> {
-        [(false, false), (true, false), (true, true), (false, true)]
-            .map(|(right, top)| Self::Corner(Corner { right, top }))
-            .into_iter()
-            .chain(Edge::ALL.map(Self::Side))
-            .chain([Self::Window])
-    }
-
-    /// Where it lies, if it is one of the window's.
+    /// What is known of its kind.
     #[must_use]
-    pub fn on_window(self, window: &Window) -> Option<[f64; 2]> {
-        let (min, max) = (window.min(), window.max());
-        let centre = [min.x().midpoint(max.x()), min.y().midpoint(max.y())];
-        Some(match self {
-            Self::Corner(Corner { right, top }) => [
-                if right { max.x() } else { min.x() },
-                if top { max.y() } else { min.y() },
-            ],
-            Self::Side(edge @ (Edge::Left | Edge::Right)) => [window.border(edge), centre[1]],
-            Self::Side(edge) => [centre[0], window.border(edge)],
-            // Not in the middle, where segments like to have theirs: below it and to the right.
-            Self::Window => [centre[0].midpoint(max.x()), min.y().midpoint(centre[1])],
-            _ => return None,
-        })
+    pub const fn kind(self) -> &'static HandleKind {
+        self.kind
     }
 
-    /// The window after the handle has gone to `to`; as it is where the handle is not the window's.
-    ///
-    /// # Errors
-    /// [`GeomError`] where the window would not be valid.
-    pub fn drag_window(self, window: &Window, to: Point) -> Result<Window, GeomError> {
-        let Some([x, y]) = self.on_window(window) else {
-            return Ok(*window);
-        };
-        let [mut xmin, mut ymin, mut xmax, mut ymax] = window.to_array();
-        let [dx, dy] = [to.x() - x, to.y() - y];
-        let (left, right, bottom, top) = match self {
-            Self::Corner(Corner { right, top }) => (!right, right, !top, top),
-            Self::Side(edge) => (
-                edge == Edge::Left,
-                edge == Edge::Right,
-                edge == Edge::Bottom,
-                edge == Edge::Top,
-            ),
-            _ => (true, true, true, true),
-        };
-        for (moves, side, by) in [
-            (left, &mut xmin, dx),
-            (right, &mut xmax, dx),
-            (bottom, &mut ymin, dy),
-            (top, &mut ymax, dy),
-        ] {
-            if moves {
-                *side += by;
-            }
-        }
-        Window::new(xmin, ymin, xmax, ymax)
-    }
-
-    /// Does it move with an offset to the pointer, as a whole, and not to a place of its own?
+    /// Is it of this kind?
     #[must_use]
-    pub const fn is_whole(self) -> bool {
-        matches!(self, Self::Segment | Self::Window | Self::Subject)
+    pub fn is(self, kind: &HandleKind) -> bool {
+        self.kind.id == kind.id
     }
 
-    /// Is it a vertex of an outline, so that it can be taken out and another put in after it?
+    /// Which of its kind.
     #[must_use]
-    pub const fn is_vertex(self) -> bool {
-        matches!(
-            self,
-            Self::Vertex(_) | Self::HoleVertex(..) | Self::ClipVertex(_)
-        )
-    }
-
-    /// The handle of the vertex after this one's, where it is one; not wrapped round.
-    #[must_use]
-    pub const fn next(self) -> Self {
-        match self {
-            Self::Vertex(i) => Self::Vertex(i + 1),
-            Self::HoleVertex(hole, i) => Self::HoleVertex(hole, i + 1),
-            Self::ClipVertex(i) => Self::ClipVertex(i + 1),
-            other => other,
-        }
-    }
-
-    /// Does the figure draw a mark where it lies, so that the handle needs none?
-    #[must_use]
-    pub const fn is_marked(self) -> bool {
-        matches!(self, Self::End(_))
-    }
-
-    /// What it is, for a screen reader.
-    #[must_use]
-    pub fn name(self) -> Message {
-        match self {
-            Self::End(End::P1) => Message::new("handle-end").with("end", "P₁".to_owned()),
-            Self::End(End::P2) => Message::new("handle-end").with("end", "P₂".to_owned()),
-            Self::Segment => Message::new("handle-segment"),
-            Self::Corner(corner) => Message::new(corner_key(corner)),
-            Self::Side(edge) => {
-                Message::new("handle-side").with("edge", Value::Term(edge_key(edge)))
-            }
-            Self::Window => Message::new("handle-window"),
-            Self::ClipVertex(i) => Message::new("handle-clip-vertex").with("number", i + 1),
-            Self::Vertex(i) => Message::new("handle-vertex").with("number", i + 1),
-            Self::HoleVertex(hole, i) => Message::new("handle-hole-vertex")
-                .with("hole", hole + 1)
-                .with("number", i + 1),
-            Self::Subject => Message::new("handle-polygon"),
-        }
+    pub const fn idx(self) -> [usize; 2] {
+        self.idx
     }
 
     /// The group that a lesson can lock it with.
     #[must_use]
     pub const fn group(self) -> &'static str {
-        match self {
-            Self::End(End::P1) => "p1",
-            Self::End(End::P2) => "p2",
-            Self::Segment => "segment",
-            Self::Corner(_) | Self::Side(_) | Self::Window => "window",
-            Self::ClipVertex(_) => "clip",
-            Self::Vertex(_) | Self::HoleVertex(..) | Self::Subject => "polygon",
-        }
+        self.kind.group
     }
-}
 
-const fn corner_key(Corner { right, top }: Corner) -> &'static str {
-    match (right, top) {
-        (false, false) => "handle-corner-bottom-left",
-        (true, false) => "handle-corner-bottom-right",
-        (false, true) => "handle-corner-top-left",
-        (true, true) => "handle-corner-top-right",
-    }
-}
-
-const fn edge_key(edge: Edge) -> &'static str {
-    match edge {
-        Edge::Left => "edge-left",
-        Edge::Right => "edge-right",
-        Edge::Bottom => "edge-bottom",
-        Edge::Top => "edge-top",
-    }
-}
-
-/// A group of handles that a lesson can lock.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Lock(&'static str);
-
-impl Lock {
-    /// What can be locked.
-    pub const ALL: [&'static str; 6] = ["p1", "p2", "segment", "window", "clip", "polygon"];
-
-    /// Is this handle locked?
+    /// What it is, for a screen reader.
     #[must_use]
-    pub fn holds(self, handle: Handle) -> bool {
-        handle.group() == self.0
-    }
-}
-
-impl FromStr for Lock {
-    type Err = ();
-    fn from_str(name: &str) -> Result<Self, ()> {
-        Self::ALL
-            .into_iter()
-            .find(|&known| known == name)
-            .map(Self)
-            .ok_or(())
+    pub fn name(self) -> Message {
+        (self.kind.name)(self.idx)
     }
 }

@@ -1,22 +1,32 @@
-//! The labs: each has a document, methods that work on it, and a file a method that says how its steps are
-//! shown. What every lab has in common is here beside them.
+//! The labs: each has a scene, methods that work on it, and a file a method that says how its steps are shown. What
+//! every lab has in common is here beside them; [`LABS`] is the table that a lab joins.
 
 mod card;
 mod demo;
 mod difference;
-mod document;
+mod edit;
 mod handle;
+mod lab;
 pub mod lines;
 pub mod polygons;
+mod registry;
+mod sketch;
 mod split_mix;
+mod window_handles;
 mod words;
 
 pub use card::{CodeLine, MethodCard};
 pub use demo::{Answer, Demo, Step};
 pub use difference::Difference;
-pub use document::{Document, Lab, Scene};
-pub use handle::{Corner, Handle, Lock};
+pub use edit::Edit;
+pub use handle::{Handle, HandleKind, Motion};
+pub use lab::{Change, ChangeOf, Click, Document, Lab, Lock, OutlineKind, Own, Plain, Scene};
+pub use registry::{Listed, Method};
+pub use sketch::Sketch;
 
 use card::code_line;
 pub(crate) use demo::{record, record_wrong};
 pub(crate) use words::vertex_symbol;
+
+/// Every lab, in the order in which they are taught.
+pub static LABS: [&dyn Lab; 2] = [lines::LAB, polygons::LAB];

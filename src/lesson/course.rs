@@ -7,7 +7,7 @@ use std::{
 
 use crate::{
     figure::Moment,
-    labs::{Lab, Lock, Scene},
+    labs::{Lock, Scene},
     text::{Diagnostic, Lang, Message},
 };
 
@@ -16,6 +16,7 @@ use super::{
     lesson_file::{self, Skeleton},
     markdown::Block,
     problem::{Problem, Severity},
+    scene_file::SceneFormats,
     sections,
     sink::Sink,
     source::Source,
@@ -48,8 +49,8 @@ pub struct Loaded {
 pub struct Lesson {
     /// Its folder's name: `01-windows`.
     pub id: String,
-    /// Where its scenes live.
-    pub lab: Lab,
+    /// The id of the lab where its scenes live.
+    pub lab: &'static str,
     /// Author and year of what it teaches.
     pub source: String,
     /// At least one.
@@ -158,6 +159,12 @@ impl Course {
     /// Reads and checks every lesson. One with an error is left out; all others stay.
     #[must_use]
     pub fn load(files: &dyn Files) -> Loaded {
+        Self::load_with(files, SceneFormats::standard())
+    }
+
+    /// The same, with scenes spelt as these formats have it.
+    #[must_use]
+    pub fn load_with(files: &dyn Files, formats: SceneFormats) -> Loaded {
         let mut loaded = Loaded::default();
         let paths = match files.list() {
             Ok(paths) => paths,
@@ -177,7 +184,7 @@ impl Course {
                 .push(problem.expecting("expect-lesson-folder"));
         }
         for (id, names) in folders.iter().take(MAX_LESSONS) {
-            let (lesson, problems) = load_lesson(files, id, names);
+            let (lesson, problems) = load_lesson(files, formats, id, names);
             loaded.course.lessons.extend(lesson);
             loaded.problems.extend(problems);
         }
@@ -205,11 +212,12 @@ fn folders(paths: &[String]) -> BTreeMap<&str, BTreeSet<&str>> {
 
 fn load_lesson(
     files: &dyn Files,
+    formats: SceneFormats,
     id: &str,
     names: &BTreeSet<&str>,
 ) -> (Option<Lesson>, Vec<Problem>) {
     let mut problems = Vec::new();
-    let skeleton = lesson_toml(files, id, names, &mut problems);
+    let skeleton = lesson_toml(files, formats, id, names, &mut problems);
     let mut texts = BTreeMap::new();
     for name in names.iter().filter(|name| is_text(name)) {
         let path = format!("{id}/{name}");
@@ -246,6 +254,7 @@ fn load_lesson(
 
 fn lesson_toml(
     files: &dyn Files,
+    formats: SceneFormats,
     id: &str,
     names: &BTreeSet<&str>,
     problems: &mut Vec<Problem>,
@@ -265,7 +274,7 @@ fn lesson_toml(
         Ok(bytes) => {
             let source = Source::new(files.shown(&path), &bytes);
             let mut sink = Sink::new(&source);
-            let skeleton = lesson_file::read(&mut sink);
+            let skeleton = lesson_file::read(formats, &mut sink);
             problems.extend(sink.into_problems());
             skeleton
         }

@@ -10,7 +10,7 @@ use crate::{
 
 use super::{
     course::{CodeView, Lesson, LessonText, Step},
-    scene_file,
+    scene_file::{SceneFormat, SceneFormats},
     sink::{Sink, clipped},
     toml_errors::with_toml,
     toml_fields::{Fields, Item, list, named, one_of, suggestion, text},
@@ -24,7 +24,7 @@ pub(super) struct Skeleton {
     /// The steps' ids, in order; `None` where one of them is not known for sure.
     pub ids: Option<Vec<String>>,
     /// `None` where there is a mistake.
-    lesson: Option<(Lab, String, Vec<Step>)>,
+    lesson: Option<(&'static str, String, Vec<Step>)>,
 }
 
 impl Skeleton {
@@ -43,20 +43,21 @@ impl Skeleton {
 }
 
 /// Reads a `lesson.toml`, reporting all its mistakes.
-pub(super) fn read(sink: &mut Sink<'_>) -> Option<Skeleton> {
+pub(super) fn read(formats: SceneFormats, sink: &mut Sink<'_>) -> Option<Skeleton> {
     with_toml(sink, |table, sink| {
         let fields = Fields::of_file(table, &LESSON_FIELDS, sink);
-        let lab = fields.require("lab", sink).and_then(|item| {
-            let known = Lab::ALL.map(Lab::id);
+        let format = fields.require("lab", sink).and_then(|item| {
+            let known = formats.lab_ids();
             one_of(item, &known, "problem-unknown-lab", sink, |name| {
-                Lab::ALL.into_iter().find(|lab| lab.id() == name)
+                formats.of(name)
             })
         });
         let source = fields
             .require("source", sink)
             .and_then(|item| text(item, sink));
         let mut reader = Steps {
-            scenes: scenes(lab, &fields, sink),
+            lab: format.map(SceneFormat::lab),
+            scenes: scenes(format, &fields, sink),
             ids: Names::default(),
             figures: Names::default(),
             current: Current::None,
@@ -68,7 +69,8 @@ pub(super) fn read(sink: &mut Sink<'_>) -> Option<Skeleton> {
         let complete = sink.n_errors() == 0;
         Some(Skeleton {
             ids,
-            lesson: (|| Some((lab?, source?.to_owned(), steps?)))().filter(|_| complete),
+            lesson: (|| Some((format?.lab().id(), source?.to_owned(), steps?)))()
+                .filter(|_| complete),
         })
     })
 }
@@ -83,22 +85,22 @@ struct NamedScene {
 
 /// Scenes of an unknown lab have names, but cannot be read.
 fn scenes(
-    lab: Option<Lab>,
+    format: Option<&dyn SceneFormat>,
     fields: &Fields<'_>,
     sink: &mut Sink<'_>,
 ) -> BTreeMap<String, NamedScene> {
-    let mut room = scene_file::Room::of_file();
+    let mut room = format.map_or(0, SceneFormat::room);
     let mut scenes = BTreeMap::new();
     let Some(table) = fields.get("scenes").and_then(|item| named(item, sink)) else {
         return scenes;
     };
     for (key, item) in table {
-        let scene = lab.and_then(|lab| {
-            let fields = Fields::of(item, scene_file::fields_of(lab), sink)?;
-            scene_file::scene(lab, &fields, &mut room, sink)
+        let scene = format.and_then(|format| {
+            let fields = Fields::of(item, format.fields(), sink)?;
+            format.read(&fields, &mut room, sink)
         });
         let recorded = scene.and_then(|scene| {
-            let run = scene.record().into_iter().next()?;
+            let run = scene.document().record().into_iter().next()?;
             Some((Arc::new(scene), run))
         });
         let scene = NamedScene {
@@ -150,6 +152,8 @@ enum Current {
 }
 
 struct Steps {
+    /// `None` where it is not known.
+    lab: Option<&'static dyn Lab>,
     scenes: BTreeMap<String, NamedScene>,
     ids: Names,
     figures: Names,
@@ -213,7 +217,7 @@ impl Steps {
             ];
             self.figures.take(item, is_figure_name, keys, sink)
         });
-        let locks = fields.get("lock").map(|item| locks(item, sink));
+        let locks = fields.get("lock").map(|item| locks(self.lab, item, sink));
         let code = fields.get("code").and_then(|item| {
             let known = CodeView::ALL.map(CodeView::id);
             one_of(item, &known, "problem-unknown-value", sink, |name| {
@@ -318,14 +322,22 @@ fn short_names(moment: &str) -> Vec<String> {
     std::iter::once(event.to_owned()).chain(with_one).collect()
 }
 
-fn locks(item: &Item<'_>, sink: &mut Sink<'_>) -> Vec<Lock> {
+/// Those of an unknown lab cannot be known.
+fn locks(lab: Option<&dyn Lab>, item: &Item<'_>, sink: &mut Sink<'_>) -> Vec<Lock> {
     let items = list(item, "expect-locks", sink).unwrap_or_default();
+    let Some(lab) = lab else {
+        return Vec::new();
+    };
     items
         .iter()
         .filter_map(|item| {
-            one_of(item, &Lock::ALL, "problem-unknown-lock", sink, |name| {
-                name.parse().ok()
-            })
+            one_of(
+                item,
+                lab.lock_groups(),
+                "problem-unknown-lock",
+                sink,
+                |name| Lock::of(lab, name),
+            )
         })
         .collect()
 }

@@ -33,4 +33,4 @@ pub use files::{Embedded, FileError, Files, MAX_FILE_BYTES};
 pub use folder::Folder;
 pub use markdown::{Block, Inline, Marker};
 pub use problem::{Place, Problem, Severity};
-pub use scene_file::{scene_from_toml, scene_to_toml};
+pub use scene_file::SceneFormats;

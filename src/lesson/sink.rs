@@ -14,7 +14,7 @@ use super::{
 const MAX_PROBLEMS: usize = 100;
 
 /// The mistakes of one file, in the order in which they were found.
-pub(super) struct Sink<'s> {
+pub(crate) struct Sink<'s> {
     source: &'s Source<'s>,
     problems: Vec<Problem>,
     n_more: usize,

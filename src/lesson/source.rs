@@ -10,7 +10,7 @@ const MAX_LINE_CHARS: usize = 120;
 const LEAD_CHARS: usize = 50;
 
 /// A file's name and text.
-pub(super) struct Source<'a> {
+pub(crate) struct Source<'a> {
     /// As the person who runs the program knows it.
     pub file: String,
     /// Without a byte order mark.

@@ -12,10 +12,10 @@ use crate::text::{Message, Value};
 use super::sink::{Sink, clipped};
 
 /// A value and where it stands.
-pub(super) type Item<'t> = Spanned<DeValue<'t>>;
+pub(crate) type Item<'t> = Spanned<DeValue<'t>>;
 
 /// A table of which only certain fields may be given.
-pub(super) struct Fields<'t> {
+pub(crate) struct Fields<'t> {
     table: &'t DeTable<'t>,
     /// Where a field would be added: the table's header.
     span: Range<usize>,

@@ -1,15 +1,22 @@
-//! What each lab adds to the window.
+//! What each lab adds to the window; [`all`] is the table that a lab joins.
 
-mod clock;
-mod edit;
-pub mod lines;
+mod lab_panel;
+mod lines;
 mod pickers;
-pub mod polygons;
+mod polygons;
 mod seeded;
 mod spots;
 
-pub use clock::Stopwatch;
-pub use edit::{Edit, EditError};
+pub use lab_panel::{Bench, LabPanel, PanelAsk, panel_of, work};
 pub use pickers::{compare_picker, method_picker};
 pub use seeded::Seeded;
 pub use spots::{Reach, spots};
+
+/// The panels of all labs, in the order of their tabs.
+#[must_use]
+pub fn all() -> Vec<Box<dyn LabPanel>> {
+    vec![
+        Box::<lines::LinesPanel>::default(),
+        Box::<polygons::PolygonsPanel>::default(),
+    ]
+}

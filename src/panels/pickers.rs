@@ -3,11 +3,9 @@
 use egui::{ComboBox, Rect, Shape, Stroke, Ui, style::WidgetVisuals, vec2};
 
 use crate::{
-    labs::{MethodCard, Scene},
+    labs::{Edit, MethodCard, Scene},
     widgets::{Look, section},
 };
-
-use super::Edit;
 
 /// A list of methods may be this high: all of a lab's are seen at once, where the window has room.
 const LIST_PTS: f32 = 560.0;
@@ -17,7 +15,7 @@ const LIST_PTS: f32 = 560.0;
 pub fn method_picker(ui: &mut Ui, look: Look<'_>, scene: &Scene, asks: bool) -> Option<Edit> {
     let mut asked = None;
     let name = |card: &MethodCard| look.say(card.name_key);
-    let now = *scene.methods().first()?;
+    let now = *scene.document().methods().first()?;
     let shown = if asks && now.is_faulty {
         look.say("faulty-unnamed")
     } else {
@@ -28,7 +26,7 @@ pub fn method_picker(ui: &mut Ui, look: Look<'_>, scene: &Scene, asks: bool) -> 
         .icon(chevron)
         .selected_text(shown)
         .show_ui(ui, |ui| {
-            for card in scene.lab().methods() {
+            for card in scene.document().lab().methods() {
                 if card.is_faulty {
                     continue;
                 }
@@ -45,7 +43,7 @@ pub fn method_picker(ui: &mut Ui, look: Look<'_>, scene: &Scene, asks: bool) -> 
 pub fn compare_picker(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<Edit> {
     let mut asked = None;
     let name = |card: &MethodCard| look.say(card.name_key);
-    let methods = scene.methods();
+    let methods = scene.document().methods();
     let (main, beside) = (*methods.first()?, methods.get(1));
     let shown = beside.map_or_else(|| look.say("cost-compare"), |card| name(card));
     let combo = ComboBox::from_id_salt("compare")
@@ -59,6 +57,7 @@ pub fn compare_picker(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<Edit
             }
             // The ones that are wrong on purpose come last, under their question.
             let (faulty, right): (Vec<&MethodCard>, Vec<_>) = scene
+                .document()
                 .lab()
                 .methods()
                 .into_iter()

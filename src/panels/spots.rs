@@ -45,24 +45,29 @@ pub fn spots(
         let handle = *handles.get(index)?;
         Some(Spot {
             index,
-            at: scene.position(handle)?,
+            at: plane(scene.document().position(handle)?),
             name: look.catalog.message(&handle.name()),
             locked: locks.iter().any(|lock| lock.holds(handle)),
-            snap: if handle.is_whole() {
+            snap: if handle.kind().is_whole {
                 Snap::Offset
             } else {
                 Snap::Place
             },
-            marked: handle.is_marked(),
+            marked: handle.kind().is_marked,
             selected: reach.selected == Some(handle),
         })
     };
     if handles.len() <= FEW {
         return (0..handles.len()).filter_map(spot).collect();
     }
-    let whole = (0..handles.len()).filter(|&i| !handles[i].is_vertex());
+    let whole = (0..handles.len()).filter(|&i| !handles[i].kind().is_vertex);
     let vertices = reach.vertices(scene, handles);
     whole.chain(vertices).filter_map(spot).collect()
+}
+
+/// Where a handle of a lab of the plane lies.
+const fn plane([x, y, _]: [f64; 3]) -> [f64; 2] {
+    [x, y]
 }
 
 impl Reach<'_> {
@@ -71,7 +76,7 @@ impl Reach<'_> {
         let index_of = |handle: Handle| handles.iter().position(|&known| known == handle);
         let mut within: Vec<usize> = handles
             .iter()
-            .position(|h| h.is_vertex())
+            .position(|h| h.kind().is_vertex)
             .into_iter()
             .collect();
         if let Some(i) = self.focused.and_then(index_of) {
@@ -81,14 +86,16 @@ impl Reach<'_> {
         within.extend(self.gripped);
         if let Some(pointer) = self.pointer {
             let distance = |i: usize| {
-                let at = self.viewport.to_screen(scene.position(handles[i])?);
+                let at = self
+                    .viewport
+                    .to_screen(plane(scene.document().position(handles[i])?));
                 Some((at.distance(pointer), i)).filter(|(d, _)| *d <= NEAR_PTS)
             };
             let mut near: Vec<(f32, usize)> = (0..handles.len()).filter_map(distance).collect();
             near.sort_by(|a, b| a.0.total_cmp(&b.0));
             within.extend(near.into_iter().take(MOST_NEAR).map(|(_, i)| i));
         }
-        within.retain(|&i| handles.get(i).is_some_and(|handle| handle.is_vertex()));
+        within.retain(|&i| handles.get(i).is_some_and(|handle| handle.kind().is_vertex));
         within.sort_unstable();
         within.dedup();
         within

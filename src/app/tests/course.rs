@@ -5,9 +5,9 @@ use egui::Key;
 use super::{Bench, SIZE};
 use crate::{
     app::{App, Command, Settings},
+    labs::Edit,
     lesson::Course,
     paint::ThemeKind,
-    panels::Edit,
     text::Lang,
     trace::Transport,
 };

@@ -3,12 +3,15 @@
 use egui::{Event, Key, vec2};
 
 use super::{Bench, ctrl};
-use crate::{app::Command, labs::Handle, panels::polygons::PolygonsEdit};
+use crate::{
+    app::Command,
+    labs::polygons::{PolygonsChange, Vertex},
+};
 
 #[test]
 fn of_ten_thousand_vertices_the_near_ones_can_be_taken_hold_of() {
     let mut bench = Bench::polygons();
-    bench.edit(PolygonsEdit::Random {
+    bench.edit(PolygonsChange::Random {
         count: 10_000,
         seed: 1,
     });
@@ -34,7 +37,7 @@ fn of_ten_thousand_vertices_the_near_ones_can_be_taken_hold_of() {
 #[test]
 fn tab_walks_along_a_large_outline() {
     let mut bench = Bench::polygons();
-    bench.edit(PolygonsEdit::Random {
+    bench.edit(PolygonsChange::Random {
         count: 500,
         seed: 1,
     });
@@ -43,13 +46,13 @@ fn tab_walks_along_a_large_outline() {
         bench.key(Key::Tab);
     }
     let focused = bench.app.stage.focused.expect("a handle");
-    assert_eq!(focused, Handle::Vertex(2));
+    assert_eq!(focused, Vertex::Subject(2).handle());
 }
 
 #[test]
 fn a_long_run_keeps_its_place_without_being_searched() {
     let mut bench = Bench::polygons();
-    bench.edit(PolygonsEdit::Random {
+    bench.edit(PolygonsChange::Random {
         count: 2000,
         seed: 1,
     });
@@ -57,7 +60,7 @@ fn a_long_run_keeps_its_place_without_being_searched() {
     assert!(n_steps > 4096);
     bench.app.seek(n_steps / 3);
     let tick = bench.app.playback.main().tick(n_steps / 3);
-    bench.edit(PolygonsEdit::Delete(Some(Handle::Vertex(7))));
+    bench.edit(PolygonsChange::Delete(Vertex::Subject(7)));
     let now = bench.app.playback.transport();
     let part = now.position() as f64 / now.n_steps() as f64;
     assert!((part - 1.0 / 3.0).abs() < 0.02, "{part}");

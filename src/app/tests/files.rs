@@ -8,7 +8,7 @@ use super::{Bench, SIZE, ctrl};
 use crate::{
     app::{App, Command, Desktop, Dialog, Settings},
     labs::{Scene, lines},
-    lesson::Course,
+    lesson::{Course, SceneFormats},
 };
 
 #[derive(Debug)]
@@ -46,11 +46,11 @@ fn garbage_that_is_dropped_is_explained_and_changes_nothing() {
 fn a_scene_that_is_dropped_is_opened_and_can_be_undone() {
     let mut bench = Bench::new(SIZE);
     let before = bench.app.scene().clone();
-    let lines = before.as_lines().expect("the first lab");
+    let lines = before.get::<lines::Scene>().expect("the first lab");
     let segments = lines::random_segments(&lines.window, 3, 7);
     let scene = lines::Scene::new(lines.method, lines.window, segments).expect("three segments");
-    let scene = Scene::Lines(scene);
-    let text = crate::lesson::scene_to_toml(&scene).into_bytes();
+    let scene = Scene::from(scene);
+    let text = SceneFormats::standard().write(&scene).into_bytes();
     let file = Dropped(Box::leak(text.into_boxed_slice()));
     bench.frame_with(0.1, Vec::new(), vec![Arc::new(file)]);
     assert_eq!(bench.app.scene(), &scene);
@@ -75,6 +75,8 @@ fn a_scene_is_saved_where_the_dialog_says() {
     bench.settle();
     assert_eq!(bench.app.shown.dialog, None);
     let bytes = std::fs::read(&path).expect("the scene was written");
-    let read = crate::lesson::scene_from_toml(&path, &bytes).expect("what is saved can be opened");
+    let read = SceneFormats::standard()
+        .read(&path, &bytes)
+        .expect("what is saved can be opened");
     assert_eq!(&read, bench.app.scene());
 }

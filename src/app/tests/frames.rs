@@ -5,9 +5,9 @@ use egui::{Key, vec2};
 use super::{Bench, SIZE, ctrl};
 use crate::{
     app::{App, Command, Settings},
+    labs::{Edit, lines::LinesChange},
     lesson::Course,
     paint::ThemeKind,
-    panels::{Edit, lines::LinesEdit},
     text::Lang,
 };
 
@@ -82,16 +82,14 @@ fn two_methods_stand_side_by_side_and_step_together() {
 fn a_hundred_thousand_segments_are_drawn() {
     let mut bench = Bench::new(SIZE);
     let ctx = bench.ctx.clone();
-    let edit = LinesEdit::Random {
+    let edit = LinesChange::Random {
         count: 100_000,
         seed: 1,
     };
-    bench
-        .app
-        .apply(&ctx, Command::Edit(Edit::Lines(edit), None));
+    bench.app.apply(&ctx, Command::Edit(Edit::own(edit), None));
     bench.settle();
     assert!(bench.frame(0.1, Vec::new()) > 0);
     bench.key(Key::End);
     bench.press(Key::Z, ctrl());
-    assert_eq!(bench.app.scene().size(), 1);
+    assert_eq!(bench.app.scene().document().size(), 1);
 }

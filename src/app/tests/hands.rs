@@ -3,7 +3,7 @@
 use egui::{Key, Modifiers, vec2};
 
 use super::{Bench, SIZE, ctrl};
-use crate::app::Command;
+use crate::{app::Command, labs::lines};
 
 #[test]
 fn an_end_is_dragged_and_one_undo_takes_the_whole_drag_back() {
@@ -12,13 +12,18 @@ fn an_end_is_dragged_and_one_undo_takes_the_whole_drag_back() {
     bench.settle();
     let before = bench.app.scene().clone();
     let moment = bench.app.playback.main().moment(6);
-    let p2 = before.as_lines().unwrap().focused().p2.to_array();
+    let p2 = before
+        .get::<lines::Scene>()
+        .unwrap()
+        .focused()
+        .p2
+        .to_array();
     bench.drag(bench.on_screen(p2), bench.on_screen([2.5, 1.5]));
     assert_eq!(
         bench
             .app
             .scene()
-            .as_lines()
+            .get::<lines::Scene>()
             .unwrap()
             .focused()
             .p2
@@ -38,7 +43,7 @@ fn an_end_is_dragged_and_one_undo_takes_the_whole_drag_back() {
         bench
             .app
             .scene()
-            .as_lines()
+            .get::<lines::Scene>()
             .unwrap()
             .focused()
             .p2
@@ -54,7 +59,7 @@ fn a_drag_keeps_to_the_grid_and_the_background_pans() {
     let p1 = bench
         .app
         .scene()
-        .as_lines()
+        .get::<lines::Scene>()
         .unwrap()
         .focused()
         .p1
@@ -64,7 +69,7 @@ fn a_drag_keeps_to_the_grid_and_the_background_pans() {
         bench
             .app
             .scene()
-            .as_lines()
+            .get::<lines::Scene>()
             .unwrap()
             .focused()
             .p1
@@ -91,7 +96,7 @@ fn a_handle_with_the_focus_takes_the_arrows_until_escape() {
         bench
             .app
             .scene()
-            .as_lines()
+            .get::<lines::Scene>()
             .unwrap()
             .focused()
             .p1
@@ -104,7 +109,7 @@ fn a_handle_with_the_focus_takes_the_arrows_until_escape() {
         bench
             .app
             .scene()
-            .as_lines()
+            .get::<lines::Scene>()
             .unwrap()
             .focused()
             .p1
@@ -117,7 +122,7 @@ fn a_handle_with_the_focus_takes_the_arrows_until_escape() {
         bench
             .app
             .scene()
-            .as_lines()
+            .get::<lines::Scene>()
             .unwrap()
             .focused()
             .p2

@@ -6,14 +6,10 @@ use super::{Bench, SIZE, ctrl};
 use crate::{
     app::{App, Command, Settings},
     labs::{
-        Handle, Lab,
-        polygons::{PRESETS, REGIONS, Scene},
+        Edit, lines,
+        polygons::{LAB, OUTLINES, PRESETS, PolygonsChange, REGIONS, Scene, Vertex},
     },
     lesson::Course,
-    panels::{
-        Edit,
-        polygons::{Outline, PolygonsEdit},
-    },
     text::Lang,
 };
 
@@ -21,7 +17,7 @@ impl Bench {
     /// The polygons lab on its first scene.
     pub(super) fn polygons() -> Self {
         let mut bench = Self::new(SIZE);
-        bench.command(Command::Lab(Lab::Polygons));
+        bench.command(Command::Lab(LAB.id()));
         bench
     }
 
@@ -31,12 +27,12 @@ impl Bench {
         self.settle();
     }
 
-    pub(super) fn edit(&mut self, edit: PolygonsEdit) {
-        self.command(Command::Edit(Edit::Polygons(edit), None));
+    pub(super) fn edit(&mut self, edit: PolygonsChange) {
+        self.command(Command::Edit(Edit::own(edit), None));
     }
 
     fn polygon(&self) -> &Scene {
-        self.app.scene().as_polygons().expect("the polygons lab")
+        self.app.scene().get().expect("the polygons lab")
     }
 
     pub(super) fn subject(&self) -> Vec<[f64; 2]> {
@@ -159,7 +155,7 @@ fn a_clip_polygon_and_a_hole_are_drawn_the_same_way() {
     assert_eq!(bench.hint(), None, "Sutherland–Hodgman knows no holes");
     assert!(!bench.app.notices.is_empty(), "and that is said");
     bench.command(Command::Edit(Edit::Method("weiler-atherton"), None));
-    for (key, outline) in [(Key::C, Outline::Clip), (Key::H, Outline::Hole)] {
+    for (key, outline) in [(Key::C, &OUTLINES[1]), (Key::H, &OUTLINES[2])] {
         bench.key(key);
         assert!(bench.hint().is_some(), "{outline:?}");
         for at in TRIANGLE {
@@ -193,11 +189,11 @@ fn two_clicks_or_ctrl_and_one_put_a_vertex_on_an_edge() {
     let mut bench = Bench::polygons();
     let square = [[-1.5, -1.5], [1.5, -1.5], [1.5, 1.5], [-1.5, 1.5]];
     let polygon = crate::geom::Polygon::new(&square).unwrap();
-    bench.edit(PolygonsEdit::Subject(polygon));
+    bench.edit(PolygonsChange::Subject(polygon));
     bench.double_click_at([0.5, -1.5]);
     assert_eq!(bench.subject().len(), 5);
     assert_eq!(bench.subject()[1], [0.5, -1.5]);
-    assert_eq!(bench.app.stage.selected, Some(Handle::Vertex(1)));
+    assert_eq!(bench.app.stage.selected, Some(Vertex::Subject(1).handle()));
     bench.click(bench.on_screen([-1.5, 0.5]), ctrl());
     assert_eq!(
         bench.subject()[5],
@@ -220,14 +216,14 @@ fn insert_and_delete_are_about_the_vertex_that_was_taken_hold_of() {
     let mut bench = Bench::polygons();
     let before = bench.subject();
     bench.click_at(before[1]);
-    assert_eq!(bench.app.stage.selected, Some(Handle::Vertex(1)));
+    assert_eq!(bench.app.stage.selected, Some(Vertex::Subject(1).handle()));
     bench.key(Key::Insert);
     assert_eq!(bench.subject().len(), before.len() + 1);
-    assert_eq!(bench.app.stage.selected, Some(Handle::Vertex(2)));
+    assert_eq!(bench.app.stage.selected, Some(Vertex::Subject(2).handle()));
     bench.key(Key::Delete);
     assert_eq!(bench.subject(), before);
     bench.drag(bench.on_screen(before[2]), bench.on_screen([1.0, 1.0]));
-    assert_eq!(bench.app.stage.selected, Some(Handle::Vertex(2)));
+    assert_eq!(bench.app.stage.selected, Some(Vertex::Subject(2).handle()));
     bench.key(Key::Delete);
     assert_eq!(bench.subject(), [before[0], before[1], before[3]]);
 }
@@ -251,9 +247,9 @@ fn the_last_three_vertices_stay_and_it_is_said_in_every_language() {
 #[test]
 fn every_preset_and_region_is_clipped_by_every_method() {
     let mut bench = Bench::polygons();
-    let methods = Lab::Polygons.methods();
+    let methods = LAB.methods();
     for (i, preset) in PRESETS.iter().enumerate() {
-        bench.edit(PolygonsEdit::Preset(i));
+        bench.edit(PolygonsChange::Preset(i));
         for method in &methods {
             bench.command(Command::Edit(Edit::Method(method.id), None));
             bench.key(Key::End);
@@ -266,11 +262,11 @@ fn every_preset_and_region_is_clipped_by_every_method() {
         }
     }
     for (i, region) in REGIONS.iter().enumerate() {
-        bench.edit(PolygonsEdit::Region(i));
+        bench.edit(PolygonsChange::Region(i));
         assert!(bench.polygon().clip.is_some(), "{}", region.name_key);
         bench.key(Key::End);
     }
-    bench.edit(PolygonsEdit::Clip(None));
+    bench.edit(PolygonsChange::Clip(None));
     assert!(bench.polygon().clip.is_none());
 }
 
@@ -279,14 +275,14 @@ fn indices_that_are_none_change_nothing() {
     let mut bench = Bench::polygons();
     let before = bench.app.scene().clone();
     for edit in [
-        PolygonsEdit::Preset(usize::MAX),
-        PolygonsEdit::Region(usize::MAX),
-        PolygonsEdit::Insert(Some(Handle::Vertex(999)), None),
-        PolygonsEdit::Insert(Some(Handle::Vertex(0)), Some([f64::NAN, 0.0])),
-        PolygonsEdit::Insert(Some(Handle::HoleVertex(7, 0)), None),
-        PolygonsEdit::Delete(Some(Handle::ClipVertex(3))),
-        PolygonsEdit::Random { count: 0, seed: 0 },
-        PolygonsEdit::Random {
+        PolygonsChange::Preset(usize::MAX),
+        PolygonsChange::Region(usize::MAX),
+        PolygonsChange::Insert(Vertex::Subject(999), None),
+        PolygonsChange::Insert(Vertex::Subject(0), Some([f64::NAN, 0.0])),
+        PolygonsChange::Insert(Vertex::Hole(7, 0), None),
+        PolygonsChange::Delete(Vertex::Clip(3)),
+        PolygonsChange::Random { count: 0, seed: 0 },
+        PolygonsChange::Random {
             count: 1_000_000,
             seed: 0,
         },
@@ -295,7 +291,7 @@ fn indices_that_are_none_change_nothing() {
         assert_eq!(bench.app.scene(), &before);
     }
     for place in [[f64::NAN; 2], [f64::INFINITY, 0.0], [1e300, -1e300]] {
-        bench.command(Command::Draw(Outline::Subject));
+        bench.command(Command::Draw(&OUTLINES[0]));
         for _ in 0..4 {
             bench.command(Command::Place(place));
             bench.command(Command::Place([1.0, 2.0]));
@@ -308,7 +304,7 @@ fn indices_that_are_none_change_nothing() {
 
 #[test]
 fn the_first_difference_of_a_faulty_method_is_named_and_marked() {
-    let methods = Lab::Polygons.methods();
+    let methods = LAB.methods();
     let faulty = methods
         .iter()
         .find(|card| card.is_faulty)
@@ -326,12 +322,12 @@ fn the_first_difference_of_a_faulty_method_is_named_and_marked() {
     let i = PRESETS
         .iter()
         .position(|preset| preset.name_key == "preset-along");
-    bench.edit(PolygonsEdit::Preset(i.expect("a preset")));
+    bench.edit(PolygonsChange::Preset(i.expect("a preset")));
     let difference = bench.app.playback.difference().expect("one is wrong");
     let step = difference
         .step
         .expect("vertices on the border are its mistake");
-    let runs = bench.app.scene().record();
+    let runs = bench.app.scene().document().record();
     for same in 1..step {
         assert_eq!(runs[0].event_json(same), runs[1].event_json(same));
     }
@@ -362,9 +358,9 @@ fn an_idle_polygons_lab_asks_for_no_repaint() {
 fn the_lab_opens_from_its_tab_and_goes_back() {
     let app = App::new(Course::embedded(), Settings::default());
     let mut bench = Bench::with(app, SIZE);
-    for lab in [Lab::Polygons, Lab::Lines, Lab::Polygons] {
-        bench.command(Command::Lab(lab));
-        assert_eq!(bench.app.scene().lab(), lab);
+    for lab in [LAB, lines::LAB, LAB] {
+        bench.command(Command::Lab(lab.id()));
+        assert_eq!(bench.app.scene().document().lab(), lab);
         assert!(bench.frame(0.1, Vec::new()) > 0);
     }
 }

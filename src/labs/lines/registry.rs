@@ -1,15 +1,11 @@
 //! The methods of this lab. To add one: a file in `algo::line`, its [`LineDemo`] here beside the
 //! others, one line below.
 
-use std::fmt;
-
-use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
-
 use crate::{
     algo::line::{self, Visible},
     figure::Run,
     geom::Segment,
-    labs::{self, MethodCard},
+    labs::{self, Listed, MethodCard},
     trace::{Counted, Counts, silent},
 };
 
@@ -66,79 +62,40 @@ pub static METHODS: [MethodInfo; 5] = [
 ];
 
 /// One of [`METHODS`].
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Method(usize);
+pub type Method = labs::Method<MethodInfo>;
 
-impl Method {
-    /// In the order of the registry.
-    pub fn all() -> impl ExactSizeIterator<Item = Self> {
-        (0..METHODS.len()).map(Self)
+impl Listed for MethodInfo {
+    fn all() -> &'static [Self] {
+        &METHODS
     }
 
-    /// The method with this id.
-    #[must_use]
-    pub fn by_id(id: &str) -> Option<Self> {
-        METHODS.iter().position(|info| info.card.id == id).map(Self)
+    fn card(&self) -> &MethodCard {
+        &self.card
     }
+}
 
-    /// What is known of it.
-    #[must_use]
-    pub fn info(self) -> &'static MethodInfo {
-        &METHODS[self.0]
-    }
-
-    /// Its names, source and pseudocode.
-    #[must_use]
-    pub fn card(self) -> &'static MethodCard {
-        &self.info().card
-    }
-
+impl MethodInfo {
     /// Runs it on one segment of the scene.
     #[must_use]
-    pub fn record(self, scene: &Scene, segment: Segment) -> Box<dyn Run> {
-        (self.info().record)(scene, segment)
+    pub fn record(&self, scene: &Scene, segment: Segment) -> Box<dyn Run> {
+        (self.record)(scene, segment)
     }
 
     /// Its answer for one segment of the scene, as a program would ask for it.
     #[must_use]
-    pub fn clip(self, scene: &Scene, segment: Segment) -> Visible {
-        (self.info().clip)(scene, segment)
+    pub fn clip(&self, scene: &Scene, segment: Segment) -> Visible {
+        (self.clip)(scene, segment)
     }
 
     /// The same answer and how many operations it took, without recording the steps.
     #[must_use]
-    pub fn cost(self, scene: &Scene, segment: Segment) -> (Visible, Counts) {
-        (self.info().cost)(scene, segment)
+    pub fn cost(&self, scene: &Scene, segment: Segment) -> (Visible, Counts) {
+        (self.cost)(scene, segment)
     }
 
     /// Clips all `segments` silently each time it is called; the number of those that are visible.
     #[must_use]
-    pub fn pass(self, scene: &Scene, segments: &[Segment]) -> Pass {
-        (self.info().pass)(scene, segments)
-    }
-}
-
-impl fmt::Display for Method {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.card().id)
-    }
-}
-
-impl Serialize for Method {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(self.card().id)
-    }
-}
-
-impl<'de> Deserialize<'de> for Method {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let id = String::deserialize(deserializer)?;
-        Self::by_id(&id).ok_or_else(|| {
-            let known: Vec<&str> = METHODS.iter().map(|info| info.card.id).collect();
-            de::Error::custom(format!(
-                "unknown method `{id}`: expected one of {}",
-                known.join(", ")
-            ))
-        })
+    pub fn pass(&self, scene: &Scene, segments: &[Segment]) -> Pass {
+        (self.pass)(scene, segments)
     }
 }

@@ -2,8 +2,6 @@
 
 use std::fmt;
 
-use serde::{Deserialize, Serialize};
-
 use crate::{
     algo::line::BitOrder,
     geom::{ConvexPolygon, Segment, Window},
@@ -16,8 +14,7 @@ use super::Method;
 pub const MAX_SEGMENTS: usize = 1_000_000;
 
 /// Always valid: at least one segment, and the focus is one of them.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
-#[serde(try_from = "SceneFile", into = "SceneFile")]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Scene {
     /// How the focused segment is clipped.
     pub method: Method,
@@ -31,23 +28,6 @@ pub struct Scene {
     pub bit_order: BitOrder,
     segments: Vec<Segment>,
     focus: usize,
-}
-
-/// A scene as lesson and scene files spell it.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct SceneFile {
-    method: Method,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    compare: Option<Method>,
-    window: Window,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    clip: Option<ConvexPolygon>,
-    #[serde(default)]
-    bit_order: BitOrder,
-    #[serde(default)]
-    focus: usize,
-    segments: Vec<Segment>,
 }
 
 /// Why a scene is refused.
@@ -88,15 +68,14 @@ impl fmt::Display for SceneError {
     }
 }
 
-impl std::error::Error for SceneError {}
-
 impl Scene {
     /// A scene with one window and these segments, the first in focus.
     ///
     /// # Errors
     /// [`SceneError`] where there is no segment, or too many.
     pub fn new(method: Method, window: Window, segments: Vec<Segment>) -> Result<Self, SceneError> {
-        Self::try_from(SceneFile {
+        check(&segments)?;
+        Ok(Self {
             method,
             compare: None,
             window,
@@ -179,7 +158,7 @@ impl Scene {
     /// # Errors
     /// [`SceneError`] where there is none, or too many.
     pub fn set_segments(&mut self, segments: Vec<Segment>) -> Result<(), SceneError> {
-        check(&segments, 0)?;
+        check(&segments)?;
         (self.segments, self.focus) = (segments, 0);
         Ok(())
     }
@@ -212,42 +191,10 @@ impl Scene {
     }
 }
 
-fn check(segments: &[Segment], focus: usize) -> Result<(), SceneError> {
+const fn check(segments: &[Segment]) -> Result<(), SceneError> {
     match segments.len() {
         0 => Err(SceneError::NoSegments),
-        n if n > MAX_SEGMENTS => Err(SceneError::TooManySegments(n)),
-        n_segments if focus >= n_segments => Err(SceneError::NoSuchFocus { focus, n_segments }),
-        _ => Ok(()),
-    }
-}
-
-impl TryFrom<SceneFile> for Scene {
-    type Error = SceneError;
-
-    fn try_from(file: SceneFile) -> Result<Self, SceneError> {
-        check(&file.segments, file.focus)?;
-        Ok(Self {
-            method: file.method,
-            compare: file.compare,
-            window: file.window,
-            clip: file.clip,
-            bit_order: file.bit_order,
-            segments: file.segments,
-            focus: file.focus,
-        })
-    }
-}
-
-impl From<Scene> for SceneFile {
-    fn from(scene: Scene) -> Self {
-        Self {
-            method: scene.method,
-            compare: scene.compare,
-            window: scene.window,
-            clip: scene.clip,
-            bit_order: scene.bit_order,
-            focus: scene.focus,
-            segments: scene.segments,
-        }
+        1..=MAX_SEGMENTS => Ok(()),
+        n => Err(SceneError::TooManySegments(n)),
     }
 }

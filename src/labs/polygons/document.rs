@@ -1,14 +1,18 @@
-//! What the polygons lab's scene shows, and what of it can be dragged.
+//! What the polygons lab's scene shows, and how it is changed.
+
+use std::sync::Arc;
 
 use crate::{
     figure::{Mark, Run},
-    geom::{GeomError, Point, Polygon, extent},
-    labs::{Document, Handle, Lab, MethodCard},
+    geom::{Point, Polygon},
+    labs::{ChangeOf, Click, Document, Handle, Lab, MethodCard, Own},
+    text::Diagnostic,
 };
 
 use super::{
-    Method, Scene,
+    LAB, Method, PolygonsChange, Scene,
     backdrop::{backdrop, bounds},
+    change::{clicked, vertex_of},
 };
 
 impl Scene {
@@ -40,27 +44,11 @@ impl Scene {
     pub fn carries_texture(&self) -> bool {
         self.on_stage().any(|method| method.info().carries_texture)
     }
-
-    /// Where the handle of the whole subject lies: the middle of its box.
-    fn middle(&self) -> [f64; 2] {
-        let [min, max] = extent(self.subject.vertices().iter().copied());
-        [min[0].midpoint(max[0]), min[1].midpoint(max[1])]
-    }
-
-    fn drag_subject(&mut self, to: Point) -> Result<(), GeomError> {
-        let [x, y] = self.middle();
-        let by = [to.x() - x, to.y() - y];
-        let subject = moved(&self.subject, by)?;
-        let holes = self.holes.iter().map(|hole| moved(hole, by));
-        self.holes = holes.collect::<Result<_, _>>()?;
-        self.subject = subject;
-        Ok(())
-    }
 }
 
 impl Document for Scene {
-    fn lab(&self) -> Lab {
-        Lab::Polygons
+    fn lab(&self) -> &'static dyn Lab {
+        LAB
     }
 
     fn methods(&self) -> Vec<&'static MethodCard> {
@@ -79,7 +67,8 @@ impl Document for Scene {
     }
 
     fn record(&self) -> Vec<Box<dyn Run>> {
-        self.on_stage().map(|method| method.record(self)).collect()
+        let record = |method: Method| method.info().record(self);
+        self.on_stage().map(record).collect()
     }
 
     fn backdrop(&self, column: usize, at_end: bool) -> Vec<Mark> {
@@ -92,58 +81,31 @@ impl Document for Scene {
     }
 
     fn handles(&self) -> Vec<Handle> {
-        let n_vertices = self.subject.vertices().len();
-        let mut handles: Vec<Handle> = (0..n_vertices).map(Handle::Vertex).collect();
-        for (i, hole) in self.holes.iter().enumerate() {
-            handles.extend((0..hole.vertices().len()).map(|k| Handle::HoleVertex(i, k)));
-        }
-        handles.push(Handle::Subject);
-        match self.clip_in_use() {
-            Some(clip) => handles.extend((0..clip.vertices().len()).map(Handle::ClipVertex)),
-            None if self.clips() => handles.extend(Handle::of_window()),
-            None => {}
-        }
-        handles
+        self.all_handles()
     }
 
-    fn position(&self, handle: Handle) -> Option<[f64; 2]> {
-        let vertex = |ring: &Polygon, i: usize| ring.vertices().get(i).map(|p| p.to_array());
-        match handle {
-            Handle::Vertex(i) => vertex(&self.subject, i),
-            Handle::HoleVertex(hole, i) => vertex(self.holes.get(hole)?, i),
-            Handle::ClipVertex(i) => vertex(self.clip_in_use()?, i),
-            Handle::Subject => Some(self.middle()),
-            _ => handle.on_window(&self.window),
-        }
+    fn position(&self, handle: Handle) -> Option<[f64; 3]> {
+        self.position_of(handle)
     }
 
-    fn drag(&mut self, handle: Handle, [x, y]: [f64; 2]) -> Result<(), GeomError> {
-        let to = Point::new(x, y)?;
-        match handle {
-            Handle::Vertex(i) => self.subject.set_vertex(i, to),
-            Handle::HoleVertex(hole, i) => {
-                if let Some(hole) = self.holes.get_mut(hole) {
-                    hole.set_vertex(i, to);
-                }
-            }
-            Handle::ClipVertex(i) => {
-                if let Some(clip) = &mut self.clip {
-                    clip.set_vertex(i, to);
-                }
-            }
-            Handle::Subject => self.drag_subject(to)?,
-            _ => self.window = handle.drag_window(&self.window, to)?,
-        }
+    fn drag(&mut self, handle: Handle, [x, y, _]: [f64; 3]) -> Result<(), Diagnostic> {
+        self.drag_handle(handle, Point::new(x, y)?)
+    }
+
+    fn add(&mut self, after: Option<Handle>) -> Result<Option<Handle>, Diagnostic> {
+        PolygonsChange::Insert(vertex_of(self, after), None).make(self)
+    }
+
+    fn remove(&mut self, handle: Option<Handle>) -> Result<(), Diagnostic> {
+        PolygonsChange::Delete(vertex_of(self, handle)).make(self)?;
         Ok(())
+    }
+
+    fn click(&self, click: &Click<'_>) -> Option<Own> {
+        Some(Arc::new(clicked(self, click)?))
     }
 
     fn size(&self) -> usize {
         self.n_vertices()
     }
-}
-
-fn moved(polygon: &Polygon, [dx, dy]: [f64; 2]) -> Result<Polygon, GeomError> {
-    let vertices = polygon.vertices().iter();
-    let outline: Vec<[f64; 2]> = vertices.map(|p| [p.x() + dx, p.y() + dy]).collect();
-    Polygon::new(&outline)
 }

@@ -1,8 +1,11 @@
 //! The polygons lab: a polygon against a window, or against another polygon.
 
 mod backdrop;
+mod change;
 mod demo;
 mod document;
+mod handles;
+mod lab;
 mod methods;
 mod presets;
 mod random;
@@ -10,7 +13,10 @@ mod refusal;
 mod registry;
 mod scene;
 
+pub use change::{OUTLINES, PolygonsChange};
 pub use demo::PolygonDemo;
+pub use handles::Vertex;
+pub use lab::LAB;
 pub use presets::{PRESETS, Preset, REGIONS};
 pub use random::random_polygon;
 pub use refusal::{Part, Refusal};

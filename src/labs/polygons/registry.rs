@@ -1,9 +1,11 @@
 //! The methods of this lab. To add one: a file in `algo::polygon`, its [`PolygonDemo`] beside the others, one
 //! line below.
 
-use std::fmt;
-
-use crate::{algo::polygon, figure::Run, labs::MethodCard};
+use crate::{
+    algo::polygon,
+    figure::Run,
+    labs::{self, Listed, MethodCard},
+};
 
 use super::{PolygonDemo, Scene, methods::faulty};
 
@@ -45,42 +47,22 @@ pub static METHODS: [MethodInfo; 10] = [
 ];
 
 /// One of [`METHODS`].
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Method(usize);
+pub type Method = labs::Method<MethodInfo>;
 
-impl Method {
-    /// In the order of the registry.
-    pub fn all() -> impl ExactSizeIterator<Item = Self> {
-        (0..METHODS.len()).map(Self)
+impl Listed for MethodInfo {
+    fn all() -> &'static [Self] {
+        &METHODS
     }
 
-    /// The method with this id.
-    #[must_use]
-    pub fn by_id(id: &str) -> Option<Self> {
-        METHODS.iter().position(|info| info.card.id == id).map(Self)
-    }
-
-    /// What is known of it.
-    #[must_use]
-    pub fn info(self) -> &'static MethodInfo {
-        &METHODS[self.0]
-    }
-
-    /// Its names, source and pseudocode.
-    #[must_use]
-    pub fn card(self) -> &'static MethodCard {
-        &self.info().card
-    }
-
-    /// Runs it on the scene; where it cannot take it, the run has no steps and says why.
-    #[must_use]
-    pub fn record(self, scene: &Scene) -> Box<dyn Run> {
-        (self.info().record)(scene)
+    fn card(&self) -> &MethodCard {
+        &self.card
     }
 }
 
-impl fmt::Display for Method {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.card().id)
+impl MethodInfo {
+    /// Runs it on the scene; where it cannot take it, the run has no steps and says why.
+    #[must_use]
+    pub fn record(&self, scene: &Scene) -> Box<dyn Run> {
+        (self.record)(scene)
     }
 }

@@ -86,8 +86,6 @@ impl fmt::Display for SceneError {
     }
 }
 
-impl std::error::Error for SceneError {}
-
 impl Scene {
     /// A polygon against a window.
     #[must_use]

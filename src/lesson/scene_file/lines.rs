@@ -6,8 +6,8 @@ use crate::{
     algo::line::BitOrder,
     geom::{ConvexPolygon, Segment, Window},
     labs::{
-        Lab,
-        lines::{MAX_SEGMENTS, Method, Scene, SceneError, random_segments},
+        self, Lab,
+        lines::{LAB, MAX_SEGMENTS, Method, Scene, SceneError, random_segments},
     },
     lesson::{
         sink::Sink,
@@ -16,10 +16,13 @@ use crate::{
     text::Message,
 };
 
-use super::parts::{array, method, number_like, outline, points, window};
+use super::{
+    format::SceneFormat,
+    parts::{array, method, number_like, outline, points, window},
+};
 
 /// The fields of a scene.
-pub(super) const FIELDS: [&str; 8] = [
+const FIELDS: [&str; 8] = [
     "method",
     "compare",
     "window",
@@ -30,12 +33,42 @@ pub(super) const FIELDS: [&str; 8] = [
     "focus",
 ];
 
+/// The spelling of this lab's scenes.
+pub(super) struct Format;
+
+impl SceneFormat for Format {
+    fn lab(&self) -> &'static dyn Lab {
+        LAB
+    }
+
+    fn fields(&self) -> &'static [&'static str] {
+        &FIELDS
+    }
+
+    fn own_field(&self) -> &'static str {
+        "segments"
+    }
+
+    fn room(&self) -> usize {
+        MAX_SEGMENTS
+    }
+
+    fn read(
+        &self,
+        fields: &Fields<'_>,
+        room: &mut usize,
+        sink: &mut Sink<'_>,
+    ) -> Option<labs::Scene> {
+        scene(fields, room, sink).map(labs::Scene::from)
+    }
+
+    fn write(&self, scene: &labs::Scene) -> Option<String> {
+        scene.get().map(to_toml)
+    }
+}
+
 /// Reads a scene; `segments_left` is how many a file may still have.
-pub(super) fn scene(
-    fields: &Fields<'_>,
-    segments_left: &mut usize,
-    sink: &mut Sink<'_>,
-) -> Option<Scene> {
+fn scene(fields: &Fields<'_>, segments_left: &mut usize, sink: &mut Sink<'_>) -> Option<Scene> {
     let n_errors = sink.n_errors();
     let method = fields
         .require("method", sink)
@@ -86,7 +119,7 @@ pub(super) fn scene(
 }
 
 fn line_method(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Method> {
-    Method::by_id(method(Lab::Lines, item, sink)?)
+    Method::by_id(method(LAB, item, sink)?)
 }
 
 /// The segments of a scene, listed or random: one of the two.
@@ -162,7 +195,7 @@ fn random(
 }
 
 /// Writes a scene.
-pub(super) fn to_toml(scene: &Scene) -> String {
+fn to_toml(scene: &Scene) -> String {
     let mut text = format!("method = \"{}\"\n", scene.method);
     if let Some(compare) = scene.compare {
         let _ = writeln!(text, "compare = \"{compare}\"");

@@ -14,7 +14,7 @@ use crate::lesson::{
 };
 
 /// The id of a method of this lab.
-pub(super) fn method(lab: Lab, item: &Item<'_>, sink: &mut Sink<'_>) -> Option<&'static str> {
+pub(super) fn method(lab: &dyn Lab, item: &Item<'_>, sink: &mut Sink<'_>) -> Option<&'static str> {
     let known: Vec<&str> = lab.methods().iter().map(|card| card.id).collect();
     one_of(item, &known, "problem-unknown-method", sink, |name| {
         let mut cards = lab.methods().into_iter();

@@ -5,8 +5,8 @@ use std::fmt::Write as _;
 use crate::{
     geom::{Polygon, Window},
     labs::{
-        Lab,
-        polygons::{MAX_VERTICES, Method, Scene, SceneError, Texture, random_polygon},
+        self, Lab,
+        polygons::{LAB, MAX_VERTICES, Method, Scene, SceneError, Texture, random_polygon},
     },
     lesson::{
         sink::Sink,
@@ -15,19 +15,52 @@ use crate::{
     text::Message,
 };
 
-use super::parts::{array, method, outline, points, window};
+use super::{
+    format::SceneFormat,
+    parts::{array, method, outline, points, window},
+};
 
 /// The fields of a scene.
-pub(super) const FIELDS: [&str; 8] = [
+const FIELDS: [&str; 8] = [
     "method", "compare", "window", "clip", "polygon", "holes", "random", "texture",
 ];
 
+/// The spelling of this lab's scenes.
+pub(super) struct Format;
+
+impl SceneFormat for Format {
+    fn lab(&self) -> &'static dyn Lab {
+        LAB
+    }
+
+    fn fields(&self) -> &'static [&'static str] {
+        &FIELDS
+    }
+
+    fn own_field(&self) -> &'static str {
+        "polygon"
+    }
+
+    fn room(&self) -> usize {
+        10 * MAX_VERTICES
+    }
+
+    fn read(
+        &self,
+        fields: &Fields<'_>,
+        room: &mut usize,
+        sink: &mut Sink<'_>,
+    ) -> Option<labs::Scene> {
+        scene(fields, room, sink).map(labs::Scene::from)
+    }
+
+    fn write(&self, scene: &labs::Scene) -> Option<String> {
+        scene.get().map(to_toml)
+    }
+}
+
 /// Reads a scene; `vertices_left` is how many a file may still have.
-pub(super) fn scene(
-    fields: &Fields<'_>,
-    vertices_left: &mut usize,
-    sink: &mut Sink<'_>,
-) -> Option<Scene> {
+fn scene(fields: &Fields<'_>, vertices_left: &mut usize, sink: &mut Sink<'_>) -> Option<Scene> {
     let n_errors = sink.n_errors();
     let method = fields
         .require("method", sink)
@@ -66,7 +99,7 @@ pub(super) fn scene(
 }
 
 fn polygon_method(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Method> {
-    Method::by_id(method(Lab::Polygons, item, sink)?)
+    Method::by_id(method(LAB, item, sink)?)
 }
 
 fn polygon(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Polygon> {
@@ -100,7 +133,7 @@ fn random(item: &Item<'_>, window: Option<&Window>, sink: &mut Sink<'_>) -> Opti
 }
 
 /// Writes a scene.
-pub(super) fn to_toml(scene: &Scene) -> String {
+fn to_toml(scene: &Scene) -> String {
     let mut text = format!("method = \"{}\"\n", scene.method);
     if let Some(compare) = scene.compare {
         let _ = writeln!(text, "compare = \"{compare}\"");

@@ -331,7 +331,9 @@ fn a_file_that_is_not_toml_is_explained() {
         ("a", "toml-no-value"),
         ("é = 1", "toml-name"),
     ] {
-        let problems = scene_from_toml("a.toml", toml.as_bytes()).expect_err(toml);
+        let problems = SceneFormats::standard()
+            .read("a.toml", toml.as_bytes())
+            .expect_err(toml);
         assert_eq!(problems[0].code(), code, "{toml}");
         for lang in Lang::ALL {
             let text = problems[0].render(Catalog::of(lang));
@@ -344,7 +346,10 @@ fn a_file_that_is_not_toml_is_explained() {
 fn what_a_file_holds_cannot_upset_the_terminal() {
     let long = "x".repeat(1_000);
     let toml = format!("\"\\u001b[2J{long}\" = \"\u{7f}\"");
-    for problem in scene_from_toml("a\u{1b}.toml", toml.as_bytes()).expect_err("no scene") {
+    for problem in SceneFormats::standard()
+        .read("a\u{1b}.toml", toml.as_bytes())
+        .expect_err("no scene")
+    {
         let text = problem.render(Catalog::of(Lang::En));
         assert!(
             !text.contains(|c: char| c.is_control() && c != '\n'),

@@ -110,12 +110,16 @@ bit_order = \"lrbt\"
 focus = 1
 segments = [[-0.0, 0.1, 5e-324, 0.30000000000000004], [1e15, 9007199254740993, 0xff, 1_000.5]]
 ";
-    let scene = scene_from_toml("a.toml", toml.as_bytes()).expect("a scene in order");
-    let text = scene_to_toml(&scene);
-    let again = scene_from_toml("a.toml", text.as_bytes()).expect("a scene as it was written");
+    let scene = SceneFormats::standard()
+        .read("a.toml", toml.as_bytes())
+        .expect("a scene in order");
+    let text = SceneFormats::standard().write(&scene);
+    let again = SceneFormats::standard()
+        .read("a.toml", text.as_bytes())
+        .expect("a scene as it was written");
     let bits = |scene: &Scene| -> Vec<u64> {
         let numbers = scene
-            .as_lines()
+            .get::<crate::labs::lines::Scene>()
             .unwrap()
             .segments()
             .iter()
@@ -123,14 +127,15 @@ segments = [[-0.0, 0.1, 5e-324, 0.30000000000000004], [1e15, 9007199254740993, 0
         numbers.map(f64::to_bits).collect()
     };
     assert_eq!((&again, bits(&again)), (&scene, bits(&scene)), "{text}");
-    assert_eq!(scene_to_toml(&again), text);
+    assert_eq!(SceneFormats::standard().write(&again), text);
     assert!(
         text.contains("    [-0.0, 0.1, 5e-324, 0.30000000000000004],\n"),
         "{text}"
     );
     assert!(text.contains("window = [-1, -1, 1, 1e300]\n"), "{text}");
-    let problems =
-        scene_from_toml("a.toml", b"method = 1\nwindow = [0]").expect_err("a broken scene");
+    let problems = SceneFormats::standard()
+        .read("a.toml", b"method = 1\nwindow = [0]")
+        .expect_err("a broken scene");
     let spots: Vec<String> = problems.iter().map(spot).collect();
     assert_eq!(
         spots,
@@ -196,8 +201,19 @@ fn large_files_are_read_in_no_time() {
     let loaded = Course::load(&files);
     assert_eq!(loaded.problems, []);
     let scene = &loaded.course.lessons[0].steps[0].scene;
-    assert_eq!(scene.as_lines().unwrap().segments().len(), 100_001);
-    assert!(scene_from_toml("a.toml", scene_to_toml(scene).as_bytes()).is_ok());
+    assert_eq!(
+        scene
+            .get::<crate::labs::lines::Scene>()
+            .unwrap()
+            .segments()
+            .len(),
+        100_001
+    );
+    assert!(
+        SceneFormats::standard()
+            .read("a.toml", SceneFormats::standard().write(scene).as_bytes())
+            .is_ok()
+    );
     let sections = (0..100_000).map(|i| format!("## s{i}: T\n\nt\n\n"));
     let sections = sections.collect::<Vec<_>>().concat();
     let problems = Course::load(&with(LESSON, &format!("{TEXT}{sections}"))).problems;

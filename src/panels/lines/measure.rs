@@ -7,7 +7,6 @@ use crate::{
     algo::line::batch::{Clipped, Segments, clip_all},
     geom::Segment,
     labs::lines::{Method, Pass, Scene, random_segments},
-    panels::Stopwatch,
     trace::Counts,
 };
 
@@ -46,7 +45,7 @@ impl Subject {
 
     fn pass(self, scene: &Scene, segments: &[Segment]) -> Pass {
         match self {
-            Self::Method(method) => method.pass(scene, segments),
+            Self::Method(method) => method.info().pass(scene, segments),
             Self::Batch => {
                 let window = scene.window;
                 let segments: Segments = segments.iter().copied().collect();
@@ -136,15 +135,15 @@ impl Measure {
     }
 
     /// Works for a slice of a frame.
-    pub fn work(&mut self) {
-        let watch = Stopwatch::start();
-        while !self.is_done() && watch.secs() < SLICE_SECS {
-            self.one();
+    pub fn work(&mut self, clock: &dyn Fn() -> f64) {
+        let start = clock();
+        while !self.is_done() && clock() - start < SLICE_SECS {
+            self.one(clock);
         }
     }
 
     /// The smallest piece of work: one pass over the batch, or one counted run.
-    fn one(&mut self) {
+    fn one(&mut self, clock: &dyn Fn() -> f64) {
         let Some(current) = &mut self.current else {
             self.current = self.waiting.pop().map(|subject| Current {
                 subject,
@@ -157,15 +156,15 @@ impl Measure {
             return;
         };
         if current.n_done < N_PASSES {
-            let watch = Stopwatch::start();
+            let start = clock();
             black_box((current.pass)());
-            current.best_secs = current.best_secs.min(watch.secs());
+            current.best_secs = current.best_secs.min(clock() - start);
             current.n_done += 1;
         } else if let Subject::Method(method) = current.subject
             && current.n_counted < N_COUNTED.min(self.batch.len())
         {
             let segment = self.batch[current.n_counted];
-            let (_, counts) = method.cost(&self.scene, segment);
+            let (_, counts) = method.info().cost(&self.scene, segment);
             current.counted = current.counted + counts;
             current.n_counted += 1;
         } else {
@@ -194,8 +193,14 @@ mod tests {
         let scene = Scene::new(method, window, segments).expect("one segment");
         let mut measure = Measure::new(&scene, 1);
         measure.batch.truncate(50);
+        // A clock that a test can rely on: each look at it takes a moment.
+        let ticks = std::cell::Cell::new(0.0);
+        let clock = || {
+            ticks.set(ticks.get() + 1e-6);
+            ticks.get()
+        };
         while !measure.is_done() {
-            measure.work();
+            measure.work(&clock);
         }
         assert_eq!(measure.costs().len(), Subject::all().count());
         for cost in measure.costs() {

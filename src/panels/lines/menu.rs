@@ -4,33 +4,29 @@ use egui::Ui;
 
 use crate::{
     algo::line::BitOrder,
-    labs::lines::{MAX_SEGMENTS, Scene},
+    labs::{
+        Edit,
+        lines::{LinesChange, MAX_SEGMENTS, Scene},
+    },
     panels::Seeded,
     widgets::Look,
 };
 
-use super::LinesEdit;
-
 /// Segments, the random batch and the order of the bits; the change that was asked for.
-pub fn scene_menu(
-    ui: &mut Ui,
-    look: Look<'_>,
-    scene: &Scene,
-    batch: &mut Seeded,
-) -> Option<LinesEdit> {
+pub fn scene_menu(ui: &mut Ui, look: Look<'_>, scene: &Scene, batch: &mut Seeded) -> Option<Edit> {
     let mut asked = None;
     if ui.button(look.say("action-add-segment")).clicked() {
-        asked = Some(LinesEdit::Add);
+        asked = Some(Edit::Add(None));
     }
     let can_remove = scene.segments().len() > 1;
     let remove = egui::Button::new(look.say("action-remove-segment"));
     if ui.add_enabled(can_remove, remove).clicked() {
-        asked = Some(LinesEdit::Remove);
+        asked = Some(Edit::Remove(None));
     }
     ui.menu_button(look.say("batch-title"), |ui| {
         if batch.show(ui, look, ["batch-count", "batch-make"], 1..=MAX_SEGMENTS) {
             let Seeded { count, seed } = *batch;
-            asked = Some(LinesEdit::Random { count, seed });
+            asked = Some(Edit::own(LinesChange::Random { count, seed }));
             ui.close();
         }
     });
@@ -40,7 +36,7 @@ pub fn scene_menu(
             (BitOrder::Lrbt, "bit-order-lrbt"),
         ] {
             if ui.radio(scene.bit_order == order, look.say(key)).clicked() {
-                asked = Some(LinesEdit::BitOrder(order));
+                asked = Some(Edit::own(LinesChange::BitOrder(order)));
                 ui.close();
             }
         }

@@ -1,4 +1,4 @@
-//! The one seam through which a panel measures time: browsers have no `std::time::Instant`.
+//! The one seam through which the app measures time: browsers have no `std::time::Instant`.
 
 use web_time::Instant;
 

@@ -1,0 +1,66 @@
+//! What a person can do to a scene, whichever lab it is of.
+
+use std::sync::Arc;
+
+use crate::text::Diagnostic;
+
+use super::{Change, Handle, Own, Scene};
+
+/// One change to the scene.
+#[derive(Clone, Debug)]
+pub enum Edit {
+    /// Use another method.
+    Method(&'static str),
+    /// Put another method beside it, or none.
+    Compare(Option<&'static str>),
+    /// Move a handle.
+    Drag(Handle, [f64; 3]),
+    /// One more of what the lab has many of, after this handle's.
+    Add(Option<Handle>),
+    /// One less: without this handle's.
+    Remove(Option<Handle>),
+    /// Another scene altogether.
+    Replace(Scene),
+    /// What only one lab knows.
+    Own(Own),
+}
+
+impl Edit {
+    /// A change that only one lab knows.
+    #[must_use]
+    pub fn own(change: impl Change + 'static) -> Self {
+        Self::Own(Arc::new(change))
+    }
+
+    /// Does the change bring a scene that should be seen whole?
+    #[must_use]
+    pub fn brings_another(&self) -> bool {
+        match self {
+            Self::Replace(_) => true,
+            Self::Own(change) => change.brings_another(),
+            Self::Method(_)
+            | Self::Compare(_)
+            | Self::Drag(..)
+            | Self::Add(_)
+            | Self::Remove(_) => false,
+        }
+    }
+
+    /// Makes the change; the handle to select next, if there is a new one. One for another lab changes nothing.
+    ///
+    /// # Errors
+    /// [`Diagnostic`] where the scene would not be valid: it is left as it was.
+    pub fn apply(self, scene: &mut Scene) -> Result<Option<Handle>, Diagnostic> {
+        let document = scene.document_mut();
+        match self {
+            Self::Method(id) => document.set_method(id),
+            Self::Compare(id) => document.set_compare(id),
+            Self::Drag(handle, to) => document.drag(handle, to)?,
+            Self::Add(after) => return document.add(after),
+            Self::Remove(handle) => document.remove(handle)?,
+            Self::Replace(other) => *scene = other,
+            Self::Own(change) => return change.apply(scene),
+        }
+        Ok(None)
+    }
+}

@@ -1,0 +1,261 @@
+//! What a lab is, what its scenes can do, and how they are changed: all that lessons, figures and the window ask.
+//! A lab joins with one line in [`super::LABS`].
+
+use std::{any::Any, fmt, sync::Arc};
+
+use crate::{
+    figure::{Mark, Run},
+    text::Diagnostic,
+    trace::Counts,
+};
+
+use super::{Handle, MethodCard};
+
+/// A lab: a kind of scene, and the methods that work on it.
+pub trait Lab: Sync {
+    /// As lesson files spell it.
+    fn id(&self) -> &'static str;
+    /// Catalogue key of its name.
+    fn name_key(&self) -> &'static str;
+    /// Catalogue key of what it is about.
+    fn about_key(&self) -> &'static str;
+    /// Its methods, in the order in which they are taught.
+    fn methods(&self) -> Vec<&'static MethodCard>;
+    /// What it opens on where there is no lesson.
+    fn first_scene(&self) -> Scene;
+    /// Groups of handles that a lesson can lock.
+    fn lock_groups(&self) -> &'static [&'static str];
+    /// What can be drawn by clicking, in the order of the menu.
+    fn outlines(&self) -> &'static [OutlineKind] {
+        &[]
+    }
+}
+
+impl fmt::Debug for dyn Lab {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.id())
+    }
+}
+
+impl PartialEq for dyn Lab {
+    fn eq(&self, other: &Self) -> bool {
+        self.id() == other.id()
+    }
+}
+
+/// What figures, lessons and the window ask of a lab's scene.
+pub trait Document: Plain {
+    /// Its lab.
+    fn lab(&self) -> &'static dyn Lab;
+    /// The methods on stage, from left to right: one, or two that are compared.
+    fn methods(&self) -> Vec<&'static MethodCard>;
+    /// Puts the method of this id first; an unknown one is ignored.
+    fn set_method(&mut self, id: &str);
+    /// Puts the method of this id beside the first, or none.
+    fn set_compare(&mut self, id: Option<&str>);
+    /// Records the runs of [`Document::methods`], in their order.
+    fn record(&self) -> Vec<Box<dyn Run>>;
+    /// A plainer method to compare costs with, where no other stands beside, and what it costs in all.
+    fn baseline(&self) -> Option<(&'static MethodCard, Counts)> {
+        None
+    }
+    /// What lies under the marks of the method in this column, at the end of its run or before.
+    fn backdrop(&self, column: usize, at_end: bool) -> Vec<Mark>;
+    /// The world rectangle that a view shows at first.
+    fn bounds(&self) -> [[f64; 2]; 2];
+    /// What can be dragged, in the order in which Tab visits it.
+    fn handles(&self) -> Vec<Handle>;
+    /// Where a handle lies; `None` where the scene has no such handle.
+    fn position(&self, handle: Handle) -> Option<[f64; 3]>;
+    /// Moves a handle, as far as the scene stays valid.
+    ///
+    /// # Errors
+    /// [`Diagnostic`] where it would not: the scene is left as it was.
+    fn drag(&mut self, handle: Handle, to: [f64; 3]) -> Result<(), Diagnostic>;
+    /// One more of what the lab has many of, after this handle's; the handle of the new one, if it has one.
+    ///
+    /// # Errors
+    /// [`Diagnostic`] where there is no room for more: the scene is left as it was.
+    fn add(&mut self, after: Option<Handle>) -> Result<Option<Handle>, Diagnostic>;
+    /// One less: without this handle's.
+    ///
+    /// # Errors
+    /// [`Diagnostic`] where none can be spared: the scene is left as it was.
+    fn remove(&mut self, handle: Option<Handle>) -> Result<(), Diagnostic>;
+    /// What a click beside all handles changes, if anything.
+    fn click(&self, click: &Click<'_>) -> Option<Own>;
+    /// How large it is, in segments or vertices.
+    fn size(&self) -> usize;
+}
+
+/// What any document can do besides: it is copied, compared and printed. Nobody writes this by hand.
+pub trait Plain: Any + fmt::Debug + Send + Sync {
+    /// A copy.
+    fn boxed(&self) -> Box<dyn Document>;
+    /// Is it the same, of the same lab?
+    fn is_same(&self, other: &dyn Document) -> bool;
+}
+
+impl<D: Document + Clone + PartialEq> Plain for D {
+    fn boxed(&self) -> Box<dyn Document> {
+        Box::new(self.clone())
+    }
+
+    fn is_same(&self, other: &dyn Document) -> bool {
+        let other: &dyn Any = other;
+        other.downcast_ref::<D>() == Some(self)
+    }
+}
+
+/// A lab's scene, whichever lab it is of.
+pub struct Scene(Box<dyn Document>);
+
+impl Scene {
+    /// What it can do whichever lab it is of.
+    #[must_use]
+    pub fn document(&self) -> &dyn Document {
+        &*self.0
+    }
+
+    /// To change it.
+    #[must_use]
+    pub fn document_mut(&mut self) -> &mut dyn Document {
+        &mut *self.0
+    }
+
+    /// The document of a lab, if it is that lab's: for the lab's own rooms.
+    #[must_use]
+    pub fn get<D: Document>(&self) -> Option<&D> {
+        let any: &dyn Any = &*self.0;
+        any.downcast_ref()
+    }
+
+    /// To change what only that lab knows.
+    #[must_use]
+    pub fn get_mut<D: Document>(&mut self) -> Option<&mut D> {
+        let any: &mut dyn Any = &mut *self.0;
+        any.downcast_mut()
+    }
+}
+
+impl<D: Document> From<D> for Scene {
+    fn from(document: D) -> Self {
+        Self(Box::new(document))
+    }
+}
+
+impl Clone for Scene {
+    fn clone(&self) -> Self {
+        Self(self.0.boxed())
+    }
+}
+
+impl PartialEq for Scene {
+    fn eq(&self, other: &Self) -> bool {
+        self.0.is_same(other.document())
+    }
+}
+
+impl fmt::Debug for Scene {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+/// A click on the stage.
+#[derive(Clone, Copy, Debug)]
+pub struct Click<'a> {
+    /// The world point under the pointer.
+    pub at: [f64; 3],
+    /// The point that it stands for: on the grid where handles keep to it.
+    pub place: [f64; 3],
+    /// What lies within this distance, in world units, is meant.
+    pub reach: f64,
+    /// The second of two, or with Ctrl held: puts something in.
+    pub inserts: bool,
+    /// What the open lesson step locks.
+    pub locks: &'a [Lock],
+}
+
+/// A group of handles that a lesson step locks.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Lock(&'static str);
+
+impl Lock {
+    /// The group of this name in a lab.
+    #[must_use]
+    pub fn of(lab: &dyn Lab, name: &str) -> Option<Self> {
+        let mut groups = lab.lock_groups().iter();
+        groups.find(|&&known| known == name).copied().map(Self)
+    }
+
+    /// Is this handle locked?
+    #[must_use]
+    pub fn holds(self, handle: Handle) -> bool {
+        handle.group() == self.0
+    }
+}
+
+/// A change that only one lab knows.
+pub type Own = Arc<dyn Change>;
+
+/// A change to a scene; [`ChangeOf`] is what a lab implements.
+pub trait Change: fmt::Debug + Send + Sync {
+    /// Makes it; the handle to select next, if any. On another lab's scene it changes nothing.
+    ///
+    /// # Errors
+    /// [`Diagnostic`] where the scene would not be valid: it is left as it was.
+    fn apply(&self, scene: &mut Scene) -> Result<Option<Handle>, Diagnostic>;
+    /// Does it bring a scene that should be seen whole?
+    fn brings_another(&self) -> bool;
+}
+
+/// A change to the documents of one lab.
+pub trait ChangeOf: fmt::Debug + Send + Sync + 'static {
+    /// The documents that it changes.
+    type Of: Document;
+
+    /// Makes it; the handle to select next, if any.
+    ///
+    /// # Errors
+    /// [`Diagnostic`] where the document would not be valid: it is left as it was.
+    fn make(&self, document: &mut Self::Of) -> Result<Option<Handle>, Diagnostic>;
+
+    /// Does it bring a scene that should be seen whole?
+    fn is_another(&self) -> bool {
+        false
+    }
+}
+
+impl<C: ChangeOf> Change for C {
+    fn apply(&self, scene: &mut Scene) -> Result<Option<Handle>, Diagnostic> {
+        scene
+            .get_mut::<C::Of>()
+            .map_or(Ok(None), |document| self.make(document))
+    }
+
+    fn brings_another(&self) -> bool {
+        self.is_another()
+    }
+}
+
+/// An outline that can be drawn by clicking, point by point.
+#[derive(Debug)]
+pub struct OutlineKind {
+    /// Catalogue key of what draws it: `action-draw-…`.
+    pub name_key: &'static str,
+    /// Catalogue key of what to do until it can be closed.
+    pub hint_key: &'static str,
+    /// Catalogue key of what it is.
+    pub part_key: &'static str,
+    /// Can a method on stage use it?
+    pub is_of_use: fn(&Scene) -> bool,
+    /// What it comes to once it encloses something.
+    pub close: fn(&[[f64; 2]]) -> Option<Own>,
+}
+
+impl PartialEq for OutlineKind {
+    fn eq(&self, other: &Self) -> bool {
+        self.name_key == other.name_key
+    }
+}

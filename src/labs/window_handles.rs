@@ -1,0 +1,95 @@
+//! Corners and sides of a window, and the window itself, as handles of the labs that have one.
+
+use crate::{
+    geom::{Edge, GeomError, Point, Window},
+    text::{Message, Value},
+};
+
+use super::{Handle, HandleKind, words::edge_key};
+
+/// The group that all of them belong to.
+pub const GROUP: &str = "window";
+
+static CORNER: HandleKind = HandleKind::new("corner", GROUP, |[i, _]| Message::new(CORNER_KEYS[i]));
+static SIDE: HandleKind = HandleKind::new("side", GROUP, |[i, _]| {
+    Message::new("handle-side").with("edge", Value::Term(edge_key(Edge::ALL[i])))
+});
+static WINDOW: HandleKind = HandleKind {
+    is_whole: true,
+    ..HandleKind::new("window", GROUP, |_| Message::new("handle-window"))
+};
+
+const CORNER_KEYS: [&str; 4] = [
+    "handle-corner-bottom-left",
+    "handle-corner-bottom-right",
+    "handle-corner-top-right",
+    "handle-corner-top-left",
+];
+
+/// Which sides a handle moves: left, right, bottom, top.
+type Moves = [bool; 4];
+
+/// In the order in which Tab visits them.
+pub fn handles() -> impl Iterator<Item = Handle> {
+    let of = |kind: &'static HandleKind, n| (0..n).map(move |i| kind.at([i, 0]));
+    of(&CORNER, CORNER_KEYS.len())
+        .chain(of(&SIDE, Edge::ALL.len()))
+        .chain(of(&WINDOW, 1))
+}
+
+/// Which sides of the window move with a handle, if it is one of the window's.
+fn moves(handle: Handle) -> Option<Moves> {
+    let [i, _] = handle.idx();
+    if handle.is(&CORNER) {
+        let (right, top) = (i == 1 || i == 2, i >= 2);
+        Some([!right, right, !top, top])
+    } else if handle.is(&SIDE) {
+        let edge = Edge::ALL[i];
+        let sides = [Edge::Left, Edge::Right, Edge::Bottom, Edge::Top];
+        Some(sides.map(|side| side == edge))
+    } else {
+        handle.is(&WINDOW).then_some([true; 4])
+    }
+}
+
+/// Where a handle lies, if it is one of the window's.
+pub fn position(handle: Handle, window: &Window) -> Option<[f64; 3]> {
+    let (min, max) = (window.min().to_array(), window.max().to_array());
+    let centre = [0, 1].map(|i| min[i].midpoint(max[i]));
+    let [left, right, bottom, top] = moves(handle)?;
+    if handle.is(&WINDOW) {
+        // Not in the middle, where segments like to have theirs: below it and to the right.
+        return Some([centre[0].midpoint(max[0]), min[1].midpoint(centre[1]), 0.0]);
+    }
+    let along = |i: usize, low: bool, high: bool| match (low, high) {
+        (true, _) => min[i],
+        (false, true) => max[i],
+        (false, false) => centre[i],
+    };
+    Some([along(0, left, right), along(1, bottom, top), 0.0])
+}
+
+/// The window after a handle has gone to `to`; as it is where the handle is not the window's.
+///
+/// # Errors
+/// [`GeomError`] where the window would not be valid.
+pub fn dragged(handle: Handle, window: &Window, to: Point) -> Result<Window, GeomError> {
+    let (Some([x, y, _]), Some([left, right, bottom, top])) =
+        (position(handle, window), moves(handle))
+    else {
+        return Ok(*window);
+    };
+    let [mut xmin, mut ymin, mut xmax, mut ymax] = window.to_array();
+    let [dx, dy] = [to.x() - x, to.y() - y];
+    for (moves, side, by) in [
+        (left, &mut xmin, dx),
+        (right, &mut xmax, dx),
+        (bottom, &mut ymin, dy),
+        (top, &mut ymax, dy),
+    ] {
+        if moves {
+            *side += by;
+        }
+    }
+    Window::new(xmin, ymin, xmax, ymax)
+}

@@ -1,0 +1,87 @@
+//! How a lab's scenes are spelt, whichever lab it is.
+
+use toml::de::DeTable;
+
+use crate::{
+    labs::{Lab, Scene},
+    lesson::{
+        problem::Problem, sink::Sink, source::Source, toml_errors::with_toml, toml_fields::Fields,
+    },
+};
+
+/// The spelling of one lab's scenes.
+pub(crate) trait SceneFormat: Sync {
+    /// The lab.
+    fn lab(&self) -> &'static dyn Lab;
+    /// The fields of a scene.
+    fn fields(&self) -> &'static [&'static str];
+    /// The field that tells its scenes from all other labs', where the method does not.
+    fn own_field(&self) -> &'static str;
+    /// How much, in segments or vertices, all scenes of one file may hold.
+    fn room(&self) -> usize;
+    /// Reads a scene, reporting all its mistakes; takes its size from `room`.
+    fn read(&self, fields: &Fields<'_>, room: &mut usize, sink: &mut Sink<'_>) -> Option<Scene>;
+    /// Writes a scene, if it is this lab's.
+    fn write(&self, scene: &Scene) -> Option<String>;
+}
+
+/// The spellings of all labs that there are.
+#[derive(Clone, Copy)]
+pub struct SceneFormats(&'static [&'static dyn SceneFormat]);
+
+impl SceneFormats {
+    /// These, in the order of their labs.
+    pub(crate) const fn new(formats: &'static [&'static dyn SceneFormat]) -> Self {
+        Self(formats)
+    }
+
+    /// The ids of their labs.
+    pub(crate) fn lab_ids(self) -> Vec<&'static str> {
+        self.0.iter().map(|format| format.lab().id()).collect()
+    }
+
+    /// That of the lab with this id.
+    pub(crate) fn of(self, lab_id: &str) -> Option<&'static dyn SceneFormat> {
+        let mut formats = self.0.iter().copied();
+        formats.find(|format| format.lab().id() == lab_id)
+    }
+
+    /// Reads a scene file: one scene's fields at the top level, as [`SceneFormats::write`] writes them.
+    ///
+    /// # Errors
+    /// Every mistake in it, from the top to the end; `file` is how they name it.
+    pub fn read(self, file: &str, bytes: &[u8]) -> Result<Scene, Vec<Problem>> {
+        let source = Source::new(file.to_owned(), bytes);
+        let mut sink = Sink::new(&source);
+        let scene = with_toml(&mut sink, |table, sink| {
+            let format = self.of_table(table)?;
+            let fields = Fields::of_file(table, format.fields(), sink);
+            format.read(&fields, &mut format.room(), sink)
+        });
+        match scene {
+            Some(scene) if sink.n_errors() == 0 => Ok(scene),
+            _ => Err(sink.into_problems()),
+        }
+    }
+
+    /// Writes a scene so that [`SceneFormats::read`] reads the very same one, bit for bit.
+    #[must_use]
+    pub fn write(self, scene: &Scene) -> String {
+        let written = self.0.iter().find_map(|format| format.write(scene));
+        written.unwrap_or_default()
+    }
+
+    /// The one that a scene file is for: that of its method's lab, or of a field that only one lab has.
+    fn of_table(self, table: &DeTable<'_>) -> Option<&'static dyn SceneFormat> {
+        let method = table.get("method").and_then(|item| item.get_ref().as_str());
+        let formats = || self.0.iter().copied();
+        let has_method = |format: &&'static dyn SceneFormat| {
+            let methods = format.lab().methods();
+            methods.iter().any(|card| Some(card.id) == method)
+        };
+        formats()
+            .find(has_method)
+            .or_else(|| formats().find(|format| table.contains_key(format.own_field())))
+            .or_else(|| formats().next())
+    }
+}

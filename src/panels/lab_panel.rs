@@ -1,0 +1,63 @@
+//! What a lab adds to the window, whichever lab it is.
+
+use egui::{Context, Ui};
+
+use crate::{
+    labs::{Edit, Lab, OutlineKind, Scene},
+    widgets::Look,
+};
+
+/// What a person asked for in a lab's menu.
+#[derive(Clone, Debug)]
+pub enum PanelAsk {
+    /// A change of the scene.
+    Edit(Edit),
+    /// To draw an outline by clicking.
+    Draw(&'static OutlineKind),
+}
+
+/// A lab's part of the window, with what it remembers that is no part of the scene.
+pub trait LabPanel {
+    /// Its lab.
+    fn lab(&self) -> &'static dyn Lab;
+
+    /// Its part of the scene menu; what was asked for.
+    fn menu(&mut self, ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk>;
+
+    /// Has it methods that give the same answer, so that their costs can be measured?
+    fn measures(&self) -> bool {
+        false
+    }
+
+    /// Its window with measured costs, where it measures.
+    fn bench(&mut self) -> Option<&mut dyn Bench> {
+        None
+    }
+}
+
+/// Costs measured on this machine, in a window of their own.
+pub trait Bench {
+    /// Draws the window's content; false where it is to be closed.
+    fn show(&mut self, ui: &mut Ui, look: Look<'_>, scene: &Scene) -> bool;
+
+    /// Works for a part of a frame, by a clock that runs in seconds; is there more to do?
+    fn work(&mut self, clock: &dyn Fn() -> f64) -> bool;
+}
+
+/// The panel of a scene's lab.
+pub fn panel_of<'a>(
+    panels: &'a mut [Box<dyn LabPanel>],
+    scene: &Scene,
+) -> Option<&'a mut Box<dyn LabPanel>> {
+    let lab = scene.document().lab();
+    panels.iter_mut().find(|panel| panel.lab() == lab)
+}
+
+/// Wakes the window as long as something is measured.
+pub fn work(panels: &mut [Box<dyn LabPanel>], ctx: &Context, clock: &dyn Fn() -> f64) {
+    for bench in panels.iter_mut().filter_map(|panel| panel.bench()) {
+        if bench.work(clock) {
+            ctx.request_repaint();
+        }
+    }
+}
