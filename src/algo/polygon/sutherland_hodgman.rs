@@ -149,16 +149,18 @@ pub struct SutherlandHodgmanState<V> {
     pub input: Vec<V>,
     /// The list that grows.
     pub output: Vec<V>,
+    /// After a pass, until the next clip edge's turn: the list that was clipped.
+    pub passed: Vec<V>,
     /// The clip edge whose turn it is.
     pub edge_idx: Option<usize>,
-    /// The distance of the input list's first vertex, and whether it is inside, once known.
-    pub first: Option<(f64, bool)>,
+    /// How far inside the clip edge the vertices lie that have been looked at, and whether that counts as inside.
+    pub sides: Vec<(f64, bool)>,
     /// The edge that is looked at.
     pub test: Option<EdgeTest>,
     /// Where that edge crosses.
     pub crossing: Option<(V, Ratio)>,
-    /// The vertex put out last, until the next edge is looked at.
-    pub put_out: Option<V>,
+    /// Every crossing with this clip edge, and between which two vertices it lies.
+    pub crossings: Vec<([usize; 2], V)>,
     /// The answer's kind, once known.
     pub outcome: Option<RingOutcome>,
 }
@@ -213,11 +215,12 @@ impl<V: Vertex, L: Rules> Algorithm for SutherlandHodgman<V, L> {
         SutherlandHodgmanState {
             input: input.vertices.clone(),
             output: Vec::new(),
+            passed: Vec::new(),
             edge_idx: None,
-            first: None,
+            sides: Vec::new(),
             test: None,
             crossing: None,
-            put_out: None,
+            crossings: Vec::new(),
             outcome: None,
         }
     }
@@ -302,10 +305,15 @@ impl<V: Vertex> SutherlandHodgmanState<V> {
     fn apply(&mut self, event: SutherlandHodgmanEvent<V>) {
         use SutherlandHodgmanEvent as Event;
         match event {
-            Event::Edge { edge_idx, .. } => self.edge_idx = Some(edge_idx),
+            Event::Edge { edge_idx, .. } => {
+                self.edge_idx = Some(edge_idx);
+                self.passed.clear();
+                self.sides.clear();
+                self.crossings.clear();
+            }
             Event::First {
                 distance, inside, ..
-            } => self.first = Some((distance, inside)),
+            } => self.sides.push((distance, inside)),
             Event::Test {
                 idx,
                 distances,
@@ -317,18 +325,22 @@ impl<V: Vertex> SutherlandHodgmanState<V> {
                     distances,
                     rule,
                 });
-                (self.crossing, self.put_out) = (None, None);
+                // The edge that closes the ring ends where it began.
+                if idx[1] == self.sides.len() {
+                    self.sides.push((distances[1], rule.ends_inside()));
+                }
+                self.crossing = None;
             }
-            Event::Cross { at, t } => self.crossing = Some((at, t)),
-            Event::Output { at } => {
-                self.output.push(at);
-                self.put_out = Some(at);
+            Event::Cross { at, t } => {
+                self.crossing = Some((at, t));
+                let between = self.test.map(|test| (test.idx, at));
+                self.crossings.extend(between);
             }
+            Event::Output { at } => self.output.push(at),
             Event::Pass { .. } => {
-                std::mem::swap(&mut self.input, &mut self.output);
-                self.output.clear();
-                (self.first, self.test) = (None, None);
-                (self.crossing, self.put_out) = (None, None);
+                let put_out = std::mem::take(&mut self.output);
+                self.passed = std::mem::replace(&mut self.input, put_out);
+                (self.test, self.crossing) = (None, None);
             }
             Event::Done { outcome } => {
                 self.edge_idx = None;

@@ -4,12 +4,15 @@ use crate::{
     algo::polygon::{Pipeline, PipelineEvent as Event, PipelineState as State},
     figure::{Clipper, ClipperRow, Fate, Traveller},
     geom::Point,
-    labs::{Step, words::name},
+    labs::{
+        Step,
+        words::{name, vertex_symbol},
+    },
 };
 
 use super::{
     clip_edge::{ClipEdge, Look},
-    lists::{input_symbol, output_symbol},
+    lists::output_symbol,
     rules::is_crossed,
 };
 
@@ -66,7 +69,7 @@ fn travellers(event: &Event<Point>, state: &State<Point>) -> Vec<Traveller> {
             vertex_idx,
             ..
         } => {
-            let symbol = vertex_idx.map_or_else(|| "P".to_owned(), input_symbol);
+            let symbol = vertex_idx.map_or_else(|| "P".to_owned(), vertex_symbol);
             vec![on(stage_idx, symbol, Fate::GoesOn)]
         }
         Event::First {

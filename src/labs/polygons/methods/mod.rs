@@ -2,10 +2,13 @@
 
 mod clip_edge;
 mod clippers;
+mod drawing;
 mod ear_clipping;
 pub mod faulty;
+mod list_view;
 mod lists;
 mod pipeline;
+mod result;
 mod rules;
 mod skin;
 mod sutherland_hodgman;

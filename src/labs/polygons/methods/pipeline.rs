@@ -10,7 +10,7 @@ use crate::{
     labs::{
         CodeLine, Demo, Step, code_line,
         polygons::{PolygonDemo, Refusal, Scene},
-        words::name,
+        words::{name, vertex_symbol},
     },
     text::{Formula, Message, Value},
 };
@@ -18,7 +18,8 @@ use crate::{
 use super::{
     clip_edge::{ClipEdge, Look},
     clippers::{previous, row},
-    lists::{input_symbol, names, outline, output_symbol, result},
+    lists::{names, outline, output_symbol},
+    result::result,
     rules::{is_crossed, rule_term, side_term, starts_inside},
     sutherland_hodgman::{SOURCE, done, input},
 };
@@ -206,7 +207,7 @@ fn marks(step: &Step<'_, Pipeline>) -> Vec<Mark> {
         marks.push(edge.mark(Role::Soft));
     }
     marks.push(Mark::new(Role::Accent, Shape::Path(outline(&state.output))).linked("output"));
-    marks.extend(names(&input.vertices, &[]));
+    marks.extend(names(&input.vertices, Role::Soft, &[], &[]));
     marks.extend(memory(state));
     marks.extend(moment(state));
     marks
@@ -219,7 +220,7 @@ fn distance_row(symbol: &'static str, distance: f64, is_inside: bool) -> WatchRo
 
 fn enter_caption(edge: &ClipEdge<'_>, vertex_idx: Option<usize>, at: Point) -> Caption {
     let (key, symbol) = match vertex_idx {
-        Some(i) => ("pipe-send", input_symbol(i)),
+        Some(i) => ("pipe-send", vertex_symbol(i)),
         None => ("pipe-enter", "P".to_owned()),
     };
     let message = Message::new(key)

@@ -4,11 +4,11 @@ use crate::{
     algo::polygon::Rule,
     figure::Caption,
     geom::Point,
-    labs::words::name,
+    labs::words::{name, vertex_symbol},
     text::{Message, Value},
 };
 
-use super::{clip_edge::ClipEdge, lists::input_symbol};
+use super::clip_edge::ClipEdge;
 
 /// The four rules, on the border and on the closing edge.
 pub fn test_caption(
@@ -18,7 +18,7 @@ pub fn test_caption(
     distances: [f64; 2],
     rule: Rule,
 ) -> Caption {
-    let symbols = idx.map(input_symbol);
+    let symbols = idx.map(vertex_symbol);
     let is_closing = idx[1] == 0;
     let key = rule_key(rule, is_crossed(rule, distances), is_closing);
     let message = Message::new(key)

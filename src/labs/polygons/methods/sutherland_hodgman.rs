@@ -4,28 +4,30 @@ use crate::{
     algo::{
         line::Ratio,
         polygon::{
-            ClipRegion, EdgeTest, Right, RingOutcome, Rule, SutherlandHodgman,
+            ClipRegion, Right, RingOutcome, Rule, SutherlandHodgman,
             SutherlandHodgmanEvent as Event, SutherlandHodgmanInput as Input,
             SutherlandHodgmanState as State, Textured,
         },
     },
-    figure::{Caption, Mark, Role, Run, Shape, Tick, View, Watch, WatchRow, WatchSection},
+    figure::{Body, Caption, Run, Tick, View, Watch, WatchRow, WatchSection},
     geom::Point,
     labs::{
         CodeLine, Demo, Step,
         polygons::{PolygonDemo, Refusal, Scene, Texture},
         record, record_wrong,
-        words::{name, point_formula},
+        words::{name, point_formula, vertex_symbol},
     },
     text::{Formula, Message, Value},
 };
 
 use super::{
     clip_edge::{ClipEdge, Look},
+    drawing::{marks, right_outline},
     faulty::Kept,
-    lists::{bridges, input_symbol, names, outline, output_symbol, result, rows, vertex_link},
+    list_view::lists,
+    lists::{LISTS, output_symbol, rows},
     rules::{side_term, starts_inside, test_caption},
-    skin::{Corner, Named, skin},
+    skin::{Corner, Named},
     variant::{EACH, FIRST, IN_IN, IN_OUT, OUT_IN, OUT_OUT, PASS, Variant},
 };
 
@@ -129,12 +131,21 @@ impl<V: Corner, L: Variant> Demo for SutherlandHodgman<V, L> {
     }
 
     fn views(step: &Step<'_, Self>) -> Vec<View> {
-        let marks = marks(step.input, step.state, step.event, L::LOOK);
-        vec![View::plane(marks)]
+        let (input, state, event) = (step.input, step.state, step.event);
+        let mut marks = marks(input, state, event, L::LOOK);
+        if L::DIFFERS_KEY.is_some() && state.outcome.is_some() {
+            marks.extend(right_outline(input, state));
+        }
+        vec![
+            View::plane(marks),
+            View::new(LISTS, Body::Lists(lists(input, state, event))),
+        ]
     }
 
     fn watch(step: &Step<'_, Self>) -> Watch {
-        watch(step.state)
+        let lists = lists_watched(step.state);
+        let lists = lists.into_iter().map(|section| section.seen_in(LISTS));
+        scalars(step.state).into_iter().chain(lists).collect()
     }
 }
 
@@ -170,7 +181,7 @@ pub fn caption<V: Corner>(
             } else {
                 "sh-first-outside"
             };
-            let first = (input_symbol(0), at.at());
+            let first = (vertex_symbol(0), at.at());
             Caption::new(Message::new(key).with("vertex", name(first.0.clone())))
                 .so(edge.position(&first, distance, inside))
         }
@@ -214,7 +225,7 @@ fn cross_caption<V: Corner>(
         .test
         .map_or(([0; 2], [0.0; 2]), |test| (test.idx, test.distances));
     let ends = idx.map(|i| Named {
-        symbol: input_symbol(i),
+        symbol: vertex_symbol(i),
         vertex: before.input.get(i).copied().unwrap_or(crossing),
     });
     let message = Message::new("sh-cross")
@@ -233,8 +244,8 @@ fn cross_caption<V: Corner>(
 fn put_out_symbol<V: Corner>(before: &State<V>, vertex: V) -> String {
     match (before.crossing, before.test) {
         (Some((crossing, _)), _) if crossing == vertex => "I".to_owned(),
-        (_, Some(test)) => input_symbol(test.idx[1]),
-        (_, None) => input_symbol(0),
+        (_, Some(test)) => vertex_symbol(test.idx[1]),
+        (_, None) => vertex_symbol(0),
     }
 }
 
@@ -250,97 +261,25 @@ pub fn done(outcome: RingOutcome, n_vertices: usize, n_edges: usize) -> Caption 
     Caption::new(message.with("edges", n_edges))
 }
 
-pub fn marks<V: Corner>(
-    input: &Input<V>,
-    state: &State<V>,
-    event: Option<Event<V>>,
-    look: Look,
-) -> Vec<Mark> {
-    let mut marks = Vec::from_iter(skin(&state.input));
-    if let Some(outcome) = state.outcome {
-        marks.extend(result(
-            &state.input,
-            outcome,
-            &input.region,
-            &input.vertices,
-        ));
-        return marks;
-    }
-    if let Some(edge_idx) = state.edge_idx {
-        let is_new = matches!(event, Some(Event::Edge { .. }));
-        let role = if is_new { Role::Signal } else { Role::Soft };
-        marks.push(ClipEdge::new(&input.region, edge_idx, look).mark(role));
-    }
-    marks.push(Mark::new(Role::Ink, Shape::Outline(outline(&state.input))).linked("input"));
-    marks.push(Mark::new(Role::Accent, Shape::Path(outline(&state.output))).linked("output"));
-    let shown = match (state.test, state.first) {
-        (Some(test), _) => test.idx.to_vec(),
-        (None, Some(_)) => vec![0],
-        (None, None) => Vec::new(),
+/// The distances of S and P from the clip edge, and where between them it is crossed.
+pub fn scalars<V: Corner>(state: &State<V>) -> Option<WatchSection> {
+    let test = state.test?;
+    let distance = |i: usize| {
+        let side = [starts_inside(test.rule), test.rule.ends_inside()][i];
+        let symbol = ["d_S", "d_P"][i];
+        WatchRow::new(name(symbol), Some(Value::Number(test.distances[i])))
+            .noted(Value::Term(side_term(side)))
     };
-    marks.extend(names(&state.input, &shown));
-    if let Some(Event::Pass { .. }) = event {
-        marks.extend(bridges(&state.input, &input.region));
+    let mut list = vec![distance(0), distance(1)];
+    if let Some((_, t)) = state.crossing {
+        let (num, den) = (t.num, t.den);
+        list.push(WatchRow::new(name("t"), Some(Value::Ratio { num, den })));
     }
-    marks.extend(moment(state, event));
-    marks
+    Some(WatchSection::list(list))
 }
 
-/// What happens at this step: the edge, its ends, its crossing, the vertex put out.
-fn moment<V: Corner>(state: &State<V>, event: Option<Event<V>>) -> Vec<Mark> {
-    let mut marks = Vec::new();
-    let vertex = |i: usize, is_inside: bool| {
-        let at = state.input[i].at().to_array();
-        let shape = if is_inside {
-            Shape::Dot(at)
-        } else {
-            Shape::Ring(at)
-        };
-        Mark::new(Role::Signal, shape)
-            .labelled(name(input_symbol(i)))
-            .strong()
-            .linked(vertex_link(i))
-    };
-    match (state.test, state.first) {
-        (Some(EdgeTest { idx, rule, .. }), _) => {
-            let ends = idx.map(|i| state.input[i].at().to_array());
-            marks.push(Mark::new(Role::Signal, Shape::Arrow(ends)));
-            marks.push(vertex(idx[0], starts_inside(rule)));
-            marks.push(vertex(idx[1], rule.ends_inside()));
-        }
-        (None, Some((_, is_inside))) => marks.push(vertex(0, is_inside)),
-        (None, None) => {}
-    }
-    if let Some((crossing, t)) = state.crossing {
-        let label = Formula::default().sym("I: t = ").ratio(t.num, t.den);
-        let dot = Shape::Dot(crossing.at().to_array());
-        marks.push(Mark::new(Role::Signal, dot).labelled(label).strong());
-    }
-    if let Some(Event::Output { at }) = event {
-        let last = output_symbol(state.output.len().saturating_sub(1));
-        let dot = Shape::Dot(at.at().to_array());
-        marks.push(Mark::new(Role::Accent, dot).labelled(name(last)).strong());
-    }
-    marks
-}
-
-pub fn watch<V: Corner>(state: &State<V>) -> Watch {
+/// Both lists.
+pub fn lists_watched<V: Corner>(state: &State<V>) -> Vec<WatchSection> {
     let current = state.test.map_or(0, |test| test.idx[1]);
-    let mut watch = Vec::new();
-    if let Some(test) = state.test {
-        let distance = |i: usize| {
-            let side = [starts_inside(test.rule), test.rule.ends_inside()][i];
-            let symbol = ["d_S", "d_P"][i];
-            WatchRow::new(name(symbol), Some(Value::Number(test.distances[i])))
-                .noted(Value::Term(side_term(side)))
-        };
-        let mut list = vec![distance(0), distance(1)];
-        if let Some((_, t)) = state.crossing {
-            let (num, den) = (t.num, t.den);
-            list.push(WatchRow::new(name("t"), Some(Value::Ratio { num, den })));
-        }
-        watch.push(WatchSection::list(list));
-    }
-    watch.extend(rows(&state.input, &state.output, current));
-    watch
+    rows(&state.input, &state.output, current)
 }

@@ -20,7 +20,7 @@ use crate::{
 
 use super::{
     clip_edge::Look,
-    ear_clipping, sutherland_hodgman,
+    drawing, ear_clipping, sutherland_hodgman,
     triangles::{points_of, triangle_link, triangle_name},
 };
 
@@ -116,7 +116,8 @@ impl Demo for TriangulateAndClip {
         rows.push(WatchRow::new(Value::Term("tac-pieces"), Some(n_pieces)));
         let mut watch = vec![WatchSection::list(rows)];
         if let Some(clip) = &state.clip {
-            watch.extend(sutherland_hodgman::watch(clip));
+            watch.extend(sutherland_hodgman::scalars(clip));
+            watch.extend(sutherland_hodgman::lists_watched(clip));
         }
         watch
     }
@@ -143,7 +144,7 @@ fn marks(step: &Step<'_, TriangulateAndClip>) -> Vec<Mark> {
             vertices: corners.to_vec(),
         };
         let look = Look::RIGHT;
-        marks.extend(sutherland_hodgman::marks(&input, clip, event, look));
+        marks.extend(drawing::marks(&input, clip, event, look));
     }
     marks
 }

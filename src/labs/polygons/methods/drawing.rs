@@ -1,0 +1,122 @@
+//! The drawing of a step of Sutherland–Hodgman: the clip edge, both lists as outlines, and what happens now.
+
+use crate::{
+    algo::polygon::{
+        EdgeTest, RingOutcome, SutherlandHodgman, SutherlandHodgmanEvent as Event,
+        SutherlandHodgmanInput as Input, SutherlandHodgmanState as State,
+    },
+    figure::{Mark, Role, Shape},
+    labs::words::{name, vertex_symbol},
+    text::Formula,
+    trace::silent,
+};
+
+use super::{
+    clip_edge::{ClipEdge, Look},
+    lists::{names, outline, output_symbol, vertex_link, with_texel},
+    result::{bridges, result},
+    rules::starts_inside,
+    skin::{Corner, skin},
+};
+
+/// All of it; `look` is how the variant looks at its clip edges.
+pub fn marks<V: Corner>(
+    input: &Input<V>,
+    state: &State<V>,
+    event: Option<Event<V>>,
+    look: Look,
+) -> Vec<Mark> {
+    let mut marks = Vec::from_iter(skin(&state.input));
+    if let Some(outcome) = state.outcome {
+        let (ring, given) = (&state.input, &input.vertices);
+        marks.extend(result(ring, outcome, &input.region, given));
+        marks.extend(match outcome {
+            RingOutcome::Empty => names(given, Role::Discarded, &[], &[]),
+            RingOutcome::Degenerate | RingOutcome::Whole | RingOutcome::Cut => {
+                names(ring, Role::Accepted, &[], &[])
+            }
+        });
+        return marks;
+    }
+    if let Some(edge_idx) = state.edge_idx {
+        marks.push(
+            ClipEdge::new(&input.region, edge_idx, look).mark(match event {
+                Some(
+                    Event::Edge { .. }
+                    | Event::First { .. }
+                    | Event::Test { .. }
+                    | Event::Cross { .. },
+                ) => Role::Signal,
+                Some(Event::Output { .. } | Event::Pass { .. } | Event::Done { .. }) | None => {
+                    Role::Soft
+                }
+            }),
+        );
+    }
+    if let Some(Event::Pass { .. }) = event {
+        let cut = Mark::new(Role::Discarded, Shape::Outline(outline(&state.passed)));
+        let left = Mark::new(Role::Accent, Shape::Outline(outline(&state.input)));
+        marks.extend([cut, left.linked("input")]);
+        marks.extend(names(&state.input, Role::Accent, &[], &[]));
+        marks.extend(bridges(&state.input, &input.region));
+        return marks;
+    }
+    marks.push(Mark::new(Role::Ink, Shape::Outline(outline(&state.input))).linked("input"));
+    marks.push(Mark::new(Role::Accent, Shape::Path(outline(&state.output))).linked("output"));
+    let shown = match state.test {
+        Some(test) => test.idx.to_vec(),
+        None => Vec::from_iter((!state.sides.is_empty()).then_some(0)),
+    };
+    marks.extend(names(&state.input, Role::Soft, &state.sides, &shown));
+    marks.extend(moment(state, event));
+    marks
+}
+
+/// What the right rules leave, to be seen beside what these do.
+pub fn right_outline<V: Corner>(input: &Input<V>, state: &State<V>) -> Option<Mark> {
+    let right = silent::<SutherlandHodgman<V>>(input).vertices;
+    let shape = Shape::Outline(outline(&right));
+    (right != state.input).then(|| Mark::new(Role::Ink, shape).dashed().linked("right"))
+}
+
+/// What happens at this step: the edge, its ends, its crossing, the vertex put out.
+fn moment<V: Corner>(state: &State<V>, event: Option<Event<V>>) -> Vec<Mark> {
+    let mut marks = Vec::new();
+    let vertex = |i: usize, is_inside: bool| {
+        let at = state.input[i].at().to_array();
+        let shape = if is_inside {
+            Shape::Dot(at)
+        } else {
+            Shape::Ring(at)
+        };
+        Mark::new(Role::Signal, shape)
+            .labelled(with_texel(vertex_symbol(i), &state.input[i]))
+            .strong()
+            .linked(vertex_link(i))
+    };
+    match (state.test, state.sides.first()) {
+        (Some(EdgeTest { idx, rule, .. }), _) => {
+            let ends = idx.map(|i| state.input[i].at().to_array());
+            marks.push(Mark::new(Role::Signal, Shape::Arrow(ends)));
+            marks.push(vertex(idx[0], starts_inside(rule)));
+            marks.push(vertex(idx[1], rule.ends_inside()));
+        }
+        (None, Some(&(_, is_inside))) => marks.push(vertex(0, is_inside)),
+        (None, None) => {}
+    }
+    if let Some((crossing, t)) = state.crossing {
+        let label = Formula::default().sym("I: t = ").ratio(t.num, t.den);
+        let label = match crossing.uv() {
+            Some(uv) => label.sym(", uv = ").point(uv),
+            None => label,
+        };
+        let dot = Shape::Dot(crossing.at().to_array());
+        marks.push(Mark::new(Role::Signal, dot).labelled(label).strong());
+    }
+    if let Some(Event::Output { at }) = event {
+        let last = output_symbol(state.output.len().saturating_sub(1));
+        let dot = Shape::Dot(at.at().to_array());
+        marks.push(Mark::new(Role::Accent, dot).labelled(name(last)).strong());
+    }
+    marks
+}

@@ -1,0 +1,250 @@
+//! Input list and output list side by side, and which vertex of the one became which of the other.
+
+use crate::{
+    algo::polygon::{
+        SutherlandHodgmanEvent as Event, SutherlandHodgmanInput as Input,
+        SutherlandHodgmanState as State,
+    },
+    figure::{List, ListEntry, ListLink, Lists, Marker, Role},
+    labs::words::{name, vertex_symbol},
+    text::Value,
+};
+
+use super::{
+    lists::{output_symbol, vertex_link},
+    skin::Corner,
+};
+
+/// Two lists, the second made of the first.
+struct Pair<'a, V> {
+    titles: [&'static str; 2],
+    input: &'a [V],
+    output: &'a [V],
+    /// How far inside the clip edge vertices of the first lie, and whether that counts as inside.
+    sides: &'a [(f64, bool)],
+    /// Where between vertices of the first there are crossings.
+    crossings: &'a [([usize; 2], V)],
+    /// Where in the first this step is.
+    current: &'a [usize],
+    now: Now<V>,
+}
+
+/// What this step does to the second list.
+#[derive(Clone, Copy, PartialEq)]
+enum Now<V> {
+    /// Nothing.
+    Looks,
+    /// It finds a crossing that is to be put out.
+    Finds(V),
+    /// It puts its last entry out.
+    PutsOut,
+    /// It makes it the next input list.
+    Passes,
+    /// It makes it the answer.
+    Ends,
+}
+
+/// Both lists at a step; after a pass the old and the new one, at the end what was given and what is left.
+pub fn lists<V: Corner>(input: &Input<V>, state: &State<V>, event: Option<Event<V>>) -> Lists {
+    let first = [0];
+    let pair = Pair {
+        titles: ["sh-list-input", "sh-list-output"],
+        input: &state.input,
+        output: &state.output,
+        sides: &state.sides,
+        crossings: &state.crossings,
+        current: match &state.test {
+            Some(test) => &test.idx,
+            None => &first[..state.sides.len().min(1)],
+        },
+        now: Now::Looks,
+    };
+    let pair = match event {
+        None | Some(Event::Edge { .. } | Event::First { .. } | Event::Test { .. }) => pair,
+        Some(Event::Cross { at, .. }) => Pair {
+            now: Now::Finds(at),
+            ..pair
+        },
+        Some(Event::Output { .. }) => Pair {
+            now: Now::PutsOut,
+            ..pair
+        },
+        Some(Event::Pass { .. }) => Pair {
+            titles: ["sh-list-input", "sh-list-next"],
+            input: &state.passed,
+            output: &state.input,
+            current: &[],
+            now: Now::Passes,
+            ..pair
+        },
+        Some(Event::Done { .. }) => Pair {
+            titles: ["sh-list-given", "sh-list-left"],
+            input: &input.vertices,
+            output: &state.input,
+            sides: &[],
+            crossings: &[],
+            current: &[],
+            now: Now::Ends,
+        },
+    };
+    pair.lists()
+}
+
+impl<V: Corner> Pair<'_, V> {
+    fn lists(&self) -> Lists {
+        let origins = self.origins();
+        let input = self.input_list(&origins);
+        let output = self.output_list();
+        let links = self.links(&origins, [&input, &output]);
+        Lists {
+            lists: vec![input, output],
+            links,
+        }
+    }
+
+    /// Between which two vertices of the first list each entry of the second lies; twice the same one for a vertex that
+    /// has been kept. A crossing that is about to be put out is one of them. None where that is long forgotten.
+    fn origins(&self) -> Vec<Option<[usize; 2]>> {
+        let (mut vertices, mut crossings) = (0, 0);
+        let found = match self.now {
+            Now::Finds(at) => Some(at),
+            Now::Looks | Now::PutsOut | Now::Passes | Now::Ends => None,
+        };
+        let output = self.output.iter().copied().chain(found);
+        let origin = |vertex: V| {
+            // A crossing may be put out twice.
+            let near = self.crossings.iter().enumerate().skip(crossings).take(2);
+            if let Some((i, &(ends, _))) = near.into_iter().find(|(_, (_, at))| *at == vertex) {
+                crossings = i;
+                return Some(ends);
+            }
+            let ahead = self.input.iter().skip(vertices);
+            let found = vertices + ahead.into_iter().position(|other| *other == vertex)?;
+            vertices = found + 1;
+            Some([found; 2])
+        };
+        output.map(origin).collect()
+    }
+
+    fn input_list(&self, origins: &[Option<[usize; 2]>]) -> List {
+        let n = self.input.len();
+        let focus = self.current.last().copied();
+        let reach = List::reach(n, focus);
+        let is_last = matches!(self.now, Now::Ends);
+        let entry = |i: usize| {
+            let is_inside = match self.sides.get(i) {
+                Some((_, is_inside)) => Some(*is_inside),
+                None if is_last => Some(origins.contains(&Some([i; 2]))),
+                None => None,
+            };
+            let mut entry = ListEntry::new(name(vertex_symbol(i)));
+            entry.role = match is_inside {
+                _ if self.current.contains(&i) => Role::Signal,
+                Some(true) => Role::Ink,
+                Some(false) => Role::Discarded,
+                None => Role::Soft,
+            };
+            entry.marker = is_inside.map(
+                |is_inside| {
+                    if is_inside { Marker::Dot } else { Marker::Ring }
+                },
+            );
+            entry.details = places(&self.input[i]);
+            if !is_last {
+                let distance = self.sides.get(i).map(|(d, _)| Value::Number(*d));
+                entry.details.push(distance);
+            }
+            entry.link = (!is_last).then(|| vertex_link(i));
+            entry
+        };
+        let mut columns = columns::<V>();
+        if !is_last {
+            columns.push(name("d"));
+        }
+        List {
+            columns,
+            n_before: reach.start,
+            n_after: n - reach.end,
+            focus: focus.map(|focus| focus - reach.start),
+            is_ring: true,
+            ..List::new(
+                Value::Term(self.titles[0]),
+                reach.clone().map(entry).collect(),
+            )
+        }
+    }
+
+    fn output_list(&self) -> List {
+        let found = match &self.now {
+            Now::Finds(at) => Some(at),
+            Now::Looks | Now::PutsOut | Now::Passes | Now::Ends => None,
+        };
+        let n = self.output.len() + usize::from(found.is_some());
+        let focus = n.checked_sub(1);
+        let reach = List::reach(n, focus);
+        let is_closed = matches!(self.now, Now::Passes | Now::Ends);
+        let entry = |i: usize| {
+            let (symbol, role) = match (self.output.get(i), self.now) {
+                (None, _) => ("I".to_owned(), Role::Signal),
+                (_, Now::Ends) => (vertex_symbol(i), Role::Accepted),
+                (_, Now::Passes) => (vertex_symbol(i), Role::Accent),
+                (_, Now::Looks | Now::Finds(_) | Now::PutsOut) => (output_symbol(i), Role::Accent),
+            };
+            let mut entry = ListEntry::new(name(symbol));
+            entry.role = role;
+            entry.marker = Some(Marker::Dot);
+            entry.details = self.output.get(i).or(found).map_or_else(Vec::new, places);
+            entry.link = is_closed.then(|| vertex_link(i));
+            entry
+        };
+        List {
+            columns: columns::<V>(),
+            n_before: reach.start,
+            n_after: n - reach.end,
+            focus: focus.map(|focus| focus - reach.start),
+            is_ring: is_closed,
+            ..List::new(
+                Value::Term(self.titles[1]),
+                reach.clone().map(entry).collect(),
+            )
+        }
+    }
+
+    /// What came from where, of the entries that are given.
+    fn links(&self, origins: &[Option<[usize; 2]>], lists: [&List; 2]) -> Vec<ListLink> {
+        let is_now = matches!(self.now, Now::Finds(_) | Now::PutsOut);
+        let given = |list: usize, i: usize| {
+            let entry = i.checked_sub(lists[list].n_before);
+            let entry = entry.filter(|&entry| entry < lists[list].entries.len());
+            entry.map(|entry| [list, entry])
+        };
+        let mut links = Vec::new();
+        for (i, origin) in origins.iter().enumerate() {
+            let Some((to, [s, p])) = given(1, i).zip(*origin) else {
+                continue;
+            };
+            let role = if is_now && i + 1 == origins.len() {
+                Role::Signal
+            } else {
+                Role::Soft
+            };
+            let from = std::iter::once(s).chain((p != s).then_some(p));
+            let from = from.filter_map(|from| given(0, from));
+            links.extend(from.map(|from| ListLink { from, to, role }));
+        }
+        links
+    }
+}
+
+/// Over the columns that every list has.
+fn columns<V: Corner>() -> Vec<Value> {
+    let texture = V::IS_TEXTURED.then(|| name("(u, v)"));
+    std::iter::once(name("(x, y)")).chain(texture).collect()
+}
+
+/// Where a vertex is, and where in the texture if it has a place there.
+fn places<V: Corner>(vertex: &V) -> Vec<Option<Value>> {
+    let texture = V::IS_TEXTURED.then(|| vertex.uv().map(Value::Point));
+    let place = Some(Value::Point(vertex.at().to_array()));
+    std::iter::once(place).chain(texture).collect()
+}
