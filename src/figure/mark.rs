@@ -91,6 +91,8 @@ pub enum Shape {
     Textured(Vec<[Texel; 3]>),
     /// A filled point.
     Dot([f64; 2]),
+    /// A corner of an outline: smaller than a dot.
+    Vertex([f64; 2]),
     /// A hollow point.
     Ring([f64; 2]),
     /// A small cross: a crossing that is not used.

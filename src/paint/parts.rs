@@ -46,6 +46,8 @@ pub enum Part<'a> {
 pub enum Marker {
     /// Filled.
     Dot,
+    /// Filled, and small whatever its role.
+    Vertex,
     /// Hollow.
     Circle,
     /// Two strokes.
@@ -86,6 +88,7 @@ pub fn parts<'a>(viewport: &Viewport, shape: &'a Shape) -> Vec<Part<'a>> {
         Shape::Wash([a, b]) => vec![wash(viewport.rect, at(a), at(b))],
         Shape::Textured(triangles) => vec![Part::Texture(triangles)],
         Shape::Dot(p) => vec![Part::Marker(Marker::Dot, at(p))],
+        Shape::Vertex(p) => vec![Part::Marker(Marker::Vertex, at(p))],
         Shape::Ring(p) => vec![Part::Marker(Marker::Circle, at(p))],
         Shape::Cross(p) => vec![Part::Marker(Marker::Cross, at(p))],
         Shape::Bound([a, b]) => {

@@ -130,6 +130,7 @@ fn width(mark: &Mark) -> f32 {
         | Shape::Wash(_)
         | Shape::Textured(_)
         | Shape::Dot(_)
+        | Shape::Vertex(_)
         | Shape::Ring(_)
         | Shape::Bound(_)
         | Shape::Crowd(_)
@@ -142,6 +143,7 @@ fn width(mark: &Mark) -> f32 {
 pub fn radius(theme: &Theme, marker: Marker, role: Role) -> f32 {
     let is_small = matches!(role, Role::Soft | Role::Faint);
     let radius = match marker {
+        Marker::Vertex => SMALL_DOT_RADIUS,
         Marker::Dot if is_small => SMALL_DOT_RADIUS,
         Marker::Dot => DOT_RADIUS,
         Marker::Circle => RING_RADIUS,

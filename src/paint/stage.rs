@@ -116,7 +116,7 @@ impl Stage<'_> {
         let radius = radius(self.theme, marker, role);
         let background = self.theme.background;
         match marker {
-            Marker::Dot => {
+            Marker::Dot | Marker::Vertex => {
                 // A rim in the background's colour sets the dot off from the lines that meet in it.
                 let rim = self.theme.stroke_scale.sqrt() * 1.5;
                 self.painter.circle_filled(at, radius + rim, background);

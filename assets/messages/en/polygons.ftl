@@ -280,6 +280,8 @@ wa-done-crossing =
         [one] Done: one piece.
        *[other] Done: { $n } pieces.
     }
+wa-list-subject = Subject list
+wa-list-clip = Clip list
 wa-row-start = started at
 wa-row-path = corners on the path
 wa-row-rings = rings closed

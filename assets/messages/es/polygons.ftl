@@ -283,6 +283,8 @@ wa-done-crossing =
         [one] Listo: un trozo.
        *[other] Listo: { $n } trozos.
     }
+wa-list-subject = Lista del sujeto
+wa-list-clip = Lista de recorte
 wa-row-start = empezó en
 wa-row-path = esquinas del camino
 wa-row-rings = anillos cerrados

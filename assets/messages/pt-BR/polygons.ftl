@@ -281,6 +281,8 @@ wa-done-crossing =
         [one] Pronto: um pedaço.
        *[other] Pronto: { $n } pedaços.
     }
+wa-list-subject = Lista do polígono
+wa-list-clip = Lista de recorte
 wa-row-start = começou em
 wa-row-path = vértices do caminho
 wa-row-rings = anéis fechados

@@ -81,7 +81,7 @@ pub use event::WeilerAthertonEvent;
 pub use labels::{Label, Labelled, Side};
 pub use meeting::Contact;
 pub use rings::RingKind;
-pub use state::{ListEntry, ListNode, NodeLabel, StateRing, WeilerAthertonState};
+pub use state::{ListEntry, ListNode, NodeLabel, Passed, StateRing, WeilerAthertonState};
 
 /// The algorithm; see the module.
 #[derive(Clone, Copy, Debug)]

@@ -58,6 +58,17 @@ impl NodeLabel {
     }
 }
 
+/// An entry of a list that a walk has passed.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Passed {
+    /// Which list.
+    pub list: List,
+    /// The entry's number.
+    pub place: u32,
+    /// How many corners the path had before.
+    pub n_before: u32,
+}
+
 /// A ring that is closed.
 #[derive(Clone, PartialEq, Debug)]
 pub struct StateRing {
@@ -84,6 +95,10 @@ pub struct WeilerAthertonState {
     pub start: Option<u32>,
     /// Corners since then that belong to no ring yet.
     pub path: Log<Point>,
+    /// Entries passed since then that belong to no ring yet.
+    pub passed: Log<Passed>,
+    /// Entries that belong to closed rings: list and number.
+    pub kept: Log<(List, u32)>,
     /// Closed rings.
     pub rings: Log<Arc<StateRing>>,
     /// Numbers of a hole and of the ring that it lies in.
@@ -111,6 +126,19 @@ impl WeilerAthertonState {
     fn is_corner(&self, entry: &ListEntry) -> bool {
         let label = entry.node.and_then(|node| self.labels.get(node as usize));
         entry.vertex.is_some() || label.is_some_and(NodeLabel::shares_an_edge)
+    }
+
+    /// What the path holds from a corner on becomes a ring.
+    fn close(&mut self, from: u32, kind: RingKind) {
+        let points = self.path.iter().skip(from as usize).copied().collect();
+        self.path.truncate(from as usize);
+        self.rings.push(Arc::new(StateRing { points, kind }));
+        while let Some(&last) = self.passed.last()
+            && last.n_before >= from
+        {
+            self.kept.push((last.list, last.place));
+            self.passed.truncate(self.passed.len() - 1);
+        }
     }
 
     pub(super) fn apply(&mut self, event: Event) {
@@ -167,6 +195,7 @@ impl WeilerAthertonState {
             Event::Start { node_idx } => {
                 self.start = Some(node_idx);
                 self.path.truncate(0);
+                self.passed.truncate(0);
             }
             Event::Visit {
                 list,
@@ -175,16 +204,17 @@ impl WeilerAthertonState {
                 corner,
             } => {
                 self.position = Some((list, place));
+                self.passed.push(Passed {
+                    list,
+                    place,
+                    n_before: self.path.len() as u32,
+                });
                 if corner {
                     self.path.push(at);
                 }
             }
             Event::Switch { to, place, .. } => self.position = Some((to, place)),
-            Event::Closed { from, kind } => {
-                let points = self.path.iter().skip(from as usize).copied().collect();
-                self.path.truncate(from as usize);
-                self.rings.push(Arc::new(StateRing { points, kind }));
-            }
+            Event::Closed { from, kind } => self.close(from, kind),
             Event::Whole {
                 list,
                 places: [start, end],
@@ -198,6 +228,9 @@ impl WeilerAthertonState {
                     let corners = ring.filter(|entry| self.is_corner(entry));
                     let points = corners.map(|entry| entry.at).collect();
                     self.rings.push(Arc::new(StateRing { points, kind }));
+                    for place in start..end {
+                        self.kept.push((list, place));
+                    }
                 }
             }
             Event::Hole {

@@ -171,15 +171,18 @@ fn position(symbol: String, at: Point) -> Formula {
 
 /// `t = a₁ / (a₁ − a₂) = 4 / (4 − (−2)) = 2/3`.
 fn parameter(symbol: &'static str, distance: &'static str, ratio: Ratio) -> Formula {
-    Formula::default()
+    let part = Formula::default;
+    let (first, difference) = (format!("{distance}₁"), format!("{distance}₁ − {distance}₂"));
+    let numbers = part().num(ratio.num).sym(" − ");
+    part()
         .sym(symbol)
-        .sym(format!(" = {distance}₁ / ({distance}₁ − {distance}₂) = "))
-        .dividend(ratio.num)
-        .sym(" / (")
-        .num(ratio.num)
-        .sym(" − ")
-        .operand(other_distance(ratio))
-        .sym(")")
+        .sym(" = ")
+        .over(part().sym(first), part().sym(difference))
+        .sym(" = ")
+        .over(
+            part().num(ratio.num),
+            numbers.operand(other_distance(ratio)),
+        )
         .equals_ratio(ratio.num, ratio.den)
 }
 
@@ -199,21 +202,13 @@ fn other_distance(Ratio { num, den }: Ratio) -> f64 {
 fn mean(axis: Axis, ends: [Point; 2], ratio: Ratio, at: Point) -> Formula {
     let [o1, o2] = ends.map(|p| along(p, axis)[0]);
     let (w1, w2) = (ratio.num.abs(), other_distance(ratio).abs());
-    Formula::default()
+    let part = Formula::default;
+    let weighted = |f: Formula, o: f64, w: f64| f.operand(o).sym(" · ").num(w);
+    let sum = part().num(o1).sym(" · ").num(w2).sym(" + ");
+    part()
         .sym(axis_symbol(axis))
-        .sym(" = (")
-        .num(o1)
-        .sym(" · ")
-        .num(w2)
-        .sym(" + ")
-        .operand(o2)
-        .sym(" · ")
-        .num(w1)
-        .sym(") / (")
-        .num(w1)
-        .sym(" + ")
-        .num(w2)
-        .sym(")")
+        .sym(" = ")
+        .over(weighted(sum, o2, w1), part().num(w1).sym(" + ").num(w2))
         .equals(along(at, axis)[0])
 }
 

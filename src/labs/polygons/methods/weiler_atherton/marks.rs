@@ -8,11 +8,12 @@ use crate::{
     figure::{Mark, Role, Shape},
     geom::Point,
     labs::{Step, words::name},
-    text::Value,
-    trace::Log,
 };
 
-use super::names;
+use super::{
+    names,
+    standing::{self, BOTH, Standing},
+};
 
 /// Up to this number of entries in both lists each has its mark and its name.
 const FEW_ENOUGH: usize = 60;
@@ -21,31 +22,20 @@ const MOST_MARKS: usize = 600;
 
 pub fn marks(step: &Step<'_, WeilerAtherton>) -> Vec<Mark> {
     let state = step.state;
+    let lens = BOTH.map(|list| standing::len(step, list));
+    let few = lens.iter().sum::<usize>() <= FEW_ENOUGH;
     let mut marks: Vec<Mark> = pieces(state).into_iter().collect();
-    if !state.path.is_empty() {
-        let path = state.path.iter().map(|p| p.to_array()).collect();
-        marks.push(Mark::new(Role::Accent, Shape::Path(path)));
-    }
-    let few = state.lists.iter().map(Log::len).sum::<usize>() <= FEW_ENOUGH;
     if few && state.relation.is_none() {
-        marks.extend(vertices(step));
+        marks.extend(headings(step));
     }
+    marks.extend(walk(step, few));
     marks.extend(event_marks(step));
-    if state.nodes.len() <= MOST_MARKS && state.relation.is_none() {
-        let nodes = state.nodes.iter().enumerate();
-        marks.extend(nodes.flat_map(|(idx, node)| node_marks(state, idx as u32, node, few)));
-    }
-    if let Some((list, place)) = state.position
-        && let Some(entry) = state.lists[list.idx()].get(place as usize)
-    {
-        // Hollow where it leaves, as the intersection itself is drawn.
-        let label = entry.node.and_then(|node| state.labels.get(node as usize));
-        let at = entry.at.to_array();
-        let shape = match label {
-            Some(label) if label.label == Label::Leaving => Shape::Ring(at),
-            _ => Shape::Dot(at),
-        };
-        marks.push(Mark::new(Role::Signal, shape));
+    if few {
+        let standing = Standing::of(step, lens.map(|len| 0..len));
+        marks.extend(vertices(step, &standing));
+        marks.extend(nodes(step, &standing));
+    } else {
+        marks.extend(nodes_among_many(step));
     }
     marks
 }
@@ -64,99 +54,201 @@ fn outline(ring: &StateRing) -> Vec<[f64; 2]> {
     ring.points.iter().map(|p| p.to_array()).collect()
 }
 
-/// The polygons' own vertices, by name, as far as they are in their lists.
-fn vertices(step: &Step<'_, WeilerAtherton>) -> Vec<Mark> {
-    let of = |list: List| {
-        let entries = step.state.lists[list.idx()].iter();
-        entries.filter_map(move |entry| {
-            let vertex_idx = entry.vertex? as usize;
-            let label = name(names::vertex(step.input, list, vertex_idx));
-            let role = match list {
-                List::Subject => Role::Ink,
-                List::Clip => Role::Soft,
-            };
-            // Where it is an intersection, that one's shape is drawn.
-            let shape = Shape::Dot(entry.at.to_array());
-            Some(Mark::new(role, shape).labelled(label))
-        })
+/// Which way the edges run, but for those that a walk is on: it has heads of its own.
+fn headings(step: &Step<'_, WeilerAtherton>) -> Vec<Mark> {
+    let state = step.state;
+    let edge_of = |list: List, place: u32| {
+        let entry = state.lists[list.idx()].get(place as usize)?;
+        match (entry.vertex, entry.node) {
+            (Some(vertex), _) => Some(vertex as usize),
+            (None, Some(node)) => Some(state.nodes.get(node as usize)?.edges[list.idx()] as usize),
+            (None, None) => None,
+        }
     };
-    [List::Subject, List::Clip]
-        .into_iter()
-        .flat_map(of)
-        .collect()
+    let of = |list: List| {
+        let passed = state.passed.iter().filter(|passed| passed.list == list);
+        let walked: Vec<usize> = passed.filter_map(|at| edge_of(list, at.place)).collect();
+        let role = match list {
+            List::Subject => Role::Soft,
+            List::Clip => Role::Ink,
+        };
+        let border = names::border(step.input, list);
+        let edges = (0..border.points().len()).filter(|edge_idx| !walked.contains(edge_idx));
+        let heading = |edge_idx| Shape::Heading(border.edge(edge_idx).map(Point::to_array));
+        let headings: Vec<Mark> = edges
+            .map(|edge_idx| Mark::new(role, heading(edge_idx)))
+            .collect();
+        headings
+    };
+    BOTH.into_iter().flat_map(of).collect()
 }
 
-/// A dot where the subject enters, a ring where it leaves, a cross where it does neither, and a ring with a cross
-/// where both borders pinch.
-fn node_marks(state: &State, idx: u32, node: &ListNode, named: bool) -> Vec<Mark> {
+/// The path since the walk started; its last edge where it was walked at this step.
+fn walk(step: &Step<'_, WeilerAtherton>, few: bool) -> Vec<Mark> {
+    let state = step.state;
+    let mut path: Vec<[f64; 2]> = state.path.iter().map(|p| p.to_array()).collect();
+    if let Some(Event::Switch { node_idx, .. }) = step.event {
+        let node = state.nodes.get(node_idx as usize);
+        path.extend(node.map(|node| node.at.to_array()));
+    }
+    if path.len() < 2 {
+        return Vec::new();
+    }
+    let is_new = matches!(step.event, Some(Event::Visit { corner: true, .. }));
+    let n_old = path.len() - 1 - usize::from(is_new);
+    let mut marks = Vec::new();
+    if n_old > 0 {
+        marks.push(Mark::new(
+            Role::Accent,
+            Shape::Path(path[..=n_old].to_vec()),
+        ));
+    }
+    for (edge_idx, ends) in path.windows(2).enumerate() {
+        let ends = [ends[0], ends[1]];
+        let role = if edge_idx < n_old {
+            Role::Accent
+        } else {
+            marks.push(Mark::new(Role::Signal, Shape::Segment(ends)));
+            Role::Signal
+        };
+        if few {
+            marks.push(Mark::new(role, Shape::Heading(ends)));
+        }
+    }
+    marks
+}
+
+/// The polygons' own vertices, by name, but for those that are an intersection.
+fn vertices(step: &Step<'_, WeilerAtherton>, standing: &Standing) -> Vec<Mark> {
+    let state = step.state;
+    let of = |list: List| {
+        let own = move |place: usize| {
+            let entries = &state.lists[list.idx()];
+            let coming = || Some(standing::n_vertices(state, list) + place - entries.len());
+            let (vertex_idx, node) = match entries.get(place) {
+                Some(entry) => (entry.vertex.map(|vertex| vertex as usize), entry.node),
+                None => (coming(), None),
+            };
+            let vertex_idx = vertex_idx?;
+            let role = match standing.role(list, place)? {
+                // What is still to come is there in the plane, as it was given.
+                Role::Faint => Role::Soft,
+                role => role,
+            };
+            let at = names::border(step.input, list).points()[vertex_idx].to_array();
+            let mark = Mark::new(role, Shape::Vertex(at));
+            let link = names::vertex_link(list, vertex_idx);
+            let label = name(names::vertex(step.input, list, vertex_idx));
+            node.is_none().then(|| mark.labelled(label).linked(link))
+        };
+        (0..standing::len(step, list)).filter_map(own)
+    };
+    BOTH.into_iter().flat_map(of).collect()
+}
+
+/// Every intersection, by name, in the role that it has in the subject's list or in the other one.
+fn nodes(step: &Step<'_, WeilerAtherton>, standing: &Standing) -> Vec<Mark> {
+    let state = step.state;
+    let mark = |(node_idx, node): (usize, &ListNode)| {
+        let node_idx = node_idx as u32;
+        let in_list = |list| {
+            let place = standing::place_of(state, list, node_idx)?;
+            standing.role(list, place)
+        };
+        let roles = BOTH.map(in_list);
+        let role = [Role::Signal, Role::Accent, Role::Accepted, Role::Discarded]
+            .into_iter()
+            .find(|&role| roles.contains(&Some(role)))
+            .unwrap_or(Role::Ink);
+        let shapes = node_shapes(state, node_idx, node);
+        let marks = shapes
+            .into_iter()
+            .map(move |shape| Mark::new(role, shape).linked(names::node_link(node_idx)));
+        let mut marks: Vec<Mark> = marks.collect();
+        if let Some(first) = marks.first_mut() {
+            let label = name(names::meeting(step.input, node_idx, node));
+            *first = first.clone().labelled(label).strong();
+        }
+        marks
+    };
+    state.nodes.iter().enumerate().flat_map(mark).collect()
+}
+
+/// Of many intersections the shapes alone, and where the step is.
+fn nodes_among_many(step: &Step<'_, WeilerAtherton>) -> Vec<Mark> {
+    let state = step.state;
+    let mut marks = Vec::new();
+    if state.nodes.len() <= MOST_MARKS && state.relation.is_none() {
+        for (node_idx, node) in state.nodes.iter().enumerate() {
+            let shapes = node_shapes(state, node_idx as u32, node).into_iter();
+            let link = names::node_link(node_idx as u32);
+            marks.extend(shapes.map(|shape| Mark::new(Role::Ink, shape).linked(link)));
+        }
+    }
+    for (list, place) in standing::current(step) {
+        if let Some(entry) = state.lists[list.idx()].get(place) {
+            let node = entry
+                .node
+                .and_then(|idx| Some((idx, state.nodes.get(idx as usize)?)));
+            let shapes = match node {
+                Some((node_idx, node)) => node_shapes(state, node_idx, node),
+                None => vec![Shape::Dot(entry.at.to_array())],
+            };
+            marks.extend(
+                shapes
+                    .into_iter()
+                    .map(|shape| Mark::new(Role::Signal, shape)),
+            );
+        }
+    }
+    marks
+}
+
+/// A dot where the subject enters, a ring where it leaves, a cross where it does neither, or is not known to, and a
+/// ring with a cross where both borders pinch.
+fn node_shapes(state: &State, node_idx: u32, node: &ListNode) -> Vec<Shape> {
     let at = node.at.to_array();
-    let label = state.labels.get(idx as usize).map(|label| label.label);
-    let shapes = match label {
+    match standing::label(state, node_idx) {
         None | Some(Label::Touching) => vec![Shape::Cross(at)],
         Some(Label::Entering) => vec![Shape::Dot(at)],
         Some(Label::Leaving) => vec![Shape::Ring(at)],
-        Some(Label::Pinching) => vec![Shape::Cross(at), Shape::Ring(at)],
-    };
-    let text = Value::Formula(names::labelled_node(state, idx));
-    shapes
-        .into_iter()
-        .enumerate()
-        .map(|(k, shape)| {
-            let mark = Mark::new(Role::Accent, shape).linked(names::node_link(idx));
-            if named && k == 0 {
-                mark.labelled(text.clone())
-            } else {
-                mark
-            }
-        })
-        .collect()
+        Some(Label::Pinching) => vec![Shape::Ring(at), Shape::Cross(at)],
+    }
 }
 
-/// What this step is about.
+/// What this step is about, but for its intersection.
 fn event_marks(step: &Step<'_, WeilerAtherton>) -> Vec<Mark> {
     let (state, input) = (step.state, step.input);
     let signal = |shape| Mark::new(Role::Signal, shape);
-    let segment = |list: List, edge_idx: usize| {
-        Shape::Segment(
-            names::border(input, list)
-                .edge(edge_idx)
-                .map(Point::to_array),
-        )
+    let edge = |list: List, edge_idx: u32| {
+        let border = names::border(input, list);
+        directed(border.edge(edge_idx as usize))
     };
     let ring = |ring_idx: usize| state.rings.get(ring_idx).map(|ring| outline(ring));
     match step.event {
         Some(Event::Vertex {
             list, vertex_idx, ..
-        }) => vec![signal(segment(list, vertex_idx as usize))],
-        Some(Event::Found {
-            edges: [s, c], at, ..
-        }) => vec![
-            signal(segment(List::Subject, s as usize)),
-            signal(segment(List::Clip, c as usize)),
-            signal(Shape::Dot(at.to_array())),
-        ],
-        Some(Event::Inserted { node_idx, at, .. }) => {
+        }) => edge(list, vertex_idx),
+        Some(Event::Found { edges: [s, c], .. }) => {
+            let both = [edge(List::Subject, s), edge(List::Clip, c)];
+            both.concat()
+        }
+        Some(Event::Inserted { node_idx, .. }) => {
             let node = state.nodes.get(node_idx as usize);
-            let edge = node.map(|node| signal(segment(List::Clip, node.edges[1] as usize)));
-            edge.into_iter()
-                .chain([signal(Shape::Ring(at.to_array()))])
-                .collect()
+            node.map_or_else(Vec::new, |node| edge(List::Clip, node.edges[1]))
         }
         Some(Event::Labelled { node_idx, .. }) => {
             let node = state.nodes.get(node_idx as usize);
-            node.map_or_else(Vec::new, |node| arrows(step, node))
+            node.map_or_else(Vec::new, |node| through(step, node))
         }
-        Some(Event::Start { node_idx } | Event::Switch { node_idx, .. }) => {
-            let node = state.nodes.get(node_idx as usize);
-            node.map(|node| signal(Shape::Ring(node.at.to_array())))
-                .into_iter()
-                .collect()
+        Some(Event::Start { node_idx }) => {
+            let place = standing::place_of(state, List::Subject, node_idx);
+            place.map_or_else(Vec::new, |place| onwards(step, List::Subject, place))
         }
+        Some(Event::Switch { to, place, .. }) => onwards(step, to, place as usize),
         Some(Event::Closed { .. } | Event::Whole { kind: Some(_), .. }) => {
-            let last = state
-                .rings
-                .last()
-                .map(|ring| signal(Shape::Outline(outline(ring))));
+            let last = state.rings.last();
+            let last = last.map(|ring| signal(Shape::Outline(outline(ring))));
             last.into_iter().collect()
         }
         Some(Event::Whole {
@@ -183,8 +275,27 @@ fn event_marks(step: &Step<'_, WeilerAtherton>) -> Vec<Mark> {
     }
 }
 
+/// An edge of this step, and which way it runs.
+fn directed(ends: [Point; 2]) -> Vec<Mark> {
+    let ends = ends.map(Point::to_array);
+    [Shape::Segment(ends), Shape::Heading(ends)]
+        .map(|shape| Mark::new(Role::Signal, shape))
+        .to_vec()
+}
+
+/// Where a list goes on from one of its entries.
+fn onwards(step: &Step<'_, WeilerAtherton>, list: List, place: usize) -> Vec<Mark> {
+    let next = standing::next_place(step, list, place);
+    let entries = &step.state.lists[list.idx()];
+    let ends = [place, next].map(|place| entries.get(place).map(|entry| entry.at));
+    match ends {
+        [Some(from), Some(to)] => directed([from, to]),
+        _ => Vec::new(),
+    }
+}
+
 /// The subject's edge that comes to an intersection, and the one that goes on from it.
-fn arrows(step: &Step<'_, WeilerAtherton>, node: &ListNode) -> Vec<Mark> {
+fn through(step: &Step<'_, WeilerAtherton>, node: &ListNode) -> Vec<Mark> {
     let border = names::border(step.input, List::Subject);
     let edge_idx = node.edges[0] as usize;
     let [from, to] = border.edge(edge_idx);
@@ -193,8 +304,5 @@ fn arrows(step: &Step<'_, WeilerAtherton>, node: &ListNode) -> Vec<Mark> {
     } else {
         from
     };
-    let [from, at, to] = [from, node.at, to].map(Point::to_array);
-    [[from, at], [at, to]]
-        .map(|ends| Mark::new(Role::Signal, Shape::Arrow(ends)))
-        .to_vec()
+    [directed([from, node.at]), directed([node.at, to])].concat()
 }

@@ -1,8 +1,12 @@
 //! Weiler–Atherton, shown.
 
 mod captions;
+mod lists;
 mod marks;
 mod names;
+mod standing;
+#[cfg(test)]
+mod tests;
 
 use serde_json::{Value as Json, json};
 
@@ -11,7 +15,7 @@ use crate::{
         Clipped, Label, List, Relation, WeilerAtherton, WeilerAthertonEvent as Event,
         WeilerAthertonInput as Input, WeilerAthertonState as State,
     },
-    figure::{Caption, Tick, View, Watch, WatchRow, WatchSection},
+    figure::{Body, Caption, Tick, View, Watch, WatchRow, WatchSection},
     geom::{GeomError, Point, Polygon, Region, SimplePolygon},
     labs::{
         Answer, CodeLine, Demo, Step, code_line,
@@ -146,7 +150,10 @@ impl Demo for WeilerAtherton {
     }
 
     fn views(step: &Step<'_, Self>) -> Vec<View> {
-        vec![View::plane(marks::marks(step))]
+        vec![
+            View::plane(marks::marks(step)),
+            View::new(lists::VIEW, Body::Lists(lists::lists(step))),
+        ]
     }
 
     fn watch(step: &Step<'_, Self>) -> Watch {
@@ -177,7 +184,7 @@ fn lists_section(step: &Step<'_, WeilerAtherton>) -> WatchSection {
             None => shown,
         }
     });
-    WatchSection::table(vec!["S", "C"], rows.collect())
+    WatchSection::table(vec!["S", "C"], rows.collect()).seen_in(lists::VIEW)
 }
 
 /// The entries of the page on which a list is being built, labelled or walked: what each says, and the

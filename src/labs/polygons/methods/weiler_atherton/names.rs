@@ -4,7 +4,8 @@
 
 use crate::{
     algo::polygon::weiler_atherton::{
-        Label, List, ListEntry, Side, WeilerAthertonInput as Input, WeilerAthertonState as State,
+        Label, List, ListEntry, ListNode, Side, WeilerAthertonInput as Input,
+        WeilerAthertonState as State,
     },
     figure::Link,
     geom::{Rings, SimplePolygon},
@@ -55,10 +56,13 @@ pub fn entry(input: &Input, list: List, entry: &ListEntry) -> String {
     }
 }
 
-/// `I₂ in`, as far as the intersection is labelled.
-pub fn labelled_node(state: &State, node_idx: u32) -> Formula {
-    let formula = Formula::default().sym(node(node_idx));
-    with_label(formula, state, Some(node_idx))
+/// `I₂`, `S₃ = I₂` or `S₃ = C₁ = I₂`: by all its names.
+pub fn meeting(input: &Input, node_idx: u32, meeting: &ListNode) -> String {
+    let at_vertex = meeting.contact.at_vertex();
+    let own = [List::Subject, List::Clip].into_iter().zip(at_vertex);
+    let own = own.filter(|&(_, at_vertex)| at_vertex);
+    let own = own.map(|(list, _)| vertex(input, list, meeting.edges[list.idx()] as usize));
+    own.chain([node(node_idx)]).collect::<Vec<_>>().join(" = ")
 }
 
 /// `… in`, where there is a labelled intersection.
@@ -71,7 +75,7 @@ pub fn with_label(formula: Formula, state: &State, node_idx: Option<u32>) -> For
 }
 
 /// In a word.
-const fn label_key(label: Label) -> &'static str {
+pub const fn label_key(label: Label) -> &'static str {
     match label {
         Label::Entering => "wa-in",
         Label::Leaving => "wa-out",
@@ -95,6 +99,14 @@ pub const fn border(input: &Input, list: List) -> &Rings {
     match list {
         List::Subject => input.subject.rings(),
         List::Clip => input.clip.rings(),
+    }
+}
+
+/// What marks and rows about a vertex have in common.
+pub const fn vertex_link(list: List, vertex_idx: usize) -> Link {
+    match list {
+        List::Subject => Link::nth("subject-vertex", vertex_idx),
+        List::Clip => Link::nth("clip-vertex", vertex_idx),
     }
 }
 

@@ -1,0 +1,183 @@
+//! The two lists beside each other, the same intersections linked: of long ones what lies about the step.
+
+use std::ops::Range;
+
+use crate::{
+    algo::polygon::weiler_atherton::{
+        Label, List, ListEntry, WeilerAtherton, WeilerAthertonEvent as Event,
+    },
+    figure::{self, ListLink, Lists, Marker, Role},
+    labs::{Step, words::name},
+    text::{Formula, Value},
+};
+
+use super::{
+    names,
+    standing::{self, BOTH, Standing},
+};
+
+/// The view's name.
+pub const VIEW: &str = "lists";
+
+pub fn lists(step: &Step<'_, WeilerAtherton>) -> Lists {
+    let focus = BOTH.map(|list| focus(step, list));
+    let ranges = BOTH.map(|list| figure::List::reach(standing::len(step, list), focus[list.idx()]));
+    let standing = Standing::of(step, ranges.clone());
+    Lists {
+        links: links(step, &ranges),
+        lists: BOTH
+            .into_iter()
+            .zip(ranges)
+            .zip(focus)
+            .map(|((list, range), focus)| shown(step, &standing, list, range, focus))
+            .collect(),
+    }
+}
+
+fn shown(
+    step: &Step<'_, WeilerAtherton>,
+    standing: &Standing,
+    list: List,
+    range: Range<usize>,
+    focus: Option<usize>,
+) -> figure::List {
+    let title = Value::Term(match list {
+        List::Subject => "wa-list-subject",
+        List::Clip => "wa-list-clip",
+    });
+    let rings = names::border(step.input, list);
+    let begins_a_hole = |&place: &usize| {
+        let vertex = vertex_at(step, list, place)?;
+        let ring_idx = rings.ring_of(vertex);
+        (ring_idx > 0 && rings.bounds(ring_idx)[0] == vertex).then_some(place - range.start)
+    };
+    figure::List {
+        n_before: range.start,
+        n_after: standing::len(step, list) - range.end,
+        is_ring: true,
+        breaks: range
+            .clone()
+            .filter_map(|place| begins_a_hole(&place))
+            .collect(),
+        focus: focus.and_then(|place| place.checked_sub(range.start)),
+        ..figure::List::new(
+            title,
+            range
+                .clone()
+                .map(|place| entry(step, standing, list, place))
+                .collect(),
+        )
+    }
+}
+
+fn entry(
+    step: &Step<'_, WeilerAtherton>,
+    standing: &Standing,
+    list: List,
+    place: usize,
+) -> figure::ListEntry {
+    let (state, input) = (step.state, step.input);
+    let role = standing.role(list, place).unwrap_or(Role::Soft);
+    let own = vertex_at(step, list, place);
+    let Some(known) = state.lists[list.idx()].get(place) else {
+        let own = own.map_or_else(String::new, |own| names::vertex(input, list, own));
+        return figure::ListEntry {
+            role,
+            ..figure::ListEntry::new(name(own))
+        };
+    };
+    let link = match (known.node, own) {
+        (Some(node), _) => Some(names::node_link(node)),
+        (None, own) => own.map(|own| names::vertex_link(list, own)),
+    };
+    figure::ListEntry {
+        detail: detail(step, list, known),
+        marker: known.node.map(|node| match standing::label(state, node) {
+            Some(Label::Entering) => Marker::Dot,
+            Some(Label::Leaving) => Marker::Ring,
+            Some(Label::Pinching) => Marker::CrossedRing,
+            None | Some(Label::Touching) => Marker::Cross,
+        }),
+        role,
+        link,
+        ..figure::ListEntry::new(name(names::entry(input, list, known)))
+    }
+}
+
+/// Of an intersection its label; as long as it has none, what decides its place along the edge: t or u.
+fn detail(step: &Step<'_, WeilerAtherton>, list: List, entry: &ListEntry) -> Option<Value> {
+    let node_idx = entry.node?;
+    if let Some(label) = standing::label(step.state, node_idx) {
+        return Some(Value::Term(names::label_key(label)));
+    }
+    let node = step.state.nodes.get(node_idx as usize)?;
+    let (symbol, ratio) = match list {
+        List::Subject => ("t", node.t),
+        List::Clip => ("u", node.u),
+    };
+    let formula = Formula::default()
+        .sym(symbol)
+        .equals_ratio(ratio.num, ratio.den);
+    entry.vertex.is_none().then_some(Value::Formula(formula))
+}
+
+/// The polygon's own vertex at a place, also where it is still to come.
+fn vertex_at(step: &Step<'_, WeilerAtherton>, list: List, place: usize) -> Option<usize> {
+    let entries = &step.state.lists[list.idx()];
+    match entries.get(place) {
+        Some(entry) => entry.vertex.map(|vertex| vertex as usize),
+        None => Some(standing::n_vertices(step.state, list) + place - entries.len()),
+    }
+}
+
+/// Between the same intersections, in the direction in which the lists are changed.
+fn links(step: &Step<'_, WeilerAtherton>, ranges: &[Range<usize>; 2]) -> Vec<ListLink> {
+    let taken = standing::taken(step);
+    let [subject, clip] = ranges;
+    let link = |place: usize| {
+        let node = step.state.lists[List::Clip.idx()].get(place)?.node?;
+        let twin = standing::place_of(step.state, List::Subject, node)?;
+        let twin = subject.contains(&twin).then(|| twin - subject.start)?;
+        let ends = [
+            [List::Subject.idx(), twin],
+            [List::Clip.idx(), place - clip.start],
+        ];
+        let (is_taken, [from, to]) = match taken {
+            Some((taken, List::Clip)) if taken == node => (true, [ends[1], ends[0]]),
+            Some((taken, List::Subject)) if taken == node => (true, ends),
+            _ => (false, ends),
+        };
+        let role = if is_taken { Role::Signal } else { Role::Soft };
+        Some(ListLink { from, to, role })
+    };
+    clip.clone().filter_map(link).collect()
+}
+
+/// The place of a list that must be seen.
+fn focus(step: &Step<'_, WeilerAtherton>, list: List) -> Option<usize> {
+    let here = |list: List| {
+        let mut current = standing::current(step).into_iter();
+        let current = current.find(|&(at, _)| at == list).map(|(_, place)| place);
+        let whole = match step.event {
+            Some(Event::Whole {
+                list: whole,
+                places: [start, _],
+                ..
+            }) if whole == list => Some(start as usize),
+            _ => None,
+        };
+        let walk = step.state.position.filter(|&(at, _)| at == list);
+        current.or(whole).or(walk.map(|(_, place)| place as usize))
+    };
+    here(list).or_else(|| beside(step, list, here(list.other())?))
+}
+
+/// The place of the intersection that comes next after a place of the other list, or came last.
+fn beside(step: &Step<'_, WeilerAtherton>, list: List, other: usize) -> Option<usize> {
+    let entries = &step.state.lists[list.other().idx()];
+    let reach = figure::List::reach(entries.len(), Some(other));
+    let node = |place: usize| entries.get(place)?.node;
+    let ahead = (other..reach.end).find_map(node);
+    let node = ahead.or_else(|| (reach.start..other).rev().find_map(node))?;
+    standing::place_of(step.state, list, node)
+}
