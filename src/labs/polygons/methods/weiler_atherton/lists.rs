@@ -3,12 +3,15 @@
 use std::ops::Range;
 
 use crate::{
-    algo::polygon::weiler_atherton::{
-        Label, List, ListEntry, WeilerAtherton, WeilerAthertonEvent as Event,
+    algo::{
+        line::Ratio,
+        polygon::weiler_atherton::{
+            Label, List, ListEntry, WeilerAtherton, WeilerAthertonEvent as Event,
+        },
     },
     figure::{self, ListLink, Lists, Marker, Role},
     labs::{Step, words::name},
-    text::{Formula, Value},
+    text::Value,
 };
 
 use super::{
@@ -52,6 +55,7 @@ fn shown(
         (ring_idx > 0 && rings.bounds(ring_idx)[0] == vertex).then_some(place - range.start)
     };
     figure::List {
+        columns: vec![column(step, list)],
         n_before: range.start,
         n_after: standing::len(step, list) - range.end,
         is_ring: true,
@@ -91,7 +95,7 @@ fn entry(
         (None, own) => own.map(|own| names::vertex_link(list, own)),
     };
     figure::ListEntry {
-        detail: detail(step, list, known),
+        details: vec![detail(step, list, known)],
         marker: known.node.map(|node| match standing::label(state, node) {
             Some(Label::Entering) => Marker::Dot,
             Some(Label::Leaving) => Marker::Ring,
@@ -104,21 +108,28 @@ fn entry(
     }
 }
 
-/// Of an intersection its label; as long as it has none, what decides its place along the edge: t or u.
+/// What heads the intersections' details: as long as none is labelled, t or u, which decide the order along an edge.
+fn column(step: &Step<'_, WeilerAtherton>, list: List) -> Value {
+    match list {
+        _ if !step.state.labels.is_empty() => name(""),
+        List::Subject => name("t"),
+        List::Clip => name("u"),
+    }
+}
+
+/// Of an intersection its label; as long as none has one, where on its edge it lies.
 fn detail(step: &Step<'_, WeilerAtherton>, list: List, entry: &ListEntry) -> Option<Value> {
     let node_idx = entry.node?;
     if let Some(label) = standing::label(step.state, node_idx) {
         return Some(Value::Term(names::label_key(label)));
     }
-    let node = step.state.nodes.get(node_idx as usize)?;
-    let (symbol, ratio) = match list {
-        List::Subject => ("t", node.t),
-        List::Clip => ("u", node.u),
-    };
-    let formula = Formula::default()
-        .sym(symbol)
-        .equals_ratio(ratio.num, ratio.den);
-    entry.vertex.is_none().then_some(Value::Formula(formula))
+    let is_on_edge = entry.vertex.is_none() && step.state.labels.is_empty();
+    let node = step.state.nodes.get(node_idx as usize);
+    let Ratio { num, den } = node.filter(|_| is_on_edge).map(|node| match list {
+        List::Subject => node.t,
+        List::Clip => node.u,
+    })?;
+    Some(Value::Ratio { num, den })
 }
 
 /// The polygon's own vertex at a place, also where it is still to come.
