@@ -172,12 +172,13 @@ fn position(symbol: String, at: Point) -> Formula {
 /// `t = a₁ / (a₁ − a₂) = 4 / (4 − (−2)) = 2/3`.
 fn parameter(symbol: &'static str, distance: &'static str, ratio: Ratio) -> Formula {
     let part = Formula::default;
-    let (first, difference) = (format!("{distance}₁"), format!("{distance}₁ − {distance}₂"));
+    let of_end = |f: Formula, end: &str| f.sym(format!("{distance}{end}"));
+    let first = || of_end(part(), "₁");
     let numbers = part().num(ratio.num).sym(" − ");
     part()
         .sym(symbol)
         .sym(" = ")
-        .over(part().sym(first), part().sym(difference))
+        .over(first(), of_end(first().sym(" − "), "₂"))
         .sym(" = ")
         .over(
             part().num(ratio.num),
