@@ -1,5 +1,3 @@
-use std::f64::consts::TAU;
-
 use super::*;
 use crate::{
     figure::{ListLink, Lists, Role, Run},
@@ -45,7 +43,10 @@ fn names_of(lists: &Lists, list: usize, role: Option<Role>) -> String {
 
 fn taken(lists: &Lists) -> Vec<ListLink> {
     let links = lists.links.iter();
-    links.filter(|link| link.role == Role::Signal).copied().collect()
+    links
+        .filter(|link| link.role == Role::Signal)
+        .copied()
+        .collect()
 }
 
 #[test]
@@ -72,7 +73,11 @@ fn the_walk_is_in_both_lists() {
     assert_eq!(names_of(&switch, 0, None), "S₁ S₂ S₃ I₁ S₄ I₂ S₅ I₃ S₆ I₄");
     assert_eq!(names_of(&switch, 1, None), "C₁ C₂ I₄ I₃ I₂ I₁ C₃ C₄");
     assert_eq!(names_of(&switch, 0, Some(Role::Accent)), "I₁ S₄");
-    assert_eq!(names_of(&switch, 1, Some(Role::Accent)), "", "not there yet");
+    assert_eq!(
+        names_of(&switch, 1, Some(Role::Accent)),
+        "",
+        "not there yet"
+    );
     for list in [0, 1] {
         assert_eq!(names_of(&switch, list, Some(Role::Signal)), "I₂");
     }
@@ -99,21 +104,23 @@ fn each_hole_is_a_ring_of_its_own() {
     let [subject, clip] = &lists.lists[..] else {
         panic!("two lists: {lists:?}");
     };
-    assert_eq!(names_of(&lists, 0, None), "S₁ I₁ S₂ S₃ I₂ S₄ S₅ I₃ S₆ S₇ I₄");
+    assert_eq!(
+        names_of(&lists, 0, None),
+        "S₁ I₁ S₂ S₃ I₂ S₄ S₅ I₃ S₆ S₇ I₄"
+    );
     assert_eq!((&subject.breaks[..], &clip.breaks[..]), (&[6][..], &[][..]));
 }
 
 #[test]
 fn of_long_lists_the_step_s_neighbourhood_is_shown() {
-    let n = 400;
-    let star: Vec<[f64; 2]> = (0..n)
-        .map(|i| {
-            let (sin, cos) = libm::sincos(TAU * f64::from(i) / f64::from(n));
-            let r = if i % 2 == 0 { 2.0 } else { 6.0 };
-            [r * cos, r * sin]
-        })
-        .collect();
-    let run = run(&star, &[]);
+    let teeth = (0..400).map(|i| {
+        [
+            if i % 2 == 0 { 3.0 } else { 5.0 },
+            2.0 - f64::from(i) / 100.0,
+        ]
+    });
+    let comb: Vec<[f64; 2]> = [[7.0, -2.5], [7.0, 2.5]].into_iter().chain(teeth).collect();
+    let run = run(&comb, &[]);
     for step in (0..=run.n_steps()).step_by(37) {
         let frame = run.frame(step);
         let Some(Body::Lists(lists)) = frame.views.get(1).map(|view| &view.body) else {
