@@ -27,5 +27,5 @@ pub use image::Image;
 pub use parts::{Part, parts};
 pub use stage::stage;
 pub use theme::{Theme, ThemeKind};
-pub use typeset::Typeset;
+pub use typeset::{Span, Typeset};
 pub use viewport::Viewport;

@@ -1,14 +1,81 @@
-//! Values and formulas set for reading: on one line, ready to be measured and painted.
+//! Values, formulas and sentences set for reading: quotients stacked, subscripts lowered, on one line or on
+//! lines of a given width. What is set is a galley, so that it can be selected, and copied as plain text.
+
+mod breaks;
+mod row;
+mod script;
 
 use std::sync::Arc;
 
-use egui::{Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Vec2};
+use egui::{Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Vec2, pos2};
 
-use crate::text::{Catalog, Formula, Value};
+use crate::text::{Catalog, Formula, Message, Piece, Value};
 
-/// One line that has been laid out.
+use row::SetRow;
+use script::Script;
+
+/// Pieces in one face and colour.
+#[derive(Clone, Debug)]
+pub struct Span {
+    /// What is set.
+    pub pieces: Vec<Piece>,
+    /// Its face, and the size of what is neither lowered nor stacked.
+    pub font: FontId,
+    /// Its colour, also of the lines of its quotients.
+    pub colour: Color32,
+}
+
+impl Span {
+    /// A value as it stands alone.
+    #[must_use]
+    pub fn value(catalog: &Catalog, value: &Value, font: FontId, colour: Color32) -> Self {
+        let pieces = catalog.value_pieces(value);
+        Self {
+            pieces,
+            font,
+            colour,
+        }
+    }
+
+    /// A formula.
+    #[must_use]
+    pub fn formula(catalog: &Catalog, formula: &Formula, font: FontId, colour: Color32) -> Self {
+        let pieces = catalog.formula_pieces(formula);
+        Self {
+            pieces,
+            font,
+            colour,
+        }
+    }
+
+    /// A sentence.
+    #[must_use]
+    pub fn message(catalog: &Catalog, message: &Message, font: FontId, colour: Color32) -> Self {
+        let pieces = catalog.message_pieces(message);
+        Self {
+            pieces,
+            font,
+            colour,
+        }
+    }
+
+    /// Words.
+    #[must_use]
+    pub fn text(text: &str, font: FontId, colour: Color32) -> Self {
+        let pieces = Piece::words(text);
+        Self {
+            pieces,
+            font,
+            colour,
+        }
+    }
+}
+
+/// Text that has been laid out.
+#[derive(Clone)]
 pub struct Typeset {
     galley: Arc<Galley>,
+    baseline: f32,
     colour: Color32,
 }
 
@@ -22,7 +89,7 @@ impl Typeset {
         font: FontId,
         colour: Color32,
     ) -> Self {
-        Self::text(painter, catalog.value(value), font, colour)
+        Self::line(painter, &[Span::value(catalog, value, font, colour)])
     }
 
     /// A formula.
@@ -34,20 +101,92 @@ impl Typeset {
         font: FontId,
         colour: Color32,
     ) -> Self {
-        Self::text(painter, catalog.formula(formula), font, colour)
+        Self::line(painter, &[Span::formula(catalog, formula, font, colour)])
+    }
+
+    /// A sentence on one line.
+    #[must_use]
+    pub fn message(
+        painter: &Painter,
+        catalog: &Catalog,
+        message: &Message,
+        font: FontId,
+        colour: Color32,
+    ) -> Self {
+        Self::line(painter, &[Span::message(catalog, message, font, colour)])
     }
 
     /// Words.
     #[must_use]
-    pub fn text(painter: &Painter, text: String, font: FontId, colour: Color32) -> Self {
-        let galley = painter.layout_no_wrap(text, font, colour);
-        Self { galley, colour }
+    pub fn text(painter: &Painter, text: impl AsRef<str>, font: FontId, colour: Color32) -> Self {
+        Self::line(painter, &[Span::text(text.as_ref(), font, colour)])
     }
 
-    /// Of the box around it, in points.
+    /// Spans after each other on one line.
+    #[must_use]
+    pub fn line(painter: &Painter, spans: &[Span]) -> Self {
+        let script = Script::new(spans);
+        let row = SetRow::new(painter, &script, 0..script.chars.len());
+        Self::of_rows(&[row], &script)
+    }
+
+    /// Spans after each other on lines of at most this width. A line does not break within a coordinate, a
+    /// formula or a term that fits on one; where a formula does not, it goes on before a relation.
+    #[must_use]
+    pub fn wrapped(painter: &Painter, spans: &[Span], width: f32) -> Self {
+        let script = Script::new(spans);
+        let whole = SetRow::new(painter, &script, 0..script.chars.len());
+        let lines = breaks::lines(&script.chars, &whole.places, width);
+        if lines.len() < 2 {
+            return Self::of_rows(&[whole], &script);
+        }
+        let rows: Vec<SetRow> = lines
+            .into_iter()
+            .map(|line| SetRow::new(painter, &script, line))
+            .collect();
+        Self::of_rows(&rows, &script)
+    }
+
+    fn of_rows(rows: &[SetRow], script: &Script) -> Self {
+        let colour = script
+            .spans
+            .first()
+            .map_or(Color32::PLACEHOLDER, |span| span.colour);
+        let baseline = rows.first().map_or(0.0, |row| row.baseline);
+        let galley = match rows {
+            [row] => row.galley.clone(),
+            _ => Arc::new(joined(rows)),
+        };
+        Self {
+            galley,
+            baseline,
+            colour,
+        }
+    }
+
+    /// Of the box around it, in points. What is set on one line has its capitals in the middle of its height,
+    /// with a quotient as without.
     #[must_use]
     pub fn size(&self) -> Vec2 {
         self.galley.size()
+    }
+
+    /// From the top of the box to the line that the letters of the first row stand on.
+    #[must_use]
+    pub const fn baseline(&self) -> f32 {
+        self.baseline
+    }
+
+    /// How many lines it takes.
+    #[must_use]
+    pub fn n_rows(&self) -> usize {
+        self.galley.rows.len()
+    }
+
+    /// For a [`Label`](egui::Label) whose text can be selected.
+    #[must_use]
+    pub fn galley(&self) -> Arc<Galley> {
+        self.galley.clone()
     }
 
     /// Paints it with this corner, edge or middle of its box at `at`; the box.
@@ -57,3 +196,41 @@ impl Typeset {
         rect
     }
 }
+
+/// One galley of several rows.
+fn joined(rows: &[SetRow]) -> Galley {
+    let mut whole = (*rows[0].galley).clone();
+    let mut job = (*whole.job).clone();
+    whole.rows.clear();
+    whole.rect = Rect::ZERO;
+    whole.mesh_bounds = Rect::NOTHING;
+    (whole.num_vertices, whole.num_indices) = (0, 0);
+    job.text.clear();
+    job.sections.clear();
+    let mut top = 0.0;
+    for row in rows {
+        for section in &row.galley.job.sections {
+            let mut section = section.clone();
+            section.byte_range =
+                section.byte_range.start + job.text.len()..section.byte_range.end + job.text.len();
+            job.sections.push(section);
+        }
+        job.text.push_str(&row.galley.job.text);
+        for placed in &row.galley.rows {
+            let mut placed = placed.clone();
+            placed.pos = pos2(placed.pos.x, top);
+            whole.rect |= placed.rect();
+            let bounds = placed.visuals.mesh_bounds.translate(placed.pos.to_vec2());
+            whole.mesh_bounds |= bounds;
+            whole.num_vertices += placed.visuals.mesh.vertices.len();
+            whole.num_indices += placed.visuals.mesh.indices.len();
+            top += placed.row.size.y;
+            whole.rows.push(placed);
+        }
+    }
+    whole.job = Arc::new(job);
+    whole
+}
+
+#[cfg(test)]
+mod tests;

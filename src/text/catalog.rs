@@ -9,8 +9,8 @@ use fluent_bundle::resolver::errors::ReferenceKind;
 use fluent_bundle::{FluentArgs, FluentError, FluentResource, FluentValue};
 
 use super::lang::Lang;
-use super::message::{Formula, Message, Token, Value};
-use super::number;
+use super::message::{Message, Value};
+use super::piece::Piece;
 
 macro_rules! ftl {
     ($lang:literal, $area:literal) => {
@@ -64,13 +64,6 @@ impl Catalog {
         CATALOGS[lang as usize].get_or_init(|| Self::parse(lang))
     }
 
-    /// Whether [`number`](Self::number) shows this very number, so that `=` is true of it; where
-    /// it shows a rounded one, only `≈` is.
-    #[must_use]
-    pub fn is_exact(x: f64) -> bool {
-        number::is_exact(x)
-    }
-
     /// Which language this is.
     #[must_use]
     pub fn lang(&self) -> Lang {
@@ -83,51 +76,33 @@ impl Catalog {
     /// reason to stop a lecture.
     #[must_use]
     pub fn message(&self, message: &Message) -> String {
-        self.resolve(message.key, &message.args)
+        Piece::plain(&self.message_pieces(message))
+    }
+
+    /// [`message`](Self::message), to be set: its values are kept whole.
+    #[must_use]
+    pub fn message_pieces(&self, message: &Message) -> Vec<Piece> {
+        let text = self.resolve(message.key, &message.args);
+        let mut pieces = Vec::new();
+        let mut rest = &text[..];
+        let value_at = |(at, c): (usize, char)| Some((at, c, place(c)?));
+        while let Some((at, c, i)) = rest.char_indices().find_map(value_at) {
+            pieces.extend(Piece::words(&rest[..at]));
+            match message.args.get(i) {
+                Some((_, Value::Message(inner))) => pieces.extend(self.message_pieces(inner)),
+                Some((_, value)) => pieces.push(Piece::Kept(self.value_pieces(value))),
+                None => {}
+            }
+            rest = &rest[at + c.len_utf8()..];
+        }
+        pieces.extend(Piece::words(rest));
+        pieces
     }
 
     /// The sentence or word of a key that takes no values.
     #[must_use]
     pub fn term(&self, key: &str) -> String {
         self.resolve(key, &[])
-    }
-
-    /// Arithmetic, with this language's decimal separator and words.
-    #[must_use]
-    pub fn formula(&self, formula: &Formula) -> String {
-        let mut text = String::new();
-        for token in &formula.0 {
-            let equation = matches!(token, Token::Equals(_) | Token::EqualsRatio { .. });
-            if equation && !text.is_empty() && !text.ends_with(' ') {
-                text.push(' ');
-            }
-            text.push_str(&self.token(token));
-        }
-        text
-    }
-
-    /// A number as people write it.
-    ///
-    /// An integer plainly; a fraction where that is exact and short, `3/8` or `5/3`; an exact short
-    /// decimal, `1.5`; else four significant digits, `0.3827`, never cutting into the integer part.
-    /// Below 10⁻⁴ and from 10⁹ on, `1.234×10⁹`. The minus is U+2212 and zero has no sign.
-    #[must_use]
-    pub fn number(&self, x: f64) -> String {
-        number::number(self.lang, x)
-    }
-
-    /// A point in the plane: `(−1, 3/8)`, or `(−1; 1,5)` where the comma is the decimal separator.
-    #[must_use]
-    pub fn point(&self, [x, y]: [f64; 2]) -> String {
-        let separator = self.lang.list_separator();
-        format!("({}{separator}{})", self.number(x), self.number(y))
-    }
-
-    /// The quotient `num/den`: a reduced fraction where that is exact and short, else a number.
-    /// A quotient by zero stays as it is written: `3/0`.
-    #[must_use]
-    pub fn ratio(&self, num: f64, den: f64) -> String {
-        number::ratio(self.lang, num, den)
     }
 
     fn parse(lang: Lang) -> Self {
@@ -147,7 +122,8 @@ impl Catalog {
     fn resolve(&self, key: &str, args: &[(&'static str, Value)]) -> String {
         let args: FluentArgs<'_> = args
             .iter()
-            .map(|(name, value)| (*name, self.argument(value)))
+            .enumerate()
+            .map(|(i, (name, value))| (*name, argument(i, value)))
             .collect();
         self.format(key, &args)
             .or_else(|| Self::of(Lang::En).format(key, &args))
@@ -161,77 +137,32 @@ impl Catalog {
         let text = self.bundle.format_pattern(pattern, Some(args), &mut errors);
         Some(errors.iter().fold(text.into_owned(), show_error))
     }
+}
 
-    fn argument(&self, value: &Value) -> FluentValue<'static> {
-        match value {
-            Value::Count(n) => FluentValue::from(*n),
-            other => FluentValue::String(Cow::Owned(self.value(other))),
+/// What Fluent puts into a sentence for a value that it need not read: one character of the private use area,
+/// so that the value keeps its parts.
+const PLACES: std::ops::Range<u32> = 0xE000..0xE100;
+
+fn argument(i: usize, value: &Value) -> FluentValue<'static> {
+    match value {
+        Value::Count(n) => FluentValue::from(*n),
+        Value::Number(_)
+        | Value::Ratio { .. }
+        | Value::Point(_)
+        | Value::Name(_)
+        | Value::Term(_)
+        | Value::Message(_)
+        | Value::Formula(_) => {
+            let place = PLACES.clone().nth(i).and_then(char::from_u32);
+            FluentValue::String(place.map_or(Cow::Borrowed("⟦…⟧"), |c| Cow::Owned(c.to_string())))
         }
     }
+}
 
-    /// A value as it stands alone: in a table, beside a mark.
-    #[must_use]
-    pub fn value(&self, value: &Value) -> String {
-        match value {
-            Value::Count(n) => n.to_string(),
-            Value::Number(x) => self.number(*x),
-            Value::Ratio { num, den } => self.ratio(*num, *den),
-            Value::Point(p) => self.point(*p),
-            Value::Name(name) => name.clone(),
-            Value::Term(key) => self.term(key),
-            Value::Message(message) => self.message(message),
-            Value::Formula(formula) => self.formula(formula),
-        }
-    }
-
-    /// Above or below the line of a quotient, as it stands in a line of text: in parentheses where it is more
-    /// than one thing.
-    fn part(&self, formula: &Formula, alone: fn(f64) -> Token) -> String {
-        match formula.0[..] {
-            [Token::Number(x)] => self.token(&alone(x)).into_owned(),
-            [_] => self.formula(formula),
-            _ => format!("({})", self.formula(formula)),
-        }
-    }
-
-    fn token<'a>(&self, token: &'a Token) -> Cow<'a, str> {
-        Cow::Owned(match token {
-            Token::Sym(symbol) => return Cow::Borrowed(symbol),
-            Token::Operand(x) if *x < 0.0 => format!("({})", self.number(*x)),
-            Token::Number(x) | Token::Operand(x) => self.number(*x),
-            Token::Dividend(x) | Token::Divisor(x) => {
-                let shown = self.number(*x);
-                let is_negative = matches!(token, Token::Divisor(_)) && *x < 0.0;
-                if is_negative || shown.contains('/') {
-                    format!("({shown})")
-                } else {
-                    shown
-                }
-            }
-            Token::Ratio { num, den } => self.ratio(*num, *den),
-            Token::Over { num, den } => format!(
-                "{} / {}",
-                self.part(num, Token::Dividend),
-                self.part(den, Token::Divisor)
-            ),
-            Token::Point(p) => self.point(*p),
-            Token::List(numbers) => {
-                let shown: Vec<String> = numbers.iter().map(|&x| self.number(x)).collect();
-                shown.join(self.lang.list_separator())
-            }
-            Token::Term(key) => self.term(key),
-            Token::EqualsRatio { num, den } => {
-                let sign = if number::is_exact_ratio(*num, *den) {
-                    '='
-                } else {
-                    '≈'
-                };
-                format!("{sign} {}", self.ratio(*num, *den))
-            }
-            Token::Equals(x) if Self::is_exact(*x) => format!("= {}", self.number(*x)),
-            Token::Equals(x) => format!("≈ {}", self.number(*x)),
-        })
-    }
+/// Which value's place a character marks.
+fn place(c: char) -> Option<usize> {
+    let i = u32::from(c).checked_sub(PLACES.start)?;
+    PLACES.contains(&u32::from(c)).then_some(i as usize)
 }
 
 /// Makes what Fluent could not resolve visible: in its place where it left one, else at the end.
@@ -302,49 +233,6 @@ mod tests {
         assert_eq!(
             said(Lang::PtBr),
             "ponto de controle de segmento em (−1; 1,5)"
-        );
-    }
-
-    #[test]
-    fn a_formula_shows_its_arithmetic() {
-        let t = Formula::default()
-            .sym("t = q/p = (")
-            .num(-1.0)
-            .sym(" − ")
-            .operand(-2.0)
-            .sym(") / ")
-            .operand(4.0)
-            .equals(0.25);
-        let catalog = Catalog::of(Lang::En);
-        assert_eq!(catalog.formula(&t), "t = q/p = (−1 − (−2)) / 4 = 1/4");
-        for (num, den, expected) in [
-            (0.75, 1.5, "(3/4) / 1.5"),
-            (-0.5, 0.25, "(−1/2) / (1/4)"),
-            (-1.0, -4.0, "−1 / (−4)"),
-        ] {
-            let formula = Formula::default().dividend(num).sym(" / ").divisor(den);
-            assert_eq!(catalog.formula(&formula), expected);
-        }
-        let difference = |a, b| Formula::default().num(a).sym(" − ").operand(b);
-        let stacked = Formula::default()
-            .over(difference(-1.0, -2.0), Formula::default().num(-4.0))
-            .sym(", ")
-            .over(Formula::default().sym("q"), Formula::default().num(0.75));
-        assert_eq!(catalog.formula(&stacked), "(−1 − (−2)) / (−4), q / (3/4)");
-        let rounded = Formula::default().sym("sin 22,5° ").equals(0.382_683_432);
-        assert_eq!(
-            Catalog::of(Lang::Es).formula(&rounded),
-            "sin 22,5° ≈ 0,3827"
-        );
-        let mixed = Formula::default()
-            .term("edge-left")
-            .sym(": ")
-            .ratio(2.0, 8.0)
-            .sym(" ")
-            .point([1.5, -0.5]);
-        assert_eq!(
-            Catalog::of(Lang::Es).formula(&mixed),
-            "borde izquierdo: 1/4 (1,5; −1/2)"
         );
     }
 

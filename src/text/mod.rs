@@ -24,10 +24,13 @@ mod diagnostic;
 mod lang;
 mod message;
 mod number;
+mod piece;
 mod system;
+mod writing;
 
 pub use catalog::{AREAS, Catalog, sources};
 pub use diagnostic::Diagnostic;
 pub use lang::{Lang, UnknownLang};
 pub use message::{Formula, Message, Token, Value};
+pub use piece::Piece;
 pub use system::SystemError;

@@ -4,6 +4,8 @@
 //! one double that is nearest to a third, and for no other. [`is_exact`] tells whether what is
 //! shown is the number itself or a rounding of it.
 
+use std::fmt;
+
 use super::lang::Lang;
 
 /// Significant digits of a number that is not shown exactly, and of an exact decimal.
@@ -19,47 +21,132 @@ const MAX_RATIO_TERM: u64 = 999;
 const LARGE: f64 = 1e9;
 const SMALL: f64 = 1e-4;
 /// U+2212, as wide as a plus; the hyphen on the keyboard is not a minus.
-const MINUS: char = '−';
+const MINUS: &str = "−";
 
-/// A number as people write it, in one language.
-pub(super) fn number(lang: Lang, x: f64) -> String {
-    let magnitude = x.abs();
-    let text = match form(magnitude) {
-        Form::NotANumber => "NaN".to_owned(),
-        Form::Infinite => "∞".to_owned(),
-        Form::Integer => format!("{magnitude:.0}"),
-        Form::Fraction(n, d) => format!("{n}/{d}"),
-        Form::Decimal => localized(lang, &magnitude.to_string()),
-        Form::Rounded => localized(lang, &rounded(magnitude)),
-        Form::Scientific => scientific(lang, magnitude),
-    };
-    signed(x < 0.0, &text)
+/// How the numbers of one point or formula are written, so that a reader can compare them.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Kind {
+    /// Each in its own best way: they do not mix.
+    Own,
+    /// What is not whole is a fraction.
+    Fractions,
+    /// What is not whole is a decimal.
+    Decimals,
 }
 
-/// Whether [`number`] shows this very number, not one rounded to fewer digits.
-pub(super) fn is_exact(x: f64) -> bool {
-    let magnitude = x.abs();
-    match form(magnitude) {
-        Form::Rounded => false,
-        Form::Scientific => significant_digits(magnitude) <= DIGITS,
-        _ => true,
+impl Kind {
+    /// How these numbers are written beside each other: as fractions if each of them has a short one.
+    pub(super) fn of(numbers: &[Quantity]) -> Self {
+        let is = |kind, form: fn(&Form) -> bool| move |x: &Quantity| form(&x.form(kind));
+        let are_mixed = numbers.iter().any(is(Self::Own, Form::is_fraction))
+            && numbers.iter().any(is(Self::Own, Form::is_decimal));
+        if !are_mixed {
+            Self::Own
+        } else if numbers.iter().any(is(Self::Fractions, Form::is_decimal)) {
+            Self::Decimals
+        } else {
+            Self::Fractions
+        }
     }
 }
 
-/// The quotient `num/den`: a reduced fraction where that is exact and short, else a number.
-pub(super) fn ratio(lang: Lang, num: f64, den: f64) -> String {
-    if den == 0.0 {
-        return format!("{}/0", number(lang, num));
-    }
-    match reduced(num.abs(), den.abs()) {
-        Some((n, d)) if d > 1 => signed((num < 0.0) != (den < 0.0), &format!("{n}/{d}")),
-        _ => number(lang, num / den),
+/// A number, or a quotient of two.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) enum Quantity {
+    /// `x`.
+    Number(f64),
+    /// `num / den`: a reduced fraction where that is exact and short, else a number.
+    Ratio(f64, f64),
+}
+
+/// A number as it is written.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(super) enum Written {
+    /// From left to right.
+    Line(String),
+    /// One whole number over another.
+    Fraction {
+        /// A minus or nothing.
+        sign: &'static str,
+        /// Without sign.
+        num: String,
+        /// Without sign.
+        den: String,
+    },
+}
+
+impl fmt::Display for Written {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Line(text) => f.write_str(text),
+            Self::Fraction { sign, num, den } => write!(f, "{sign}{num}/{den}"),
+        }
     }
 }
 
-/// Whether [`ratio`] shows this very quotient.
-pub(super) fn is_exact_ratio(num: f64, den: f64) -> bool {
-    den == 0.0 || reduced(num.abs(), den.abs()).is_some() || is_exact(num / den)
+impl Quantity {
+    /// As people of this language write it.
+    pub(super) fn written(self, lang: Lang, kind: Kind) -> Written {
+        let sign = if self.is_negative() { MINUS } else { "" };
+        let line = |text: &str| Written::Line(format!("{sign}{text}"));
+        let magnitude = self.value().abs();
+        match self.form(kind) {
+            Form::NotANumber => Written::Line("NaN".to_owned()),
+            Form::Infinite => line("∞"),
+            Form::Integer => line(&format!("{magnitude:.0}")),
+            Form::Fraction(num, den) => Written::Fraction {
+                sign,
+                num: num.to_string(),
+                den: den.to_string(),
+            },
+            Form::ByZero(num) => {
+                Written::Line(format!("{}/0", Self::Number(num).written(lang, kind)))
+            }
+            Form::Decimal => line(&localized(lang, &magnitude.to_string())),
+            Form::Rounded => line(&localized(lang, &rounded(magnitude))),
+            Form::Scientific => line(&scientific(lang, magnitude)),
+        }
+    }
+
+    /// Whether [`written`](Self::written) shows this very number, not one rounded to fewer digits.
+    pub(super) fn is_exact(self, kind: Kind) -> bool {
+        match self.form(kind) {
+            Form::Rounded => false,
+            Form::Scientific => significant_digits(self.value().abs()) <= DIGITS,
+            Form::NotANumber
+            | Form::Infinite
+            | Form::Integer
+            | Form::Fraction(..)
+            | Form::ByZero(_)
+            | Form::Decimal => true,
+        }
+    }
+
+    fn value(self) -> f64 {
+        match self {
+            Self::Number(x) => x,
+            Self::Ratio(num, den) => num / den,
+        }
+    }
+
+    fn is_negative(self) -> bool {
+        match self {
+            Self::Number(x) => x < 0.0,
+            // A quotient that underflows keeps its sign.
+            Self::Ratio(num, den) => num / den < 0.0,
+        }
+    }
+
+    fn form(self, kind: Kind) -> Form {
+        match self {
+            Self::Number(x) => form(x.abs(), kind),
+            Self::Ratio(num, den) if den == 0.0 => Form::ByZero(num),
+            Self::Ratio(num, den) => match reduced(num.abs(), den.abs()) {
+                Some((n, d)) if d > 1 && kind != Kind::Decimals => Form::Fraction(n, d),
+                _ => form((num / den).abs(), kind),
+            },
+        }
+    }
 }
 
 /// The ways in which a magnitude can be written.
@@ -67,40 +154,58 @@ enum Form {
     NotANumber,
     Infinite,
     Integer,
-    Fraction(f64, u32),
+    Fraction(u64, u64),
+    /// A quotient by zero, with its numerator.
+    ByZero(f64),
     Decimal,
     Rounded,
     Scientific,
 }
 
-fn form(magnitude: f64) -> Form {
-    if magnitude.is_nan() {
-        Form::NotANumber
-    } else if magnitude.is_infinite() {
-        Form::Infinite
-    } else if magnitude != 0.0 && !(SMALL..LARGE).contains(&magnitude) {
-        Form::Scientific
-    } else if magnitude.fract() == 0.0 {
-        Form::Integer
-    } else if let Some((n, d)) = fraction(magnitude, PLAIN_DENOMINATOR)
-        && magnitude < 1.0
-    {
-        Form::Fraction(n, d)
-    } else if is_short_decimal(magnitude) {
-        Form::Decimal
-    } else if let Some((n, d)) = fraction(magnitude, MAX_DENOMINATOR) {
-        Form::Fraction(n, d)
-    } else {
-        Form::Rounded
+impl Form {
+    const fn is_fraction(&self) -> bool {
+        matches!(self, Self::Fraction(..))
+    }
+
+    const fn is_decimal(&self) -> bool {
+        matches!(self, Self::Decimal | Self::Rounded | Self::Scientific)
     }
 }
 
+fn form(magnitude: f64, kind: Kind) -> Form {
+    if magnitude.is_nan() {
+        return Form::NotANumber;
+    }
+    if magnitude.is_infinite() {
+        return Form::Infinite;
+    }
+    if magnitude != 0.0 && !(SMALL..LARGE).contains(&magnitude) {
+        return Form::Scientific;
+    }
+    if magnitude.fract() == 0.0 {
+        return Form::Integer;
+    }
+    let as_fraction = |max_denominator| {
+        let (n, d) = fraction(magnitude, max_denominator)?;
+        Some(Form::Fraction(n, d))
+    };
+    let simple = as_fraction(PLAIN_DENOMINATOR).filter(|_| magnitude < 1.0);
+    let decimal = is_short_decimal(magnitude).then_some(Form::Decimal);
+    let found = match kind {
+        Kind::Own => simple.or(decimal).or_else(|| as_fraction(MAX_DENOMINATOR)),
+        Kind::Fractions => as_fraction(MAX_DENOMINATOR).or(decimal),
+        Kind::Decimals => decimal,
+    };
+    found.unwrap_or(Form::Rounded)
+}
+
 /// The fraction with the smallest denominator, up to `max_denominator`, whose nearest double is `x`.
-fn fraction(x: f64, max_denominator: u32) -> Option<(f64, u32)> {
+fn fraction(x: f64, max_denominator: u32) -> Option<(u64, u64)> {
     (2..=max_denominator)
         .map(|d| ((x * f64::from(d)).round(), d))
         .find(|&(n, d)| n / f64::from(d) == x)
         .filter(|&(n, _)| n <= MAX_NUMERATOR)
+        .map(|(n, d)| (n as u64, u64::from(d)))
 }
 
 /// Four significant digits at most; or two decimals, so that 123.45 and 1000.5 stay themselves.
@@ -162,14 +267,6 @@ fn localized(lang: Lang, decimal: &str) -> String {
     decimal.replace('.', &lang.decimal_separator().to_string())
 }
 
-fn signed(is_negative: bool, magnitude: &str) -> String {
-    if is_negative {
-        format!("{MINUS}{magnitude}")
-    } else {
-        magnitude.to_owned()
-    }
-}
-
 /// `num/den` in lowest terms, exactly, where both terms are short. Both arguments are magnitudes.
 fn reduced(num: f64, den: f64) -> Option<(u64, u64)> {
     let (mut n, mut d) = (num, den);
@@ -196,161 +293,4 @@ fn gcd(a: u64, b: u64) -> u64 {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    const ON_THE_BOARD: &[(&str, f64, &str)] = &[
-        ("zero", 0.0, "0"),
-        ("negative zero has no sign", -0.0, "0"),
-        ("an integer", 7.0, "7"),
-        ("a negative integer, with a true minus", -2.0, "−2"),
-        ("six digits, not grouped", 123_456.0, "123456"),
-        ("nine digits", 999_999_999.0, "999999999"),
-        ("a half", 0.5, "1/2"),
-        ("a third", 1.0 / 3.0, "1/3"),
-        ("two fifths", 0.4, "2/5"),
-        ("four fifths", 0.8, "4/5"),
-        ("three eighths below zero", -0.375, "−3/8"),
-        ("seven eighths", 0.875, "7/8"),
-        ("a sixth below zero", -1.0 / 6.0, "−1/6"),
-        ("a ninth", 1.0 / 9.0, "1/9"),
-        ("a tenth", 0.1, "0.1"),
-        ("three tenths", 0.3, "0.3"),
-        ("seven twentieths", 0.35, "0.35"),
-        ("a sixteenth", 0.0625, "0.0625"),
-        (
-            "five thirty-seconds: exact and shorter than 0.15625",
-            0.156_25,
-            "5/32",
-        ),
-        ("a twelfth", 1.0 / 12.0, "1/12"),
-        ("a thirty-first", 1.0 / 31.0, "1/31"),
-        (
-            "a thirty-third: too fine for a fraction",
-            1.0 / 33.0,
-            "0.0303",
-        ),
-        ("one and a half", 1.5, "1.5"),
-        ("one and a half below zero", -1.5, "−1.5"),
-        ("four digits", 1.375, "1.375"),
-        ("five digits, a sixteenth", 1.8125, "29/16"),
-        ("five thirds", 5.0 / 3.0, "5/3"),
-        ("seven thirds below zero", -7.0 / 3.0, "−7/3"),
-        ("a large numerator is no fraction", 1000.0 / 3.0, "333.3"),
-        ("two decimals", 123.45, "123.45"),
-        ("the middle of a pixel far away", 1000.5, "1000.5"),
-        ("four significant digits", std::f64::consts::PI, "3.142"),
-        ("rounded below one", 0.382_683_432_365_089_8, "0.3827"),
-        (
-            "rounded below zero",
-            -std::f64::consts::FRAC_1_SQRT_2,
-            "−0.7071",
-        ),
-        (
-            "leading zeros are not significant",
-            0.001_234_56,
-            "0.001235",
-        ),
-        ("rounding carries into a digit more", 9.999_96, "10"),
-        (
-            "the integer part is never rounded away",
-            123_456.789,
-            "123457",
-        ),
-        ("a sum of tenths that misses three tenths", 0.1 + 0.2, "0.3"),
-        ("the smallest plain decimal", 1e-4, "0.0001"),
-        ("small", 1.2e-5, "1.2×10⁻⁵"),
-        ("small and long", -1.234_56e-7, "−1.235×10⁻⁷"),
-        ("a thousand million", 1e9, "1×10⁹"),
-        ("large and long", 1.234_567_89e12, "1.235×10¹²"),
-        ("huge", 1e300, "1×10³⁰⁰"),
-        ("the smallest double", 5e-324, "4.941×10⁻³²⁴"),
-        ("infinite", f64::INFINITY, "∞"),
-        ("infinite below zero", f64::NEG_INFINITY, "−∞"),
-        ("no number", f64::NAN, "NaN"),
-    ];
-
-    #[test]
-    fn numbers_are_written_as_on_the_board() {
-        for &(what, x, expected) in ON_THE_BOARD {
-            assert_eq!(number(Lang::En, x), expected, "{what}");
-        }
-    }
-
-    #[test]
-    fn the_decimal_separator_is_the_reader_s() {
-        for (lang, expected) in [
-            (Lang::En, ["1.5", "−0.7071", "1.235×10¹²", "3/8"]),
-            (Lang::ZhCn, ["1.5", "−0.7071", "1.235×10¹²", "3/8"]),
-            (Lang::Es, ["1,5", "−0,7071", "1,235×10¹²", "3/8"]),
-            (Lang::PtBr, ["1,5", "−0,7071", "1,235×10¹²", "3/8"]),
-        ] {
-            let written = [
-                1.5,
-                -std::f64::consts::FRAC_1_SQRT_2,
-                1.234_567_89e12,
-                0.375,
-            ]
-            .map(|x| number(lang, x));
-            assert_eq!(written, expected, "{lang}");
-        }
-    }
-
-    #[test]
-    fn only_what_is_not_rounded_is_exact() {
-        for x in [
-            0.0,
-            1.0,
-            -0.375,
-            1.0 / 3.0,
-            1.375,
-            123.45,
-            1e300,
-            1.2e-5,
-            f64::INFINITY,
-            f64::NAN,
-        ] {
-            assert!(is_exact(x), "{x} is shown exactly");
-        }
-        for x in [
-            0.1 + 0.2,
-            1.0 / 33.0,
-            9.999_96,
-            1.234_56e-7,
-            std::f64::consts::PI,
-        ] {
-            assert!(!is_exact(x), "{x} is shown rounded");
-        }
-    }
-
-    #[test]
-    fn quotients_are_reduced() {
-        for (num, den, expected) in [
-            (1.0, 4.0, "1/4"),
-            (2.0, 8.0, "1/4"),
-            (-2.0, 8.0, "−1/4"),
-            (-3.0, -4.0, "3/4"),
-            (3.0, 10.0, "3/10"),
-            (5.0, 2.0, "5/2"),
-            (1.5, 2.5, "3/5"),
-            (0.375, 1.0, "3/8"),
-            (8.0, 4.0, "2"),
-            (-8.0, 4.0, "−2"),
-            (5e9, 1.0, "5×10⁹"),
-            (-0.0, 4.0, "0"),
-            (0.0, -4.0, "0"),
-            (1001.0, 1000.0, "1.001"),
-            (0.1, 0.4, "1/4"),
-            (1.0, 1e-300, "1×10³⁰⁰"),
-            (5e-324, f64::MAX, "0"),
-            (f64::MAX, f64::MAX, "1"),
-            (f64::INFINITY, 2.0, "∞"),
-            (1.0, f64::INFINITY, "0"),
-            (3.0, 0.0, "3/0"),
-            (0.0, -0.0, "0/0"),
-            (f64::NAN, 1.0, "NaN"),
-        ] {
-            assert_eq!(ratio(Lang::En, num, den), expected, "{num} / {den}");
-        }
-    }
-}
+mod tests;

@@ -1,0 +1,198 @@
+use egui::{Color32, FontId, epaint::text::PlacedRow, vec2};
+
+use crate::{
+    paint::{Headless, ThemeKind},
+    text::{Lang, Message},
+};
+
+use super::*;
+
+const FONT: FontId = FontId::proportional(20.0);
+const INK: Color32 = Color32::BLACK;
+
+/// Sets something with the shipped fonts, at two pixels a point.
+fn set<T>(mut work: impl FnMut(&Painter) -> T) -> T {
+    let mut done = None;
+    let mut table = Headless::new(ThemeKind::Light);
+    table.draw(vec2(64.0, 64.0), 2.0, |ui| done = Some(work(ui.painter())));
+    done.expect("the interface is run")
+}
+
+fn line(catalog: &Catalog, formula: &Formula) -> Typeset {
+    set(|painter| Typeset::formula(painter, catalog, formula, FONT, INK))
+}
+
+/// The boxes of the ink of a row's glyphs, and of its lines.
+fn ink(row: &PlacedRow) -> (Vec<(char, Rect)>, Vec<Rect>) {
+    let mesh = &row.visuals.mesh;
+    let boxes = |first: usize| {
+        Rect::from_points(
+            &mesh.vertices[first..first + 4]
+                .iter()
+                .map(|v| v.pos)
+                .collect::<Vec<_>>(),
+        )
+    };
+    let glyphs = row
+        .glyphs
+        .iter()
+        .filter(|glyph| !glyph.uv_rect.is_nothing());
+    let glyphs = glyphs.map(|glyph| (glyph.chr, boxes(glyph.first_vertex as usize)));
+    let bars = (row.visuals.glyph_vertex_range.end..mesh.vertices.len()).step_by(4);
+    (glyphs.collect(), bars.map(boxes).collect())
+}
+
+#[test]
+fn a_quotient_is_centred_on_its_line_and_clear_of_it() {
+    let wide = Formula::default().sym("q").over(
+        Formula::default().num(-1.0).sym(" − ").operand(-2.0),
+        Formula::default().num(4.0),
+    );
+    for formula in [Formula::default().num(0.375), wide] {
+        let typeset = line(Catalog::of(Lang::En), &formula);
+        let (glyphs, bars) = ink(&typeset.galley.rows[0]);
+        let [bar] = bars[..] else {
+            panic!("one line: {bars:?}");
+        };
+        let stands = |above: bool| {
+            let halves = glyphs
+                .iter()
+                .filter(|(c, at)| *c != '/' && *c != 'q' && (at.bottom() <= bar.top()) == above);
+            halves
+                .map(|(_, at)| *at)
+                .reduce(Rect::union)
+                .expect("both halves have ink")
+        };
+        let [num, den] = [stands(true), stands(false)];
+        assert!(
+            num.bottom() < bar.top() && den.top() > bar.bottom(),
+            "{num} {bar} {den}"
+        );
+        for half in [num, den] {
+            let off = (half.center().x - bar.center().x).abs();
+            assert!(off <= 1.0, "{half} over {bar}");
+            assert!(bar.left() < half.left() && half.right() < bar.right());
+        }
+        assert!(num.top() >= 0.0 && den.bottom() <= typeset.size().y);
+    }
+}
+
+#[test]
+fn a_subscript_is_lowered_and_smaller() {
+    let typeset = set(|painter| Typeset::text(painter, "u_nun P₁", FONT, INK));
+    let (glyphs, bars) = ink(&typeset.galley.rows[0]);
+    assert_eq!(bars, []);
+    let us: Vec<Rect> = glyphs
+        .iter()
+        .filter(|(c, _)| *c == 'u')
+        .map(|(_, at)| *at)
+        .collect();
+    assert!(us[1].bottom() > us[0].bottom() + 2.0, "{us:?}");
+    assert!(us[1].height() < 0.8 * us[0].height(), "{us:?}");
+    assert!(
+        us[1].left() - us[0].right() < 12.0,
+        "nothing where the _ was: {us:?}"
+    );
+    assert_eq!(typeset.galley.text(), "u_nun P₁", "copied as plain text");
+}
+
+#[test]
+fn letters_stand_on_one_line_with_and_without_a_quotient() {
+    let centre = |typeset: &Typeset| typeset.baseline() - 0.5 * typeset.size().y;
+    let plain = set(|painter| Typeset::text(painter, "17", FONT, INK));
+    let stacked = line(Catalog::of(Lang::En), &Formula::default().num(0.375));
+    assert!((centre(&plain) - centre(&stacked)).abs() <= 0.5);
+    assert!(stacked.size().y < 2.4 * FONT.size, "{:?}", stacked.size());
+}
+
+#[test]
+fn every_glyph_and_line_is_on_whole_pixels() {
+    let formula = Formula::default()
+        .sym("u_min = ")
+        .num(-0.375)
+        .sym(" in d_S");
+    let typeset = line(Catalog::of(Lang::En), &formula);
+    let (glyphs, bars) = ink(&typeset.galley.rows[0]);
+    for at in glyphs
+        .iter()
+        .filter(|(c, _)| !"_/".contains(*c))
+        .map(|(_, at)| *at)
+        .chain(bars)
+    {
+        let in_pixels = at.min * 2.0;
+        assert!((in_pixels - in_pixels.round()).length() < 1e-3, "{at}");
+    }
+}
+
+#[test]
+fn no_line_breaks_within_a_coordinate_a_formula_or_a_term() {
+    let difference = Formula::default()
+        .sym("x = ")
+        .num(-1.0)
+        .sym(" − ")
+        .operand(-2.0)
+        .equals(1.0);
+    let message = Message::new("access-handle")
+        .with("name", Value::Term("object-segment"))
+        .with("point", [-1.0, 0.375]);
+    let terms = [
+        "(−1, 3/8)",
+        "(−1; 3/8)",
+        "segment",
+        "线段",
+        "segmento",
+        "x = −1 − (−2) = 1",
+    ];
+    for lang in Lang::ALL {
+        let catalog = Catalog::of(lang);
+        let mut spans = vec![Span::message(catalog, &message, FONT, INK); 3];
+        let formula = Piece::Kept(catalog.formula_pieces(&difference));
+        spans.push(Span {
+            pieces: vec![Piece::Text("。".to_owned()), formula],
+            font: FONT,
+            colour: INK,
+        });
+        let plain: String = spans
+            .iter()
+            .map(|span| Piece::plain(&span.pieces))
+            .collect();
+        let kept: Vec<&str> = terms
+            .into_iter()
+            .filter(|term| plain.contains(term))
+            .collect();
+        assert!(kept.len() >= 3, "{plain}");
+        for width in (170..600).step_by(10) {
+            let typeset = set(|painter| Typeset::wrapped(painter, &spans, width as f32));
+            assert_eq!(typeset.galley.text(), plain, "nothing is lost");
+            let lines: Vec<String> = typeset.galley.rows.iter().map(|row| row.text()).collect();
+            for term in &kept {
+                let whole: usize = lines.iter().map(|line| line.matches(term).count()).sum();
+                assert_eq!(
+                    whole,
+                    plain.matches(term).count(),
+                    "{lang}, {width}: {term} in {lines:?}"
+                );
+            }
+            assert!(
+                lines.iter().all(|line| !line.starts_with('。')),
+                "{lines:?}"
+            );
+            assert!(typeset.size().x <= width as f32 + 12.0, "{lines:?}");
+        }
+    }
+}
+
+#[test]
+fn a_formula_too_long_for_any_line_goes_on_before_a_relation() {
+    let sum = Formula::default()
+        .sym("a = 1 + 2 + 3 + 4 = 2 + 3 + 5")
+        .equals(10.0);
+    let span = Span {
+        pieces: vec![Piece::Kept(Catalog::of(Lang::En).formula_pieces(&sum))],
+        font: FONT,
+        colour: INK,
+    };
+    let typeset = set(|painter| Typeset::wrapped(painter, std::slice::from_ref(&span), 190.0));
+    let lines: Vec<String> = typeset.galley.rows.iter().map(|row| row.text()).collect();
+    assert_eq!(lines, ["a = 1 + 2 + 3 + 4 ", "= 2 + 3 + 5 = 10"]);
+}

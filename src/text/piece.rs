@@ -1,0 +1,106 @@
+//! Text for setting: words, subscripts and quotients, before anything is measured.
+
+/// A part of a line.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Piece {
+    /// Words, numbers, signs.
+    Text(String),
+    /// Lowered and smaller: `min` of `u_min`.
+    Sub(String),
+    /// A quotient: one over the other, with a line between them.
+    Over {
+        /// Above the line.
+        num: Vec<Piece>,
+        /// Below it.
+        den: Vec<Piece>,
+    },
+    /// What a line of plain text needs, and set text does not: the slash of a quotient, parentheses that its
+    /// line makes needless, the `_` before a subscript.
+    Unset(&'static str),
+    /// A coordinate, a formula, a term: stays on one line as long as it fits on one.
+    Kept(Vec<Piece>),
+}
+
+impl Piece {
+    /// Words with the subscripts that are in them: a letter by itself, `_`, and a run of letters and digits.
+    #[must_use]
+    pub fn words(text: &str) -> Vec<Self> {
+        let mut pieces = Vec::new();
+        let mut rest = text;
+        while let Some((base_end, sub_end)) = subscript(rest) {
+            pieces.push(Self::Text(rest[..base_end].to_owned()));
+            pieces.push(Self::Unset("_"));
+            pieces.push(Self::Sub(rest[base_end + 1..sub_end].to_owned()));
+            rest = &rest[sub_end..];
+        }
+        if !rest.is_empty() {
+            pieces.push(Self::Text(rest.to_owned()));
+        }
+        pieces
+    }
+
+    /// The same as a line of plain text: `1/4`, `(a − b) / c`, `u_min`.
+    #[must_use]
+    pub fn plain(pieces: &[Self]) -> String {
+        let mut text = String::new();
+        write_plain(pieces, &mut text);
+        text
+    }
+}
+
+fn write_plain(pieces: &[Piece], text: &mut String) {
+    for piece in pieces {
+        match piece {
+            Piece::Text(part) | Piece::Sub(part) => text.push_str(part),
+            Piece::Unset(part) => text.push_str(part),
+            Piece::Kept(inner) => write_plain(inner, text),
+            Piece::Over { num, den } => {
+                write_plain(num, text);
+                write_plain(den, text);
+            }
+        }
+    }
+}
+
+/// Where the first `_` with a subscript stands, and where the subscript ends.
+fn subscript(text: &str) -> Option<(usize, usize)> {
+    text.match_indices('_').map(|(at, _)| at).find_map(|at| {
+        let mut before = text[..at].chars().rev();
+        let is_symbol = before.next().is_some_and(char::is_alphabetic)
+            && !before
+                .next()
+                .is_some_and(|c| c.is_ascii_alphanumeric() || c == '_');
+        let run = &text[at + 1..];
+        let n = run
+            .find(|c: char| !c.is_ascii_alphanumeric())
+            .unwrap_or(run.len());
+        (is_symbol && n > 0).then_some((at, at + 1 + n))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_letter_an_underscore_and_a_run_are_a_symbol_with_its_subscript() {
+        for (text, subs) in [
+            ("u_min ← max(u_min, q/p)", vec!["min", "min"]),
+            ("d_S = 3, d_P2", vec!["S", "P2"]),
+            ("从u_max到1", vec!["max"]),
+            ("P₁ − E", vec![]),
+            ("path/to_file, _x, a_, n_edges_left", vec!["edges"]),
+        ] {
+            let pieces = Piece::words(text);
+            let found: Vec<&str> = pieces
+                .iter()
+                .filter_map(|piece| match piece {
+                    Piece::Sub(sub) => Some(&sub[..]),
+                    _ => None,
+                })
+                .collect();
+            assert_eq!(found, subs, "{text}");
+            assert_eq!(Piece::plain(&pieces), text);
+        }
+    }
+}
