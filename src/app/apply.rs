@@ -10,9 +10,9 @@ use crate::{
 use super::{
     App, Command, Dialog,
     document::Gesture,
-    layout::{Room, is_narrow},
     notice::Notice,
     platform::Picture,
+    room::{Room, is_narrow},
 };
 
 impl App {

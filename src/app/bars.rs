@@ -14,18 +14,13 @@ use crate::{
     },
 };
 
-use super::{
-    Command,
-    layout::{Room, SIDES, transport_has_room},
-    model::Model,
-};
+use super::{Command, model::Model, room::Room};
 
 /// Name, labs and methods at the left; menus at the right.
 pub fn top(
     model: &Model<'_>,
     ui: &mut Ui,
     panels: &mut [Box<dyn LabPanel>],
-    room: Room,
     course_width: f32,
     commands: &mut Vec<Command>,
 ) {
@@ -34,7 +29,7 @@ pub fn top(
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         if model.is_narrow {
-            sides(model, ui, room, commands);
+            sides(model, ui, commands);
             icon_menu(model, ui, panels, commands);
         } else {
             menus(model, ui, panels, commands);
@@ -124,7 +119,7 @@ fn menus(
         scene(model, ui, panels, commands);
     });
     if !(model.settings.course && model.settings.inspector) {
-        sides(model, ui, Room::Stage, commands);
+        sides(model, ui, commands);
     }
 }
 
@@ -162,11 +157,13 @@ fn icon_menu(
     });
 }
 
-fn sides(model: &Model<'_>, ui: &mut Ui, room: Room, commands: &mut Vec<Command>) {
+fn sides(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
     for (icon, key, command) in SIDES.iter().rev() {
         let is_open = match command {
-            Command::Course => room == Room::Course || (!model.is_narrow && model.settings.course),
-            _ => room == Room::Inspector || (!model.is_narrow && model.settings.inspector),
+            Command::Course => {
+                model.room == Room::Course || (!model.is_narrow && model.settings.course)
+            }
+            _ => model.room == Room::Inspector || (!model.is_narrow && model.settings.inspector),
         };
         let button = icon_button(ui, model.look, *icon, &model.look.say(key), true);
         if is_open {
@@ -326,3 +323,14 @@ fn timeline(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
     .show(ui);
     commands.extend(asked.map(Command::Seek));
 }
+
+/// Is there room in `width` for the transport, a timeline and what stands after it?
+fn transport_has_room(width: f32) -> bool {
+    width > transport_width() + 260.0
+}
+
+/// The signs of the buttons that show and hide the side panels.
+const SIDES: [(Icon, &str, Command); 2] = [
+    (Icon::LeftPanel, "panel-course", Command::Course),
+    (Icon::RightPanel, "panel-inspector", Command::Inspector),
+];

@@ -1,96 +1,52 @@
 //! Where everything stands: five places in a wide window, one at a time in a narrow one.
 
-use egui::{CentralPanel, Frame, Margin, Panel, Ui, Vec2};
+use egui::{CentralPanel, Frame, Margin, Panel, Ui};
 
-use crate::{
-    panels::LabPanel,
-    widgets::{Icon, transport_width},
-};
+use crate::panels::LabPanel;
 
 use super::{
-    App, Command, bars, course_panel, inspector, model::Model, overlays, stage,
+    Command, bars, course_panel, inspector, model::Model, overlays, room::Room, stage,
     stage_state::StageState,
 };
 
-/// In windows narrower than this, in points, the course and the inspector take the stage's place.
-const NARROW: f32 = 860.0;
 /// Widths of the side panels: they leave the stage 60 % of 1280.
 const COURSE: f32 = 216.0;
 const INSPECTOR: f32 = 296.0;
 
-/// What a narrow window shows.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Room {
-    /// The stage.
-    Stage,
-    /// The course.
-    Course,
-    /// The inspector.
-    Inspector,
-}
-
-impl Room {
-    /// Opens a place, or the stage where it is open already.
-    #[must_use]
-    pub fn toggled(self, to: Self) -> Self {
-        if self == to { Self::Stage } else { to }
-    }
-}
-
-/// Is a window of this size narrow?
-#[must_use]
-pub fn is_narrow(size: Vec2) -> bool {
-    size.x < NARROW
-}
-
 /// Draws the window; what is asked for is pushed onto `commands`.
-pub fn show(app: &mut App, ui: &mut Ui, commands: &mut Vec<Command>) {
-    let size = ui.ctx().content_rect().size();
-    let mut stage_state = std::mem::take(&mut app.stage);
-    (
-        stage_state.pointed_on_stage,
-        stage_state.pointed_in_inspector,
-    ) = (None, None);
-    let measures = app.measures();
-    let mut panels = std::mem::take(&mut app.kit.panels);
-    let model = Model {
-        measures,
-        ..app.model(size)
-    };
-    let room = if model.is_narrow {
-        app.shown.room
+pub fn show(
+    model: &Model<'_>,
+    ui: &mut Ui,
+    state: &mut StageState,
+    panels: &mut [Box<dyn LabPanel>],
+    commands: &mut Vec<Command>,
+) {
+    (state.pointed_on_stage, state.pointed_in_inspector) = (None, None);
+    if model.is_presenting {
+        presentation(model, ui, state, commands);
     } else {
-        Room::Stage
-    };
-    if app.shown.presenting {
-        presentation(&model, ui, &mut stage_state, commands);
-    } else {
-        top(&model, ui, &mut panels, room, commands);
-        bottom(&model, ui, commands);
+        top(model, ui, panels, commands);
+        bottom(model, ui, commands);
         if !model.is_narrow {
-            sides(&model, ui, &mut stage_state, commands);
+            sides(model, ui, state, commands);
         }
         let panel = Frame::new().fill(model.look.theme.panel).inner_margin(16);
-        match room {
-            Room::Stage => centre(&model, ui, &mut stage_state, commands),
+        match model.room {
+            Room::Stage => centre(model, ui, state, commands),
             Room::Course => {
                 CentralPanel::no_frame()
                     .frame(panel)
-                    .show(ui, |ui| course_panel::show(&model, ui, commands));
+                    .show(ui, |ui| course_panel::show(model, ui, commands));
             }
             Room::Inspector => {
                 CentralPanel::no_frame().frame(panel).show(ui, |ui| {
-                    inspector::show(&model, ui, &mut stage_state, commands);
+                    inspector::show(model, ui, state, commands);
                 });
             }
         }
     }
-    stage_state.lit = stage_state
-        .pointed_on_stage
-        .or(stage_state.pointed_in_inspector);
-    app.stage = stage_state;
-    app.kit.panels = panels;
-    overlays::show(app, ui, commands);
+    state.lit = state.pointed_on_stage.or(state.pointed_in_inspector);
+    overlays::show(model, ui, panels, commands);
 }
 
 fn centre(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &mut Vec<Command>) {
@@ -120,7 +76,6 @@ fn top(
     model: &Model<'_>,
     ui: &mut Ui,
     panels: &mut [Box<dyn LabPanel>],
-    room: Room,
     commands: &mut Vec<Command>,
 ) {
     let scale = model.look.theme.text_scale.sqrt();
@@ -133,7 +88,7 @@ fn top(
         .exact_size(height.round())
         .frame(frame)
         .show(ui, |ui| {
-            bars::top(model, ui, panels, room, COURSE, commands);
+            bars::top(model, ui, panels, COURSE, commands);
         });
 }
 
@@ -183,14 +138,3 @@ fn sides(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &mut 
             .show(ui, |ui| inspector::show(model, ui, state, commands));
     }
 }
-
-/// Is there room in `width` for the transport, a timeline and what stands after it?
-pub fn transport_has_room(width: f32) -> bool {
-    width > transport_width() + 260.0
-}
-
-/// The signs of the buttons that show and hide the side panels.
-pub const SIDES: [(Icon, &str, Command); 2] = [
-    (Icon::LeftPanel, "panel-course", Command::Course),
-    (Icon::RightPanel, "panel-inspector", Command::Inspector),
-];

@@ -20,6 +20,7 @@ mod document;
 mod drop;
 mod inspector;
 mod keys;
+mod kit;
 mod layout;
 mod model;
 #[cfg(not(target_arch = "wasm32"))]
@@ -31,6 +32,7 @@ mod platform;
 mod playback;
 #[cfg(not(target_arch = "wasm32"))]
 mod reload;
+mod room;
 mod settings;
 mod sketch;
 mod stage;
@@ -43,6 +45,7 @@ mod web;
 
 pub use command::{BINDINGS, Binding, Command};
 pub use dialog::Dialog;
+pub use kit::Kit;
 #[cfg(not(target_arch = "wasm32"))]
 pub use native::{Opening, run_native};
 #[cfg(not(target_arch = "wasm32"))]
@@ -57,17 +60,20 @@ use egui::{Pos2, Ui};
 use crate::{
     figure::Moment,
     labs::Scene,
-    lesson::{CodeView, Course, SceneFormats, Step},
-    paint::ThemeKind,
-    panels::{self, LabPanel},
+    lesson::{CodeView, Course, Step},
+    paint::{Theme, ThemeKind},
+    panels,
+    text::Catalog,
+    widgets::Look,
 };
 
 use document::Document;
 use keys::Focus;
-use layout::Room;
+use model::Model;
 use notice::Notices;
 use place::Place;
 use playback::Playback;
+use room::Room;
 use stage_state::StageState;
 use stopwatch::Stopwatch;
 
@@ -84,22 +90,6 @@ pub struct App {
     platform: Box<dyn Platform>,
     #[cfg(not(target_arch = "wasm32"))]
     reload: Option<reload::Reload>,
-}
-
-/// The labs that the window has, with what each adds to it and how its scenes are spelt in files.
-pub struct Kit {
-    panels: Vec<Box<dyn LabPanel>>,
-    formats: SceneFormats,
-}
-
-impl Default for Kit {
-    /// All labs.
-    fn default() -> Self {
-        Self {
-            panels: panels::all(),
-            formats: SceneFormats::standard(),
-        }
-    }
 }
 
 /// What of the window is shown.
@@ -238,7 +228,15 @@ impl App {
         self.install_theme(ui);
         let mut commands = Vec::new();
         let lit = self.stage.lit;
-        layout::show(self, ui, &mut commands);
+        let measures = self.measures();
+        let mut stage = std::mem::take(&mut self.stage);
+        let mut panels = std::mem::take(&mut self.kit.panels);
+        let model = Model {
+            measures,
+            ..self.model(ctx.content_rect().size())
+        };
+        layout::show(&model, ui, &mut stage, &mut panels, &mut commands);
+        (self.stage, self.kit.panels) = (stage, panels);
         if !commands.is_empty() || lit != self.stage.lit {
             ctx.request_repaint();
         }
@@ -315,5 +313,48 @@ impl App {
             self.document = Document::new((**scene).clone());
         }
         self.playback.transport_mut().set_speed(speed);
+    }
+
+    /// Colours and words of the present settings.
+    fn look(&self) -> Look<'static> {
+        Look {
+            theme: Theme::of(self.settings.theme),
+            catalog: Catalog::of(self.settings.lang),
+        }
+    }
+
+    /// What panels may read, in a window of this size.
+    fn model(&self, size: egui::Vec2) -> Model<'_> {
+        let is_narrow = room::is_narrow(size);
+        Model {
+            look: self.look(),
+            settings: &self.settings,
+            place: &self.place,
+            scene: self.document.now(),
+            revision: self.document.revision(),
+            playback: &self.playback,
+            code: self.shown.code,
+            measures: self.measures(),
+            is_untouched: self.is_untouched(),
+            can_travel: [self.document.can_undo(), self.document.can_redo()],
+            room: if is_narrow {
+                self.shown.room
+            } else {
+                Room::Stage
+            },
+            is_presenting: self.shown.presenting,
+            dialog: self.shown.dialog.as_ref(),
+            notices: self.notices.shown(),
+            is_measuring: self.shown.is_measuring,
+            is_narrow,
+            is_low: size.y < 420.0,
+        }
+    }
+
+    /// Has the open lab methods whose costs can be measured?
+    fn measures(&self) -> bool {
+        let lab = self.document.now().document().lab();
+        let mut panels = self.kit.panels.iter();
+        panels.any(|panel| panel.lab() == lab && panel.measures())
     }
 }

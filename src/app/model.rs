@@ -1,8 +1,8 @@
 //! What panels may read.
 
-use crate::{labs::Scene, lesson::CodeView, paint::Theme, text::Catalog, widgets::Look};
+use crate::{labs::Scene, lesson::CodeView, widgets::Look};
 
-use super::{App, Settings, place::Place, playback::Playback};
+use super::{Dialog, Settings, notice::Notice, place::Place, playback::Playback, room::Room};
 
 /// The app as its panels see it.
 #[derive(Clone, Copy)]
@@ -27,43 +27,18 @@ pub struct Model<'a> {
     pub is_untouched: bool,
     /// Is there something to undo, and to redo?
     pub can_travel: [bool; 2],
+    /// What a narrow window shows; else the stage.
+    pub room: Room,
+    /// Stage, caption and a small transport alone.
+    pub is_presenting: bool,
+    /// The open dialog.
+    pub dialog: Option<&'a Dialog>,
+    /// Messages over the window.
+    pub notices: &'a [Notice],
+    /// Is the window with the measured costs open?
+    pub is_measuring: bool,
     /// A narrow window, where only one place is shown.
     pub is_narrow: bool,
     /// Not high enough for comfort.
     pub is_low: bool,
-}
-
-impl App {
-    /// Colours and words of the present settings.
-    pub(super) fn look(&self) -> Look<'static> {
-        Look {
-            theme: Theme::of(self.settings.theme),
-            catalog: Catalog::of(self.settings.lang),
-        }
-    }
-
-    /// What panels may read, in a window of this size.
-    pub(super) fn model(&self, size: egui::Vec2) -> Model<'_> {
-        Model {
-            look: self.look(),
-            settings: &self.settings,
-            place: &self.place,
-            scene: self.document.now(),
-            revision: self.document.revision(),
-            playback: &self.playback,
-            code: self.shown.code,
-            measures: self.measures(),
-            is_untouched: self.is_untouched(),
-            can_travel: [self.document.can_undo(), self.document.can_redo()],
-            is_narrow: super::layout::is_narrow(size),
-            is_low: size.y < 420.0,
-        }
-    }
-
-    /// Has the open lab methods whose costs can be measured?
-    pub(super) fn measures(&self) -> bool {
-        let lab = self.document.now().document().lab();
-        let mut panels = self.kit.panels.iter();
-        panels.any(|panel| panel.lab() == lab && panel.measures())
-    }
 }

@@ -7,28 +7,32 @@ use egui::{
 
 use crate::{
     paint::theme,
-    panels::panel_of,
+    panels::{LabPanel, panel_of},
     widgets::{Icon, Look, icon_button},
 };
 
-use super::{App, BINDINGS, Command, Dialog, notice::Notice};
+use super::{BINDINGS, Command, Dialog, model::Model, notice::Notice};
 
 /// Width of the list of keys at text scale 1, where there is room.
 const WIDTH: f32 = 528.0;
 
 /// Draws whatever is open.
-pub fn show(app: &mut App, ui: &mut Ui, commands: &mut Vec<Command>) {
-    let ctx = ui.ctx().clone();
-    let look = app.look();
-    if !app.notices.is_empty() {
-        notices(&ctx, look, app.notices.shown(), commands);
+pub fn show(
+    model: &Model<'_>,
+    ui: &Ui,
+    panels: &mut [Box<dyn LabPanel>],
+    commands: &mut Vec<Command>,
+) {
+    let (ctx, look) = (ui.ctx(), model.look);
+    if !model.notices.is_empty() {
+        notices(ctx, look, model.notices, commands);
     }
-    if app.shown.is_measuring {
-        measure(app, &ctx, look, commands);
+    if model.is_measuring {
+        measure(model, ctx, panels, commands);
     }
-    match app.shown.dialog.clone() {
-        Some(Dialog::Help) => help(&ctx, look, commands),
-        Some(dialog) => path_dialog(&ctx, look, &dialog, commands),
+    match model.dialog {
+        Some(Dialog::Help) => help(ctx, look, commands),
+        Some(dialog) => path_dialog(ctx, look, dialog, commands),
         None => {}
     }
 }
@@ -229,9 +233,14 @@ fn path_dialog(ctx: &Context, look: Look<'_>, dialog: &Dialog, commands: &mut Ve
     }
 }
 
-fn measure(app: &mut App, ctx: &Context, look: Look<'_>, commands: &mut Vec<Command>) {
-    let scene = app.document.now();
-    let Some(bench) = panel_of(&mut app.kit.panels, scene).and_then(|panel| panel.bench()) else {
+fn measure(
+    model: &Model<'_>,
+    ctx: &Context,
+    panels: &mut [Box<dyn LabPanel>],
+    commands: &mut Vec<Command>,
+) {
+    let (look, scene) = (model.look, model.scene);
+    let Some(bench) = panel_of(panels, scene).and_then(|panel| panel.bench()) else {
         return;
     };
     let response = modal("measure", look).show(ctx, |ui| {

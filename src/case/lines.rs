@@ -33,7 +33,7 @@ const CONVEX: [Field; 3] = [
     Field::required("segment"),
 ];
 
-impl Solver for MethodInfo {
+impl Solver for MethodInfo<Scene> {
     fn id(&self) -> &'static str {
         self.card.id
     }

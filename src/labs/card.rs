@@ -1,7 +1,5 @@
 //! What is known of a method without running it.
 
-use super::Demo;
-
 /// Names, source and pseudocode of a method.
 #[derive(Clone, Copy, Debug)]
 pub struct MethodCard {
@@ -15,20 +13,6 @@ pub struct MethodCard {
     pub code: &'static [CodeLine],
     /// Is it wrong on purpose, to be compared with the right one?
     pub is_faulty: bool,
-}
-
-impl MethodCard {
-    /// The card of a method that can be shown.
-    #[must_use]
-    pub const fn of<A: Demo>() -> Self {
-        Self {
-            id: A::ID,
-            name_key: A::NAME_KEY,
-            source: A::SOURCE,
-            code: A::CODE,
-            is_faulty: A::DIFFERS_KEY.is_some(),
-        }
-    }
 }
 
 /// One line of pseudocode.

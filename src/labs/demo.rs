@@ -9,7 +9,7 @@ use crate::{
     trace::{Algorithm, Counts, Trace},
 };
 
-use super::CodeLine;
+use super::{CodeLine, MethodCard};
 
 /// An answer that can be written down.
 pub trait Answer {
@@ -42,6 +42,20 @@ pub trait Demo: Algorithm<Output: Answer, Event: Serialize> + Sized + 'static {
     fn views(step: &Step<'_, Self>) -> Vec<View>;
     /// The values that are alive.
     fn watch(step: &Step<'_, Self>) -> Watch;
+}
+
+impl MethodCard {
+    /// The card of a method that can be shown.
+    #[must_use]
+    pub const fn of<A: Demo>() -> Self {
+        Self {
+            id: A::ID,
+            name_key: A::NAME_KEY,
+            source: A::SOURCE,
+            code: A::CODE,
+            is_faulty: A::DIFFERS_KEY.is_some(),
+        }
+    }
 }
 
 /// A step to be shown: the input, the state now, and the event that led to it.

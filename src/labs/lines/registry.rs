@@ -2,33 +2,15 @@
 //! others, one line below.
 
 use crate::{
-    algo::line::{self, Visible},
-    figure::Run,
+    algo::line,
     geom::Segment,
     labs::{self, Listed, MethodCard},
     trace::{Counted, Counts, silent},
 };
 
-use super::{LineDemo, Scene};
+use super::{LineDemo, MethodInfo, Pass, Scene};
 
-/// What is known of a method without running it.
-pub struct MethodInfo {
-    /// Names, source and pseudocode.
-    pub card: MethodCard,
-    /// Can it clip against any convex polygon?
-    pub takes_polygon: bool,
-    /// Does it write outcodes, so that the order of their bits matters?
-    pub writes_codes: bool,
-    record: fn(&Scene, Segment) -> Box<dyn Run>,
-    clip: fn(&Scene, Segment) -> Visible,
-    cost: fn(&Scene, Segment) -> (Visible, Counts),
-    pass: fn(&Scene, &[Segment]) -> Pass,
-}
-
-/// Clips a batch, the same one each time it is called; the number of segments that are visible.
-pub type Pass = Box<dyn FnMut() -> usize>;
-
-const fn info<A: LineDemo>() -> MethodInfo {
+const fn info<A: LineDemo>() -> MethodInfo<Scene> {
     MethodInfo {
         card: MethodCard::of::<A>(),
         takes_polygon: A::TAKES_POLYGON,
@@ -53,7 +35,7 @@ fn pass<A: LineDemo>(scene: &Scene, segments: &[Segment]) -> Pass {
 }
 
 /// Every method, in the order in which they are taught.
-pub static METHODS: [MethodInfo; 5] = [
+pub static METHODS: [MethodInfo<Scene>; 5] = [
     info::<line::BruteForce>(),
     info::<line::CohenSutherland>(),
     info::<line::LiangBarsky>(),
@@ -61,41 +43,12 @@ pub static METHODS: [MethodInfo; 5] = [
     info::<line::NichollLeeNicholl>(),
 ];
 
-/// One of [`METHODS`].
-pub type Method = labs::Method<MethodInfo>;
-
-impl Listed for MethodInfo {
+impl Listed for MethodInfo<Scene> {
     fn all() -> &'static [Self] {
         &METHODS
     }
 
     fn card(&self) -> &MethodCard {
         &self.card
-    }
-}
-
-impl MethodInfo {
-    /// Runs it on one segment of the scene.
-    #[must_use]
-    pub fn record(&self, scene: &Scene, segment: Segment) -> Box<dyn Run> {
-        (self.record)(scene, segment)
-    }
-
-    /// Its answer for one segment of the scene, as a program would ask for it.
-    #[must_use]
-    pub fn clip(&self, scene: &Scene, segment: Segment) -> Visible {
-        (self.clip)(scene, segment)
-    }
-
-    /// The same answer and how many operations it took, without recording the steps.
-    #[must_use]
-    pub fn cost(&self, scene: &Scene, segment: Segment) -> (Visible, Counts) {
-        (self.cost)(scene, segment)
-    }
-
-    /// Clips all `segments` silently each time it is called; the number of those that are visible.
-    #[must_use]
-    pub fn pass(&self, scene: &Scene, segments: &[Segment]) -> Pass {
-        (self.pass)(scene, segments)
     }
 }

@@ -8,10 +8,13 @@ use crate::{
     text::{Diagnostic, Message},
 };
 
-use super::Method;
+use super::MethodInfo;
 
 /// More segments than this are refused: a frame could not draw them in time, nor a file be read.
 pub const MAX_SEGMENTS: usize = 1_000_000;
+
+/// One of the lab's methods.
+pub type Method = crate::labs::Method<MethodInfo<Scene>>;
 
 /// Always valid: at least one segment, and the focus is one of them.
 #[derive(Clone, PartialEq, Debug)]

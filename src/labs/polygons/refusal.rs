@@ -4,7 +4,7 @@ use serde_json::{Value as Json, json};
 
 use crate::{
     figure::{Caption, Frame, Mark, Role, Run, Shape, Tick, View},
-    geom::{GeomError, Polygon},
+    geom::{ConvexPolygon, GeomError, Polygon},
     labs::words::{name, subscript, vertex_name},
     text::{Message, Value},
     trace::Counts,
@@ -105,6 +105,20 @@ impl Refusal {
             caption: self.caption(scene),
             marks: self.marks(scene),
         })
+    }
+}
+
+impl Scene {
+    /// The clip region for methods that need it convex.
+    ///
+    /// # Errors
+    /// [`Refusal`] where it is not.
+    pub fn convex_clip(&self) -> Result<ConvexPolygon, Refusal> {
+        match &self.clip {
+            None => Ok(ConvexPolygon::from(self.window)),
+            Some(clip) => ConvexPolygon::try_from(Vec::from(clip.clone()))
+                .map_err(|error| Refusal::new(Part::Clip, error)),
+        }
     }
 }
 

@@ -3,26 +3,12 @@
 
 use crate::{
     algo::polygon,
-    figure::Run,
-    labs::{self, Listed, MethodCard},
+    labs::{Listed, MethodCard},
 };
 
-use super::{PolygonDemo, Scene, methods::faulty};
+use super::{MethodInfo, PolygonDemo, Scene, methods::faulty};
 
-/// What is known of a method without running it.
-pub struct MethodInfo {
-    /// Names, source and pseudocode.
-    pub card: MethodCard,
-    /// Does it clip: against the window, or a clip polygon in its place?
-    pub clips: bool,
-    /// Does it carry texture coordinates along?
-    pub carries_texture: bool,
-    /// Does it know holes?
-    pub knows_holes: bool,
-    record: fn(&Scene) -> Box<dyn Run>,
-}
-
-const fn info<A: PolygonDemo>() -> MethodInfo {
+const fn info<A: PolygonDemo>() -> MethodInfo<Scene> {
     MethodInfo {
         card: MethodCard::of::<A>(),
         clips: A::CLIPS,
@@ -33,7 +19,7 @@ const fn info<A: PolygonDemo>() -> MethodInfo {
 }
 
 /// Every method, in the order in which they are taught.
-pub static METHODS: [MethodInfo; 10] = [
+pub static METHODS: [MethodInfo<Scene>; 10] = [
     info::<polygon::SutherlandHodgman>(),
     info::<polygon::Pipeline>(),
     info::<polygon::weiler_atherton::WeilerAtherton>(),
@@ -46,23 +32,12 @@ pub static METHODS: [MethodInfo; 10] = [
     info::<faulty::EndBeforeCrossing>(),
 ];
 
-/// One of [`METHODS`].
-pub type Method = labs::Method<MethodInfo>;
-
-impl Listed for MethodInfo {
+impl Listed for MethodInfo<Scene> {
     fn all() -> &'static [Self] {
         &METHODS
     }
 
     fn card(&self) -> &MethodCard {
         &self.card
-    }
-}
-
-impl MethodInfo {
-    /// Runs it on the scene; where it cannot take it, the run has no steps and says why.
-    #[must_use]
-    pub fn record(&self, scene: &Scene) -> Box<dyn Run> {
-        (self.record)(scene)
     }
 }

@@ -3,11 +3,11 @@
 use std::fmt;
 
 use crate::{
-    geom::{ConvexPolygon, Point, Polygon, Window},
+    geom::{Point, Polygon, Window},
     text::{Diagnostic, Message},
 };
 
-use super::{Method, Part, Refusal};
+use super::MethodInfo;
 
 /// More vertices than this, holes and clip polygon included, are refused: a frame could not draw them in time.
 pub const MAX_VERTICES: usize = 20_000;
@@ -38,6 +38,9 @@ impl Texture {
         }
     }
 }
+
+/// One of the lab's methods.
+pub type Method = crate::labs::Method<MethodInfo<Scene>>;
 
 /// Always valid: every outline has three finite vertices or more. What a method asks beyond that, such as a
 /// convex clip polygon, it checks itself, and says what is wrong on stage.
@@ -120,18 +123,6 @@ impl Scene {
     pub fn clip_outline(&self) -> Polygon {
         let window = || Polygon::from(self.window);
         self.clip.clone().unwrap_or_else(window)
-    }
-
-    /// The clip region for methods that need it convex.
-    ///
-    /// # Errors
-    /// [`Refusal`] where it is not.
-    pub fn convex_clip(&self) -> Result<ConvexPolygon, Refusal> {
-        match &self.clip {
-            None => Ok(ConvexPolygon::from(self.window)),
-            Some(clip) => ConvexPolygon::try_from(Vec::from(clip.clone()))
-                .map_err(|error| Refusal::new(Part::Clip, error)),
-        }
     }
 
     /// What gives a place its texture coordinates: the subject's box is the unit square. A box without width or

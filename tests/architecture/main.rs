@@ -4,10 +4,14 @@
     reason = "a test that cannot be set up should stop where it stands"
 )]
 
+mod imports;
+
 use std::{
     fs,
     path::{Path, PathBuf},
 };
+
+use clipscope::labs::LABS;
 
 /// Modules in reading order: each may use only those before it. The second half needs the `gui` feature.
 const PURE: [&str; 8] = [
@@ -217,4 +221,85 @@ fn files_are_about_one_thing() {
     }
     let main = fs::read_to_string(src().join("main.rs")).unwrap();
     assert!(main.lines().count() < 80, "main.rs only hands over to cli");
+}
+
+#[test]
+fn no_files_take_from_each_other() {
+    let circles = imports::circles(&imports::House::read());
+    assert!(
+        circles.is_empty(),
+        "these take from each other: {circles:#?}"
+    );
+}
+
+/// Where a lab is at home: its folder or file in each layer.
+fn is_home_of(lab: &str, file: &Path) -> bool {
+    ["labs", "lesson/scene_file", "panels", "case"]
+        .iter()
+        .any(|layer| {
+            let home = src().join(layer).join(lab);
+            file.starts_with(&home) || file == home.with_extension("rs")
+        })
+}
+
+/// The tables that a lab joins with one line each.
+const TABLES: [&str; 5] = [
+    "text/catalog.rs",
+    "labs/mod.rs",
+    "lesson/scene_file/mod.rs",
+    "case/mod.rs",
+    "panels/mod.rs",
+];
+
+#[test]
+fn nothing_but_the_tables_names_a_lab() {
+    let tables = TABLES.map(|table| src().join(table));
+    for file in rust_files(&src()) {
+        if tables.contains(&file) || file.iter().any(|part| part == "tests") {
+            continue;
+        }
+        let text = code(&file);
+        for lab in LABS {
+            let id = lab.id();
+            if is_home_of(id, &file) {
+                continue;
+            }
+            let is_word = |at: usize| {
+                let before = text[..at].chars().next_back();
+                !before.is_some_and(|c| c.is_alphanumeric() || c == '_' || c == '.')
+            };
+            let as_path = text
+                .match_indices(&format!("{id}::"))
+                .any(|(at, _)| is_word(at));
+            let as_word = text.contains(&format!("::{id}")) || text.contains(&format!("\"{id}\""));
+            assert!(
+                !as_path && !as_word,
+                "{} names the lab `{id}`: only its own rooms and the tables may",
+                file.display()
+            );
+        }
+    }
+}
+
+#[test]
+fn every_lab_is_in_every_table() {
+    for lab in LABS {
+        let id = lab.id();
+        for layer in ["labs", "lesson/scene_file", "panels", "case"] {
+            let home = src().join(layer).join(id);
+            assert!(
+                home.is_dir() || home.with_extension("rs").is_file(),
+                "the lab `{id}` has nothing in src/{layer}"
+            );
+        }
+        for table in TABLES {
+            let text = code(&src().join(table));
+            assert!(
+                text.contains(id),
+                "src/{table} has no line for the lab `{id}`"
+            );
+        }
+        assert!(!lab.methods().is_empty(), "{id} has no methods");
+        assert_eq!(lab.first_scene().document().lab().id(), id);
+    }
 }

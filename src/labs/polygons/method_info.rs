@@ -1,0 +1,24 @@
+//! What the lab knows of a method: the same whatever it runs on.
+
+use crate::{figure::Run, labs::MethodCard};
+
+/// What is known of a method without running it.
+pub struct MethodInfo<S> {
+    /// Names, source and pseudocode.
+    pub card: MethodCard,
+    /// Does it clip: against the window, or a clip polygon in its place?
+    pub clips: bool,
+    /// Does it carry texture coordinates along?
+    pub carries_texture: bool,
+    /// Does it know holes?
+    pub knows_holes: bool,
+    pub(super) record: fn(&S) -> Box<dyn Run>,
+}
+
+impl<S> MethodInfo<S> {
+    /// Runs it on the scene; where it cannot take it, the run has no steps and says why.
+    #[must_use]
+    pub fn record(&self, scene: &S) -> Box<dyn Run> {
+        (self.record)(scene)
+    }
+}
