@@ -108,6 +108,10 @@ tac-finish =
         [one] Done: one piece.
        *[other] Done: { $n } pieces, all convex: no bridge.
     }
+tac-list-triangles = Triangles
+tac-list-pieces = Pieces
+tac-dropped = dropped
+tac-vertices = vertices
 tac-now = triangle
 tac-pieces = pieces
 code-tac-triangulate = triangles ← ear clipping(polygon)
@@ -174,6 +178,7 @@ words-sh-pass = What was put out is the polygon for the next clip edge; after th
 
 ## Sutherland–Hodgman as a pipeline
 
+pipe-list-ring = Ring so far
 pipe-opening = All { $edges } clippers at once: the { $n } vertices flow through them one by one.
 pipe-send = { $vertex } = { $at } of the polygon goes into the first clipper, { $border }.
 pipe-enter = { $vertex } = { $at } flows on into the next clipper, { $border }.

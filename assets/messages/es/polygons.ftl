@@ -108,6 +108,10 @@ tac-finish =
         [one] Listo: un trozo.
        *[other] Listo: { $n } trozos, todos convexos: sin puentes.
     }
+tac-list-triangles = Triángulos
+tac-list-pieces = Trozos
+tac-dropped = descartado
+tac-vertices = vértices
 tac-now = triángulo
 tac-pieces = trozos
 code-tac-triangulate = triángulos ← recorte de orejas(polígono)
@@ -174,6 +178,7 @@ words-sh-pass = Lo emitido es el polígono para el borde siguiente; tras el últ
 
 ## Sutherland–Hodgman en cadena
 
+pipe-list-ring = Anillo hasta ahora
 pipe-opening = Los { $edges } recortadores a la vez: los { $n } vértices pasan por ellos uno a uno.
 pipe-send = { $vertex } = { $at } del polígono entra en el primer recortador, { $border }.
 pipe-enter = { $vertex } = { $at } pasa al recortador siguiente, { $border }.

@@ -108,6 +108,10 @@ tac-finish =
         [one] Pronto: um pedaço.
        *[other] Pronto: { $n } pedaços, todos convexos: sem pontes.
     }
+tac-list-triangles = Triângulos
+tac-list-pieces = Pedaços
+tac-dropped = descartado
+tac-vertices = vértices
 tac-now = triângulo
 tac-pieces = pedaços
 code-tac-triangulate = triângulos ← corte de orelhas(polígono)
@@ -174,6 +178,7 @@ words-sh-pass = O que foi emitido é o polígono para a borda seguinte; após a 
 
 ## Sutherland–Hodgman em pipeline
 
+pipe-list-ring = Anel até agora
 pipe-opening = Os { $edges } recortadores ao mesmo tempo: os { $n } vértices passam por eles um a um.
 pipe-send = { $vertex } = { $at } do polígono entra no primeiro recortador, { $border }.
 pipe-enter = { $vertex } = { $at } passa ao recortador seguinte, { $border }.

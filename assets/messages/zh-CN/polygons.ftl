@@ -107,6 +107,10 @@ tac-finish =
         [0] 完成：一块也没有，多边形没有伸进区域。
        *[other] 完成：共 { $n } 块，都是凸的，没有桥边。
     }
+tac-list-triangles = 三角形
+tac-list-pieces = 块
+tac-dropped = 丢弃
+tac-vertices = 顶点数
 tac-now = 三角形
 tac-pieces = 块数
 code-tac-triangulate = 三角形列表 ← 耳切法(多边形)
@@ -176,6 +180,7 @@ words-sh-pass = 输出的顶点就是下一条裁剪边要处理的多边形；�
 ## The pipeline
 ## 萨瑟兰–霍奇曼算法的流水线形式
 
+pipe-list-ring = 已输出的环
 pipe-opening = { $edges } 个裁剪器同时工作：{ $n } 个顶点逐个流过。
 pipe-send = 多边形的顶点 { $vertex } = { $at } 进入第一个裁剪器 { $border }。
 pipe-enter = { $vertex } = { $at } 流入下一个裁剪器 { $border }。

@@ -193,26 +193,21 @@ impl<'a> ClipEdge<'a> {
             ];
         }
         let [d1, d2] = distances;
+        let difference = Formula::default().num(d1).sym(" − ").operand(d2);
         let t = Formula::default()
             .sym("t = ")
-            .dividend(d1)
-            .sym(" / (")
-            .num(d1)
-            .sym(" − ")
-            .operand(d2)
-            .sym(")")
+            .over(Formula::default().num(d1), difference)
             .equals_ratio(t.num, t.den);
-        let point = Formula::default()
-            .sym("(")
+        let weighted = Formula::default()
             .point(p1.to_array())
             .sym(" · ")
             .operand(d2)
             .sym(" − ")
             .point(p2.to_array())
             .sym(" · ")
-            .operand(d1)
-            .sym(") / ")
-            .divisor(d2 - d1)
+            .operand(d1);
+        let point = Formula::default()
+            .over(weighted, Formula::default().num(d2 - d1))
             .sym(" = ")
             .point(at.to_array());
         [t, point]

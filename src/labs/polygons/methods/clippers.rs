@@ -1,4 +1,4 @@
-//! The pipeline's second view: its clippers in a row, and what flows between them.
+//! A pipeline's clippers in a row, and what flows between them.
 
 use crate::{
     algo::polygon::{Pipeline, PipelineEvent as Event, PipelineState as State},
@@ -15,6 +15,9 @@ use super::{
     lists::output_symbol,
     rules::is_crossed,
 };
+
+/// The view of the clippers.
+pub const CLIPPERS: &str = "clippers";
 
 /// The clippers at one step.
 pub fn row(step: &Step<'_, Pipeline>) -> ClipperRow {

@@ -17,7 +17,8 @@ use crate::{
 
 use super::{
     clip_edge::{ClipEdge, Look},
-    clippers::{previous, row},
+    clippers::{CLIPPERS, previous, row},
+    in_and_out::{IN_AND_OUT, in_and_out},
     lists::{names, outline, output_symbol},
     result::result,
     rules::{is_crossed, rule_term, side_term, starts_inside},
@@ -162,7 +163,8 @@ impl Demo for Pipeline {
     fn views(step: &Step<'_, Self>) -> Vec<View> {
         vec![
             View::plane(marks(step)),
-            View::new("clippers", Body::Clippers(row(step))),
+            View::new(IN_AND_OUT, Body::Lists(in_and_out(step))),
+            View::new(CLIPPERS, Body::Clippers(row(step))),
         ]
     }
 
@@ -180,7 +182,8 @@ impl Demo for Pipeline {
                 (false, false) => row,
             }
         });
-        let mut watch = vec![WatchSection::table(vec!["F", "S"], stages.collect())];
+        let stages = WatchSection::table(vec!["F", "S"], stages.collect());
+        let mut watch = vec![stages.seen_in(CLIPPERS)];
         if let Some((_, distances, rule)) = state.test {
             watch.push(WatchSection::list(vec![
                 distance_row("d_S", distances[0], starts_inside(rule)),
@@ -190,7 +193,7 @@ impl Demo for Pipeline {
         let start = state.output.len().saturating_sub(ROWS);
         let ring = state.output.iter().enumerate().skip(start);
         let ring = ring.map(|(i, &p)| WatchRow::new(name(output_symbol(i)), point(Some(p))));
-        watch.push(WatchSection::list(ring.collect()));
+        watch.push(WatchSection::list(ring.collect()).seen_in(IN_AND_OUT));
         watch
     }
 }

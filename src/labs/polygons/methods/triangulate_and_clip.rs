@@ -8,7 +8,7 @@ use crate::{
         SutherlandHodgmanInput, Triangle, TriangulateAndClip, TriangulateAndClipEvent as Event,
         TriangulateAndClipInput as Input, TriangulateAndClipState as State,
     },
-    figure::{Caption, Mark, Role, Shape, Tick, View, Watch, WatchRow, WatchSection},
+    figure::{Body, Caption, Mark, Role, Shape, Tick, View, Watch, WatchRow, WatchSection},
     geom::{Point, SimplePolygon},
     labs::{
         Answer, CodeLine, Demo, Step, code_line,
@@ -20,7 +20,9 @@ use crate::{
 
 use super::{
     clip_edge::Look,
-    drawing, ear_clipping, sutherland_hodgman,
+    drawing, ear_clipping,
+    fates::{FATES, fates},
+    sutherland_hodgman,
     triangles::{points_of, triangle_link, triangle_name},
 };
 
@@ -99,7 +101,10 @@ impl Demo for TriangulateAndClip {
     }
 
     fn views(step: &Step<'_, Self>) -> Vec<View> {
-        vec![View::plane(marks(step))]
+        vec![
+            View::plane(marks(step)),
+            View::new(FATES, Body::Lists(fates(step))),
+        ]
     }
 
     fn watch(step: &Step<'_, Self>) -> Watch {

@@ -1,0 +1,130 @@
+//! What becomes of each triangle where a polygon is cut into triangles first and each of them clipped on its own.
+
+use crate::{
+    algo::polygon::{
+        EachTriangleEvent as Each, TriangulateAndClip, TriangulateAndClipEvent as Event,
+    },
+    figure::{List, ListEntry, ListLink, Lists, Marker, Role},
+    labs::{
+        Step,
+        words::{name, subscript},
+    },
+    text::Value,
+};
+
+use super::triangles::{triangle_link, triangle_name};
+
+/// The view of triangles and pieces.
+pub const FATES: &str = "fates";
+
+/// What has become of a triangle.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Fate {
+    ToCome,
+    Now,
+    /// It is, or has left, a piece.
+    Piece,
+    Dropped,
+}
+
+/// The triangles, the pieces, and which comes from which.
+pub fn fates(step: &Step<'_, TriangulateAndClip>) -> Lists {
+    let lists = [triangles(step), pieces(step)];
+    let [from, to] = [&lists[0], &lists[1]].map(|list| list.n_before);
+    let n = lists.each_ref().map(|list| list.entries.len());
+    let links = step.state.pieces.triangles().iter().enumerate();
+    let links = links.filter_map(|(piece, triangle)| {
+        let from = triangle.checked_sub(from).filter(|&from| from < n[0])?;
+        let to = piece.checked_sub(to).filter(|&to| to < n[1])?;
+        let is_now = is_new(step) && to + 1 == n[1];
+        Some(ListLink {
+            from: [0, from],
+            to: [1, to],
+            role: if is_now { Role::Signal } else { Role::Soft },
+        })
+    });
+    let links = links.collect();
+    let lists = lists.into();
+    Lists { lists, links }
+}
+
+/// Has the triangle been done with at this very step, and left something?
+fn is_new(step: &Step<'_, TriangulateAndClip>) -> bool {
+    let is_done = matches!(step.event, Some(Event::Each(Each::Piece { .. })));
+    is_done && step.state.pieces.triangles().last().copied() == step.state.triangle_idx
+}
+
+fn fate(step: &Step<'_, TriangulateAndClip>, triangle_idx: usize) -> Fate {
+    let state = step.state;
+    let n_done = match (state.triangle_idx, step.event) {
+        (Some(idx), Some(Event::Each(Each::Piece { .. }))) => idx + 1,
+        (Some(idx), _) => idx,
+        (None, _) if state.is_done => usize::MAX,
+        (None, _) => 0,
+    };
+    if triangle_idx < n_done {
+        let is_piece = state.pieces.triangles().contains(&triangle_idx);
+        return if is_piece { Fate::Piece } else { Fate::Dropped };
+    }
+    if state.triangle_idx == Some(triangle_idx) {
+        Fate::Now
+    } else {
+        Fate::ToCome
+    }
+}
+
+fn triangles(step: &Step<'_, TriangulateAndClip>) -> List {
+    let (state, all) = (step.state, step.state.ears.cut_off.triangles());
+    let entry = |i: usize| {
+        let fate = fate(step, i);
+        let mut entry = ListEntry::new(triangle_name(all[i]));
+        entry.role = match fate {
+            Fate::Now => Role::Signal,
+            Fate::Piece => Role::Ink,
+            Fate::Dropped => Role::Discarded,
+            Fate::ToCome => Role::Soft,
+        };
+        entry.marker = match fate {
+            Fate::Piece => Some(Marker::Dot),
+            Fate::Dropped => Some(Marker::Ring),
+            Fate::Now | Fate::ToCome => None,
+        };
+        let word = (fate == Fate::Dropped).then_some(Value::Term("tac-dropped"));
+        entry.details = vec![word];
+        entry.link = Some(triangle_link(i));
+        entry
+    };
+    let focus = state.triangle_idx.or(all.len().checked_sub(1));
+    let reach = List::reach(all.len(), focus);
+    List {
+        n_before: reach.start,
+        n_after: all.len() - reach.end,
+        focus: focus.map(|focus| focus - reach.start),
+        ..List::new(
+            Value::Term("tac-list-triangles"),
+            reach.clone().map(entry).collect(),
+        )
+    }
+}
+
+fn pieces(step: &Step<'_, TriangulateAndClip>) -> List {
+    let (pieces, n) = (&step.state.pieces, step.state.pieces.len());
+    let focus = n.checked_sub(1);
+    let reach = List::reach(n, focus);
+    let rings = pieces.rings().zip(pieces.triangles());
+    let shown = rings.enumerate().skip(reach.start).take(reach.len());
+    let entry = |(i, (ring, &triangle_idx)): (usize, (&[_], &usize))| {
+        let mut entry = ListEntry::new(name(format!("Q{}", subscript(i + 1))));
+        entry.role = Role::Accepted;
+        entry.details = vec![Some(Value::Count(ring.len()))];
+        entry.link = Some(triangle_link(triangle_idx));
+        entry
+    };
+    List {
+        columns: vec![Value::Term("tac-vertices")],
+        n_before: reach.start,
+        n_after: n - reach.end,
+        focus: focus.map(|focus| focus - reach.start),
+        ..List::new(Value::Term("tac-list-pieces"), shown.map(entry).collect())
+    }
+}

@@ -1,0 +1,96 @@
+//! What goes into a pipeline, and what has come out of it.
+
+use crate::{
+    algo::polygon::{Pipeline, PipelineEvent as Event},
+    figure::{List, ListEntry, ListLink, Lists, Marker, Role},
+    labs::{
+        Step,
+        words::{name, vertex_symbol},
+    },
+    text::Value,
+};
+
+use super::lists::{output_symbol, vertex_link};
+
+/// The view of both lists.
+pub const IN_AND_OUT: &str = "in-and-out";
+
+/// The polygon as far as it has been read, and the ring as far as it has come out.
+pub fn in_and_out(step: &Step<'_, Pipeline>) -> Lists {
+    let lists = [polygon(step), ring(step)];
+    let links = links(step, [&lists[0], &lists[1]]);
+    let lists = lists.into();
+    Lists { lists, links }
+}
+
+fn polygon(step: &Step<'_, Pipeline>) -> List {
+    let (given, state) = (&step.input.vertices, step.state);
+    let entry = |i: usize| {
+        let mut entry = ListEntry::new(name(vertex_symbol(i)));
+        let is_entering = matches!(
+            step.event,
+            Some(Event::Enter { vertex_idx: Some(idx), .. }) if idx == i
+        );
+        entry.role = match state.vertex_idx {
+            _ if is_entering => Role::Signal,
+            Some(read) if i <= read => Role::Ink,
+            Some(_) | None => Role::Faint,
+        };
+        entry.details = vec![Some(Value::Point(given[i].to_array()))];
+        entry.link = Some(vertex_link(i));
+        entry
+    };
+    let reach = List::reach(given.len(), state.vertex_idx);
+    List {
+        n_before: reach.start,
+        n_after: given.len() - reach.end,
+        columns: vec![name("(x, y)")],
+        is_ring: true,
+        focus: state.vertex_idx.map(|idx| idx - reach.start),
+        ..List::new(Value::Term("sh-list-given"), reach.map(entry).collect())
+    }
+}
+
+fn ring(step: &Step<'_, Pipeline>) -> List {
+    let ring = &step.state.output;
+    let (is_done, n) = (step.state.outcome.is_some(), ring.len());
+    let entry = |i: usize| {
+        let mut entry = ListEntry::new(name(output_symbol(i)));
+        entry.role = if is_done {
+            Role::Accepted
+        } else {
+            Role::Accent
+        };
+        entry.marker = Some(Marker::Dot);
+        entry.details = vec![Some(Value::Point(ring[i].to_array()))];
+        entry
+    };
+    let focus = n.checked_sub(1);
+    let reach = List::reach(n, focus);
+    List {
+        n_before: reach.start,
+        n_after: n - reach.end,
+        columns: vec![name("(x, y)")],
+        is_ring: is_done,
+        focus: focus.map(|focus| focus - reach.start),
+        ..List::new(Value::Term("pipe-list-ring"), reach.map(entry).collect())
+    }
+}
+
+/// From the vertices that have come through to what they are in the ring.
+fn links(step: &Step<'_, Pipeline>, [polygon, ring]: [&List; 2]) -> Vec<ListLink> {
+    let given = step.input.vertices.iter().skip(polygon.n_before);
+    let given: Vec<_> = given.take(polygon.entries.len()).collect();
+    let out = step.state.output.iter().skip(ring.n_before).enumerate();
+    let last = ring.entries.len().saturating_sub(1);
+    let link = |(to, vertex)| {
+        let from = given.iter().position(|&other| other == vertex)?;
+        let is_now = to == last && matches!(step.event, Some(Event::Output { .. }));
+        Some(ListLink {
+            from: [0, from],
+            to: [1, to],
+            role: if is_now { Role::Signal } else { Role::Soft },
+        })
+    };
+    out.filter_map(link).collect()
+}
