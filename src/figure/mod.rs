@@ -5,20 +5,24 @@ mod bits;
 mod frame;
 mod lists;
 mod mark;
+mod moment;
 mod products;
 mod run;
 mod table;
 mod view;
 mod watch;
+mod words;
 
 pub use bits::{BitRow, Bits};
 pub use frame::{Caption, Frame};
 pub use lists::{List, ListEntry, ListLink, Lists, Marker};
 pub use mark::{Label, Link, Mark, Role, Shape, Texel};
+pub use moment::{Moment, MomentError};
 pub use products::{Measured, Product, Products, Vector};
-pub use run::{Moment, MomentError, Run, Tick};
+pub use run::{Run, Tick};
 pub use table::{Cell, Table, TableNote, TableRow};
 pub use view::{
     Body, Clipper, ClipperRow, Fate, LineTick, NumberLine, Side, Traveller, View, ViewId,
 };
 pub use watch::{Watch, WatchRow, WatchSection, mark_changes, unseen};
+pub use words::Words;

@@ -1,16 +1,11 @@
 //! A recorded run with its type erased: what the timeline, a lesson and the command line need of any
 //! algorithm, whichever lab it belongs to.
 
-use std::{fmt, str::FromStr};
-
 use serde_json::Value as Json;
 
-use crate::{
-    text::{Diagnostic, Message},
-    trace::Counts,
-};
+use crate::trace::Counts;
 
-use super::{Caption, Frame};
+use super::{Caption, Frame, Moment, Words};
 
 /// Runs longer than this are not searched event by event when the scene is changed: a drag has no time for it.
 const LONG: usize = 4096;
@@ -40,6 +35,8 @@ pub trait Run {
     fn tick(&self, step: usize) -> Tick;
     /// That event as JSON: `{"event": "cut", "edge": "left", …}`.
     fn event_json(&self, step: usize) -> Json;
+    /// That event's words, in place of those that are in `words`: its name, then its fields that are words.
+    fn read_words(&self, step: usize, words: &mut Words);
     /// Cost up to and including that event.
     fn counts_at(&self, step: usize) -> Counts;
     /// What the step shows.
@@ -56,26 +53,29 @@ pub trait Run {
         if step == 0 {
             return Moment::Start;
         }
-        let words = words_of(&self.event_json(step));
-        let nth = (1..step)
-            .filter(|&s| words_of(&self.event_json(s)) == words)
-            .count()
-            + 1;
+        let (mut words, mut other) = (Words::default(), Words::default());
+        self.read_words(step, &mut words);
+        let is_same = |&step: &usize| {
+            self.read_words(step, &mut other);
+            other == words
+        };
+        let nth = (1..step).filter(is_same).count() + 1;
         Moment::Event { words, nth }
     }
 
     /// The step of a moment; `None` where it never comes.
     fn find(&self, moment: &Moment) -> Option<usize> {
-        match moment {
-            Moment::Start => Some(0),
-            Moment::End => Some(self.n_steps()),
-            Moment::Event { words, nth } => (1..=self.n_steps())
-                .filter(|&step| {
-                    let have = words_of(&self.event_json(step));
-                    have[0] == words[0] && words[1..].iter().all(|word| have[1..].contains(word))
-                })
-                .nth(nth - 1),
-        }
+        let (wanted, nth) = match moment {
+            Moment::Start => return Some(0),
+            Moment::End => return Some(self.n_steps()),
+            Moment::Event { words, nth } => (words, nth),
+        };
+        let mut words = Words::default();
+        let fits = |step: &usize| {
+            self.read_words(*step, &mut words);
+            words.include(wanted)
+        };
+        (1..=self.n_steps()).filter(fits).nth(nth - 1)
     }
 
     /// The step of this run to show beside `step` of another one: as many steps in, and its end beside the
@@ -98,13 +98,7 @@ pub trait Run {
             return as_far_along(self, before, step);
         }
         let moment = before.moment(step);
-        let kind = match &moment {
-            Moment::Event { words, nth } => Moment::Event {
-                words: words[..1].to_vec(),
-                nth: *nth,
-            },
-            other => other.clone(),
-        };
+        let kind = moment.of_any_kind();
         self.find(&moment)
             .or_else(|| self.find(&kind))
             .unwrap_or_else(|| step.min(self.n_steps()))
@@ -133,91 +127,4 @@ fn as_far_along(now: &(impl Run + ?Sized), before: &dyn Run, step: usize) -> usi
         .filter(|step| (1..=n_steps).contains(step))
         .find(|&step| now.tick(step) == kind)
         .unwrap_or(there)
-}
-
-/// The event's name, then its fields that are words: `["cut", "p1", "left"]`.
-fn words_of(event: &Json) -> Vec<String> {
-    let Json::Object(fields) = event else {
-        return vec![String::new()];
-    };
-    let word = |value: &Json| value.as_str().map(str::to_owned);
-    let name = fields.get("event").and_then(word).unwrap_or_default();
-    let rest = fields.iter().filter(|(key, _)| *key != "event");
-    std::iter::once(name)
-        .chain(rest.filter_map(|(_, value)| word(value)))
-        .collect()
-}
-
-/// A place in a run that a lesson can name: `start`, `end`, `cut`, `cut left`, `code p1 #2`.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub enum Moment {
-    /// Before the first event.
-    Start,
-    /// After the last one.
-    End,
-    /// The `nth` event (from 1) with this name and these words among its fields.
-    Event {
-        /// Name first.
-        words: Vec<String>,
-        /// From 1.
-        nth: usize,
-    },
-}
-
-/// Why a text is not a moment.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum MomentError {
-    /// No event is named.
-    Empty,
-    /// What follows `#` is not a number from 1.
-    BadNumber,
-}
-
-impl From<MomentError> for Diagnostic {
-    fn from(error: MomentError) -> Self {
-        Self::new(Message::new("error-bad-moment")).noting(Message::new(match error {
-            MomentError::Empty => "expect-moment",
-            MomentError::BadNumber => "expect-moment-number",
-        }))
-    }
-}
-
-impl fmt::Display for MomentError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        Diagnostic::from(*self).fmt(f)
-    }
-}
-
-impl std::error::Error for MomentError {}
-
-impl FromStr for Moment {
-    type Err = MomentError;
-
-    fn from_str(text: &str) -> Result<Self, MomentError> {
-        let (words, nth) = match text.split_once('#') {
-            None => (text, 1),
-            Some((words, number)) => match number.trim().parse() {
-                Ok(nth) if nth >= 1 => (words, nth),
-                _ => return Err(MomentError::BadNumber),
-            },
-        };
-        let words: Vec<String> = words.split_whitespace().map(str::to_owned).collect();
-        match words.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-            [] => Err(MomentError::Empty),
-            ["start"] => Ok(Self::Start),
-            ["end"] => Ok(Self::End),
-            _ => Ok(Self::Event { words, nth }),
-        }
-    }
-}
-
-impl fmt::Display for Moment {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Start => f.write_str("start"),
-            Self::End => f.write_str("end"),
-            Self::Event { words, nth: 1 } => f.write_str(&words.join(" ")),
-            Self::Event { words, nth } => write!(f, "{} #{nth}", words.join(" ")),
-        }
-    }
 }

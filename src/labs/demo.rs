@@ -4,7 +4,7 @@ use serde::Serialize;
 use serde_json::Value as Json;
 
 use crate::{
-    figure::{Caption, Frame, Run, Tick, View, Watch, mark_changes},
+    figure::{Caption, Frame, Run, Tick, View, Watch, Words, mark_changes},
     text::Message,
     trace::{Algorithm, Counts, Trace},
 };
@@ -122,6 +122,10 @@ impl<A: Demo> Run for Recorded<A> {
             .event_at(step)
             .and_then(|event| serde_json::to_value(event).ok())
             .unwrap_or(Json::Null)
+    }
+
+    fn read_words(&self, step: usize, words: &mut Words) {
+        words.read(&self.trace.event_at(step));
     }
 
     fn counts_at(&self, step: usize) -> Counts {

@@ -3,7 +3,7 @@
 use serde_json::{Value as Json, json};
 
 use crate::{
-    figure::{Caption, Frame, Mark, Role, Run, Shape, Tick, View},
+    figure::{Caption, Frame, Mark, Role, Run, Shape, Tick, View, Words},
     geom::{ConvexPolygon, GeomError, Polygon},
     labs::words::{name, subscript, vertex_name},
     text::{Message, Value},
@@ -145,6 +145,8 @@ impl Run for Refused {
     fn event_json(&self, _step: usize) -> Json {
         Json::Null
     }
+
+    fn read_words(&self, _step: usize, _words: &mut Words) {}
 
     fn counts_at(&self, _step: usize) -> Counts {
         Counts::default()
