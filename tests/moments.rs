@@ -17,7 +17,9 @@ fn words_of(event: &Json) -> Words {
 fn runs() -> Vec<Box<dyn Run>> {
     let course = Course::embedded();
     let steps = course.lessons.iter().flat_map(|lesson| &lesson.steps);
-    steps.flat_map(|step| step.scene.document().record()).collect()
+    steps
+        .flat_map(|step| step.scene.document().record())
+        .collect()
 }
 
 #[test]
