@@ -92,12 +92,29 @@ pub struct LineTick {
 pub struct NumberLine {
     /// `u` or `t`.
     pub symbol: &'static str,
+    /// What stands at 0 and at 1: P₁, P₂.
+    pub ends: [Value; 2],
+    /// The part of the axis that is shown, 0 and 1 always: the same at every step of a run.
+    pub shown: [f64; 2],
     /// Lower and upper bound so far; the interval is empty where they are out of order.
     pub interval: [f64; 2],
     /// Nothing is left: the bounds have passed each other.
     pub empty: bool,
     /// Every crossing computed so far.
     pub ticks: Vec<LineTick>,
+}
+
+impl NumberLine {
+    /// Of what lies beyond 0 and 1, no more is shown than this.
+    const MOST: f64 = 1.0;
+
+    /// The part of an axis that shows all these crossings, as far as they are not too far out.
+    #[must_use]
+    pub fn showing(crossings: impl IntoIterator<Item = f64>) -> [f64; 2] {
+        let near = |u: &f64| (-Self::MOST..=1.0 + Self::MOST).contains(u);
+        let widened = |[low, high]: [f64; 2], u: f64| [low.min(u), high.max(u)];
+        crossings.into_iter().filter(near).fold([0.0, 1.0], widened)
+    }
 }
 
 /// The second view of a pipeline: clippers in a row, what each of them holds, and what is on its way.

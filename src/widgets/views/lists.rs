@@ -1,19 +1,230 @@
 //! Vertex lists side by side, and what links them.
+//!
+//! ```text
+//!      Subject list              Window list
+//!     ┌►[  S₁  ]                  [  W₁  ]◄┐
+//!     │ [○ C₁  ]- - - - - - - - - [○ C₁  ] │
+//!     │ [● C₂  ]━━━━━━━━━━━━━━━━━►[● C₂  ] │
+//!     └─[  S₂  ]                  [  W₂  ]─┘
+//! ```
 
-use egui::{Rect, Ui};
+mod chip;
+mod plan;
 
-use crate::figure::{Link, Lists};
+use egui::{Align2, Painter, Pos2, Rect, pos2, vec2};
 
-use super::super::Look;
+use crate::figure::{List, ListEntry, ListLink, Lists, Role};
 
-/// Draws the view in `rect`; what it shows under the pointer.
-pub fn lists(
-    ui: &mut Ui,
-    look: Look<'_>,
-    rect: Rect,
-    shown: &Lists,
-    lit: Option<Link>,
-) -> Option<Link> {
-    let _ = (ui, look, rect, shown, lit);
-    None
+use super::{
+    super::Look,
+    links::Links,
+    on_slate::OnSlate,
+    slate::{Face, Slate},
+    table::more,
+};
+use chip::chip;
+use plan::{Column, FOLD_SIZE, LANE, Plan, TITLE_SIZE};
+
+impl OnSlate for Lists {
+    fn slate<'a>(&self, painter: &'a Painter, look: Look<'a>, rect: Rect) -> Slate<'a> {
+        plan::slate(painter, look, rect.size(), self)
+    }
+
+    fn draw(&self, slate: &mut Slate<'_>, rect: Rect, links: &mut Links) {
+        let plan = Plan::new(slate, rect, self);
+        for (list, column) in self.lists.iter().zip(&plan.columns) {
+            title(slate, list, column);
+            loops(slate, list, column, &plan);
+            connectors(slate, list, column, &plan);
+            entries(slate, list, column, &plan, links);
+        }
+        let is_taken = |link: &&ListLink| link.role == Role::Signal;
+        for link in self.links.iter().filter(|link| !is_taken(link)) {
+            hairline(slate, self, &plan, link);
+        }
+        for link in self.links.iter().filter(is_taken) {
+            taken(slate, self, &plan, link);
+        }
+    }
+
+    fn spoken(&self, look: Look<'_>) -> String {
+        let mut parts: Vec<String> = self.lists.iter().map(|list| spoken(look, list)).collect();
+        let taken = self.links.iter().filter(|link| link.role == Role::Signal);
+        for link in taken {
+            let name = |[list, entry]: [usize; 2]| {
+                let list = self.lists.get(list)?;
+                let entry = look.catalog.value(&list.entries.get(entry)?.name);
+                Some(format!("{entry} ({})", look.catalog.value(&list.title)))
+            };
+            if let (Some(from), Some(to)) = (name(link.from), name(link.to)) {
+                parts.push(format!("{from} → {to}"));
+            }
+        }
+        parts.join(". ")
+    }
+}
+
+/// `Subject list: S₁, → C₁ (1/2), …`.
+fn spoken(look: Look<'_>, list: &List) -> String {
+    let entry = |entry: &ListEntry| {
+        let arrow = if entry.role == Role::Signal {
+            "→ "
+        } else {
+            ""
+        };
+        let name = look.catalog.value(&entry.name);
+        let details = entry.details.iter().flatten();
+        let details: Vec<String> = details.map(|detail| look.catalog.value(detail)).collect();
+        if details.is_empty() {
+            format!("{arrow}{name}")
+        } else {
+            format!("{arrow}{name} ({})", details.join(" "))
+        }
+    };
+    let folded = |n: usize| (n > 0).then(|| look.catalog.message(&more(n)));
+    let said = folded(list.n_before)
+        .into_iter()
+        .chain(list.entries.iter().map(entry))
+        .chain(folded(list.n_after));
+    let said: Vec<String> = said.collect();
+    format!("{}: {}", look.catalog.value(&list.title), said.join(", "))
+}
+
+fn title(slate: &mut Slate<'_>, list: &List, column: &Column) {
+    let style = (Face::Strong, TITLE_SIZE, slate.theme().ink);
+    let title = slate.value(&list.title, style);
+    let at = column.chips.center_top() - vec2(0.0, slate.pts(10.0));
+    slate.put(&title, at, Align2::CENTER_BOTTOM);
+}
+
+/// Each ring leads back to its first entry in a thin loop on the outer side.
+fn loops(slate: &mut Slate<'_>, list: &List, column: &Column, plan: &Plan) {
+    if !list.is_ring {
+        return;
+    }
+    let colour = slate.theme().discarded;
+    let stroke = slate.stroke(1.0, colour);
+    let (edge, out) = if column.is_loop_left {
+        (column.chips.left(), -1.0)
+    } else {
+        (column.chips.right(), 1.0)
+    };
+    let [corner, head] = [5.0, 7.0].map(|length| slate.pts(length));
+    let n_all = list.n_before + list.entries.len() + list.n_after;
+    let starts = list.breaks.iter().map(|at| at + list.n_before);
+    let starts: Vec<usize> = std::iter::once(0).chain(starts).chain([n_all]).collect();
+    for ring in starts.windows(2) {
+        let rows = [ring[0], ring[1].saturating_sub(1)].map(|idx| column.row_or_fold(idx));
+        let [top, bottom] = rows.map(|row| plan.chip(column, row).center().y);
+        if bottom - top < 1.0 {
+            continue;
+        }
+        let lane = edge + out * slate.pts(LANE - 4.0);
+        let turn = |from: f32, to: f32| {
+            // A quarter of a circle, as a polyline.
+            let at = |nth: usize| {
+                let (sin, cos) = (std::f32::consts::FRAC_PI_8 * nth as f32).sin_cos();
+                pos2(
+                    lane - out * corner * (1.0 - sin),
+                    from + (to - from) * (1.0 - cos),
+                )
+            };
+            [0, 1, 2, 3, 4].map(at)
+        };
+        let mut path = vec![pos2(edge, bottom)];
+        path.extend(turn(bottom, bottom - corner));
+        path.extend(turn(top, top + corner).into_iter().rev());
+        path.push(pos2(edge + out * (head + 1.0), top));
+        slate
+            .strokes
+            .extend(path.windows(2).map(|ends| [ends[0], ends[1]]));
+        slate.painter.add(egui::Shape::line(path, stroke));
+        slate.head(pos2(edge + out, top), vec2(-out, 0.0), head, colour);
+    }
+}
+
+/// Short strokes from entry to entry: thick where the walk has gone.
+fn connectors(slate: &mut Slate<'_>, list: &List, column: &Column, plan: &Plan) {
+    let theme = slate.theme();
+    for idx in column.fold.shown.clone().skip(1) {
+        let nth = idx - list.n_before;
+        if list.breaks.contains(&nth) {
+            continue;
+        }
+        let [before, after] = [nth - 1, nth].map(|nth| list.entries[nth].role);
+        let row = column.row_or_fold(idx);
+        let [above, below] = [row - 1, row].map(|row| plan.chip(column, row));
+        let is_walked = before == Role::Accent && matches!(after, Role::Accent | Role::Signal);
+        let stroke = if is_walked {
+            slate.stroke(2.5, theme.accent)
+        } else {
+            slate.stroke(1.0, theme.discarded)
+        };
+        slate.line([above.center_bottom(), below.center_top()], stroke);
+    }
+}
+
+fn entries(slate: &mut Slate<'_>, list: &List, column: &Column, plan: &Plan, links: &mut Links) {
+    if list.entries.is_empty() {
+        chip::none(slate, plan.chip(column, 0));
+    }
+    for idx in column.fold.shown.clone() {
+        let place = plan.chip(column, column.row_or_fold(idx));
+        let entry = &list.entries[idx - list.n_before];
+        chip(slate, place, &column.widths, entry, links);
+    }
+    let fold = &column.fold;
+    let last = fold.n_rows().saturating_sub(1);
+    for (count, row) in [(fold.before, 0), (fold.after, last)] {
+        if count > 0 {
+            let words = slate.look.catalog.message(&more(count));
+            let words = slate.words(words, (Face::Plain, FOLD_SIZE, slate.theme().soft));
+            let at = plan.chip(column, row).center();
+            slate.put(&words, at, Align2::CENTER_CENTER);
+        }
+    }
+}
+
+/// Both stand for the same: told where both are seen.
+fn hairline(slate: &mut Slate<'_>, lists: &Lists, plan: &Plan, link: &ListLink) {
+    let is_shown = |[list, entry]: [usize; 2]| {
+        let column = plan.columns.get(list);
+        column.is_some_and(|column| {
+            column
+                .fold
+                .shown
+                .contains(&(entry + lists.lists[list].n_before))
+        })
+    };
+    if is_shown(link.from)
+        && is_shown(link.to)
+        && let Some(ends) = ends(slate, lists, plan, link)
+    {
+        let stroke = slate.stroke(1.0, slate.theme().discarded);
+        slate.dashed(ends, stroke, 3.5);
+    }
+}
+
+/// The one that is taken now.
+fn taken(slate: &mut Slate<'_>, lists: &Lists, plan: &Plan, link: &ListLink) {
+    if let Some(ends) = ends(slate, lists, plan, link) {
+        let stroke = slate.stroke(2.75, slate.theme().signal);
+        slate.arrow(ends, stroke);
+    }
+}
+
+/// From the side of one entry, or of what stands for it, to the facing side of the other.
+fn ends(slate: &Slate<'_>, lists: &Lists, plan: &Plan, link: &ListLink) -> Option<[Pos2; 2]> {
+    let place = |[list, entry]: [usize; 2]| {
+        let column = plan.columns.get(list)?;
+        let idx = entry + lists.lists[list].n_before;
+        Some(plan.chip(column, column.row_or_fold(idx)))
+    };
+    let (from, to) = (place(link.from)?, place(link.to)?);
+    let off = vec2(slate.pts(3.0), 0.0);
+    Some(if from.center().x <= to.center().x {
+        [from.right_center() + off, to.left_center() - off]
+    } else {
+        [from.left_center() - off, to.right_center() + off]
+    })
 }

@@ -6,9 +6,9 @@ mod fold;
 mod links;
 mod lists;
 mod number_line;
-mod on_sheet;
+mod on_slate;
 mod products;
-mod sheet;
+mod slate;
 mod table;
 #[cfg(test)]
 mod tests;
@@ -21,10 +21,10 @@ use crate::{
 };
 
 use super::Look;
-use clipper_row::{clipper_row, clipper_row_height};
+use clipper_row::clipper_row_height;
 use links::Links;
-use number_line::{number_line, number_line_height};
-use on_sheet::OnSheet;
+use number_line::number_line_height;
+use on_slate::OnSlate;
 
 /// Height of a view that stands under the drawing, in a column of this width; `None` of one that stands beside it.
 #[must_use]
@@ -39,32 +39,16 @@ pub fn strip_height(theme: &Theme, width: f32, shown: &View) -> Option<f32> {
 }
 
 /// Draws a view of any kind but the drawing in `rect`, from its top; what it shows under the pointer.
-pub fn view(
-    ui: &mut Ui,
-    look: Look<'_>,
-    rect: Rect,
-    shown: &View,
-    lit: Option<Link>,
-) -> Option<Link> {
-    match &shown.body {
-        Body::Plane(_) => None,
-        Body::Bits(body) => on_sheet(ui, look, rect, shown, lit, body),
-        Body::Table(body) => on_sheet(ui, look, rect, shown, lit, body),
-        Body::Lists(body) => lists::lists(ui, look, rect, body, lit),
-        Body::Products(body) => products::products(ui, look, rect, body, lit),
-        Body::NumberLine(body) => number_line(ui, look, rect, body, lit),
-        Body::Clippers(body) => clipper_row(ui, look, rect, body, lit),
-    }
-}
-
-fn on_sheet(
-    ui: &Ui,
-    look: Look<'_>,
-    rect: Rect,
-    shown: &View,
-    lit: Option<Link>,
-    body: &impl OnSheet,
-) -> Option<Link> {
+pub fn view(ui: &Ui, look: Look<'_>, rect: Rect, shown: &View, lit: Option<Link>) -> Option<Link> {
+    let body: &dyn OnSlate = match &shown.body {
+        Body::Plane(_) => return None,
+        Body::Bits(body) => body,
+        Body::Table(body) => body,
+        Body::Lists(body) => body,
+        Body::Products(body) => body,
+        Body::NumberLine(body) => body,
+        Body::Clippers(body) => body,
+    };
     // Two columns may stand side by side, each with views of its own.
     let id = ui.scope_id().with((shown.id, rect.left() as i32));
     let response = ui.interact(rect, id, Sense::hover());
@@ -76,7 +60,7 @@ fn on_sheet(
     };
     // Boxes and rings may reach a little beyond what they go round.
     let painter = ui.painter().with_clip_rect(rect.expand(6.0));
-    let mut sheet = body.sheet(&painter, look, rect);
-    body.draw(&mut sheet, rect, &mut links);
+    let mut slate = body.slate(&painter, look, rect);
+    body.draw(&mut slate, rect, &mut links);
     links.pointed
 }

@@ -1,19 +1,132 @@
-//! Dot products, each with its own small drawing.
+//! Dot products, each with its own small drawing, and what they measure along the normal.
+//!
+//! ```text
+//!      n  ·foot        n·D > 0: the line enters
+//!     ↗ .·  :          3·11 + 2·(−3) = 27
+//!    ·──────→ D
+//!
+//!   Measured along n, from the edge
+//!   P₁    edge                 P₂
+//!   ○- - - -●──────────────────○
+//!   −9      0                  18
+//! ```
 
-use egui::{Rect, Ui};
+mod measured;
+mod vectors;
 
-use crate::figure::{Link, Products};
+use egui::{Align2, Painter, Rect, Vec2, pos2, vec2};
 
-use super::super::Look;
+use crate::figure::{Product, Products};
 
-/// Draws the view in `rect`; what it shows under the pointer.
-pub fn products(
-    ui: &mut Ui,
-    look: Look<'_>,
-    rect: Rect,
-    shown: &Products,
-    lit: Option<Link>,
-) -> Option<Link> {
-    let _ = (ui, look, rect, shown, lit);
-    None
+use super::{
+    super::Look,
+    links::Links,
+    on_slate::OnSlate,
+    slate::{Face, Slate, Style},
+};
+
+/// A drawing's width; its arithmetic stands beside it.
+const WIDTH: f32 = 136.0;
+/// Its height: the least, and the most.
+const HEIGHTS: [f32; 2] = [62.0, 104.0];
+/// Between a drawing and its arithmetic.
+const ASIDE: f32 = 20.0;
+/// A decision is broken into lines when it is wider than this.
+const MOST_WORDS: f32 = 210.0;
+/// Between one product and the next.
+const GAP: f32 = 8.0;
+const DECISION_SIZE: f32 = 14.0;
+const ARITHMETIC_SIZE: f32 = 13.0;
+const AIR: f32 = 4.0;
+
+impl OnSlate for Products {
+    fn slate<'a>(&self, painter: &'a Painter, look: Look<'a>, rect: Rect) -> Slate<'a> {
+        Slate::fitted(painter, look, rect.size(), |slate| {
+            wanted(slate, self, rect.width())
+        })
+    }
+
+    fn draw(&self, slate: &mut Slate<'_>, rect: Rect, _: &mut Links) {
+        let [least, most] = HEIGHTS.map(|height| slate.pts(height));
+        let measured = self.measured.as_ref();
+        let under = measured.map_or(0.0, |measured| {
+            measured::height(slate, measured, rect.width())
+        });
+        let n = n_kept(self);
+        let height = (rect.height() - under) / n - slate.pts(GAP);
+        let drawing = vec2(slate.pts(WIDTH), height.clamp(least, most));
+        let scale = vectors::common_scale(slate, &self.products, drawing);
+        let mut top = rect.top();
+        for product in &self.products {
+            let place = Rect::from_min_size(pos2(rect.left(), top), drawing);
+            vectors::draw(slate, place, product, scale);
+            let left = place.right() + slate.pts(ASIDE);
+            let words = Rect::from_x_y_ranges(left..=rect.right().max(left + 1.0), place.y_range());
+            told(slate, words, product);
+            top = place.bottom() + slate.pts(GAP);
+        }
+        if let Some(measured) = measured {
+            measured::draw(slate, rect.with_min_y(top), measured);
+        }
+    }
+
+    fn spoken(&self, look: Look<'_>) -> String {
+        let product = |product: &Product| {
+            let arrow = if product.is_current { "→ " } else { "" };
+            let decision = look.catalog.message(&product.decision);
+            format!(
+                "{arrow}{decision} {}",
+                look.catalog.formula(&product.arithmetic)
+            )
+        };
+        let measured = self.measured.iter();
+        let measured = measured.map(|measured| measured::spoken(look, measured));
+        let parts: Vec<String> = self.products.iter().map(product).chain(measured).collect();
+        parts.join("; ")
+    }
+}
+
+/// Room for two from the start: nothing moves when the second comes.
+fn n_kept(products: &Products) -> f32 {
+    products.products.len().max(2) as f32
+}
+
+fn wanted(slate: &Slate<'_>, products: &Products, room: f32) -> Vec2 {
+    let ink = slate.theme().ink;
+    let widths = products.products.iter().map(|product| {
+        let arithmetic = slate.formula(&product.arithmetic, (Face::Plain, ARITHMETIC_SIZE, ink));
+        let style = (Face::Strong, DECISION_SIZE, ink);
+        let decision = slate.sentence(&product.decision, slate.pts(MOST_WORDS), style);
+        decision.size().x.max(arithmetic.size().x)
+    });
+    let words = widths.fold(0.0, f32::max);
+    let height = n_kept(products) * slate.pts(HEIGHTS[0] + GAP);
+    let measured = products.measured.as_ref();
+    let measured = measured.map_or(0.0, |measured| measured::height(slate, measured, room));
+    vec2(slate.pts(WIDTH + ASIDE) + words, height + measured)
+}
+
+/// The decision, and the arithmetic under it.
+fn told(slate: &mut Slate<'_>, place: Rect, product: &Product) {
+    let theme = slate.theme();
+    let ink = if product.is_current {
+        theme.ink
+    } else {
+        theme.soft
+    };
+    let style: Style = (Face::Strong, DECISION_SIZE, ink);
+    let width = place
+        .width()
+        .min(slate.pts(MOST_WORDS))
+        .max(slate.pts(60.0));
+    let decision = slate.sentence(&product.decision, width, style);
+    let arithmetic = slate.formula(
+        &product.arithmetic,
+        (Face::Plain, ARITHMETIC_SIZE, theme.soft),
+    );
+    let height = decision.size().y + slate.pts(AIR) + arithmetic.size().y;
+    let top = place.center().y - 0.5 * height;
+    let put = slate.put(&decision, pos2(place.left(), top), Align2::LEFT_TOP);
+    let at = pos2(place.left(), put.bottom() + slate.pts(AIR));
+    slate.put(&arithmetic, at, Align2::LEFT_TOP);
 }

@@ -13,8 +13,8 @@ use super::{
     super::Look,
     fold::Fold,
     links::Links,
-    on_sheet::OnSheet,
-    sheet::{Face, Sheet, Style, colour, wash},
+    on_slate::OnSlate,
+    slate::{Face, Slate, Style, text_colour, wash},
 };
 
 const SIZE: f32 = 14.0;
@@ -33,7 +33,7 @@ const LEAST_ROWS: usize = 3;
 /// Above this scale text shrinks; below it rows are folded.
 const FOLD_BELOW: f32 = 0.8;
 
-/// A column: its width at a sheet's scale, and to which side things stand in it.
+/// A column: its width at a slate's scale, and to which side things stand in it.
 struct Column {
     width: f32,
     is_words: bool,
@@ -47,29 +47,29 @@ struct Plan {
 }
 
 impl Plan {
-    fn of(sheet: &Sheet<'_>, table: &Table, width: f32) -> Self {
+    fn of(slate: &Slate<'_>, table: &Table, width: f32) -> Self {
         let columns = table.header.iter().enumerate();
         Self {
             columns: columns
-                .map(|(i, title)| column(sheet, table, i, title))
+                .map(|(i, title)| column(slate, table, i, title))
                 .collect(),
-            row: row_height(sheet),
-            notes: notes_height(sheet, table, width),
+            row: row_height(slate, table),
+            notes: notes_height(slate, table, width),
         }
     }
 
-    fn width(&self, sheet: &Sheet<'_>, gap: f32) -> f32 {
+    fn width(&self, slate: &Slate<'_>, gap: f32) -> f32 {
         let text: f32 = self.columns.iter().map(|column| column.width).sum();
         let n_gaps = self.columns.len().saturating_sub(1) as f32;
-        text + n_gaps * sheet.pts(gap) + 2.0 * sheet.pts(PAD)
+        text + n_gaps * slate.pts(gap) + 2.0 * slate.pts(PAD)
     }
 
     /// The edges at which the columns' text stands: the left one of words, the right one of numbers.
-    fn edges(&self, sheet: &Sheet<'_>, rect: Rect) -> Vec<f32> {
+    fn edges(&self, slate: &Slate<'_>, rect: Rect) -> Vec<f32> {
         let n_gaps = self.columns.len().saturating_sub(1).max(1) as f32;
-        let spare = rect.width() - self.width(sheet, 0.0);
-        let gap = (spare / n_gaps).clamp(0.0, sheet.pts(GAPS[1]));
-        let mut left = rect.left() + sheet.pts(PAD);
+        let spare = rect.width() - self.width(slate, 0.0);
+        let gap = (spare / n_gaps).clamp(0.0, slate.pts(GAPS[1]));
+        let mut left = rect.left() + slate.pts(PAD);
         let edge = |column: &Column| {
             let right = left + column.width;
             let edge = if column.is_words { left } else { right };
@@ -81,12 +81,12 @@ impl Plan {
 }
 
 /// As wide as what stands in it, and as a short number at least, so that it stays where it is when one comes.
-fn column(sheet: &Sheet<'_>, table: &Table, idx: usize, title: &Formula) -> Column {
-    let ink = sheet.theme().ink;
+fn column(slate: &Slate<'_>, table: &Table, idx: usize, title: &Formula) -> Column {
+    let ink = slate.theme().ink;
     let is_words = idx == 0 || title.0.iter().all(|token| matches!(token, Token::Term(_)));
-    let width = |value: &Value| sheet.value(value, (Face::Strong, SIZE, ink)).size().x;
-    let least = sheet.words("−0.88", (Face::Plain, SIZE, ink)).size().x;
-    let title = sheet.formula(title, (Face::Strong, SIZE, ink)).size().x;
+    let width = |value: &Value| slate.value(value, (Face::Strong, SIZE, ink)).size().x;
+    let least = slate.words("−0.88", (Face::Plain, SIZE, ink)).size().x;
+    let title = slate.formula(title, (Face::Strong, SIZE, ink)).size().x;
     let values = table.rows.iter().filter_map(|row| match idx {
         0 => Some(&row.name),
         _ => row.cells.get(idx - 1)?.value.as_ref(),
@@ -97,47 +97,49 @@ fn column(sheet: &Sheet<'_>, table: &Table, idx: usize, title: &Formula) -> Colu
     }
 }
 
-fn row_height(sheet: &Sheet<'_>) -> f32 {
+/// Room for a stacked fraction in every row, for the titles above them.
+fn row_height(slate: &Slate<'_>, table: &Table) -> f32 {
     let fraction =
         Formula::default().over(Formula::default().num(3.0), Formula::default().num(8.0));
-    let style = (Face::Strong, SIZE, sheet.theme().ink);
-    let least = sheet.pts(1.9 * SIZE);
-    sheet.formula(&fraction, style).size().y.max(least)
+    let style = (Face::Strong, SIZE, slate.theme().ink);
+    let height = |formula: &Formula| slate.formula(formula, style).size().y;
+    let titles = table.header.iter().map(height);
+    titles.fold(height(&fraction).max(slate.pts(1.9 * SIZE)), f32::max)
 }
 
-fn notes_height(sheet: &Sheet<'_>, table: &Table, width: f32) -> f32 {
+fn notes_height(slate: &Slate<'_>, table: &Table, width: f32) -> f32 {
     if table.notes.is_empty() {
         return 0.0;
     }
-    let lines = table.notes.iter().flat_map(|note| {
-        let style = (Face::Plain, NOTE_SIZE, sheet.theme().ink);
-        sheet.sentence(&note.text, width, style)
+    let heights = table.notes.iter().map(|note| {
+        let style = (Face::Plain, NOTE_SIZE, slate.theme().ink);
+        slate.sentence(&note.text, width, style).size().y
     });
-    sheet.pts(NOTE_GAP) + lines.map(|line| line.size().y).sum::<f32>()
+    slate.pts(NOTE_GAP) + heights.sum::<f32>()
 }
 
-impl OnSheet for Table {
-    fn sheet<'a>(&self, painter: &'a Painter, look: Look<'a>, rect: Rect) -> Sheet<'a> {
+impl OnSlate for Table {
+    fn slate<'a>(&self, painter: &'a Painter, look: Look<'a>, rect: Rect) -> Slate<'a> {
         let room = rect.size();
         let n_rows = self.rows.len();
-        Sheet::fitted(painter, look, room, |sheet| {
-            let plan = Plan::of(sheet, self, room.x - 2.0 * sheet.pts(PAD));
-            let row = plan.row + 2.0 * sheet.pts(AIR[0]);
+        Slate::fitted(painter, look, room, |slate| {
+            let plan = Plan::of(slate, self, room.x - 2.0 * slate.pts(PAD));
+            let row = plan.row + 2.0 * slate.pts(AIR[0]);
             let height = |n_rows: usize| row * (n_rows + 1) as f32 + plan.notes;
             // Rows are folded before their text becomes too small.
-            let would_be = room.y / height(n_rows) * sheet.scale;
+            let would_be = room.y / height(n_rows) * slate.scale;
             let folds = would_be < FOLD_BELOW * look.theme.text_scale;
             let n_rows = if folds {
                 n_rows.min(LEAST_ROWS)
             } else {
                 n_rows
             };
-            vec2(plan.width(sheet, GAPS[0]), height(n_rows))
+            vec2(plan.width(slate, GAPS[0]), height(n_rows))
         })
     }
 
-    fn draw(&self, sheet: &mut Sheet<'_>, rect: Rect, links: &mut Links) {
-        draw(sheet, rect, self, links);
+    fn draw(&self, slate: &mut Slate<'_>, rect: Rect, links: &mut Links) {
+        draw(slate, rect, self, links);
     }
 
     fn spoken(&self, look: Look<'_>) -> String {
@@ -145,20 +147,20 @@ impl OnSheet for Table {
     }
 }
 
-fn draw(sheet: &mut Sheet<'_>, rect: Rect, table: &Table, links: &mut Links) {
-    let text_width = rect.width() - 2.0 * sheet.pts(PAD);
-    let plan = Plan::of(sheet, table, text_width);
-    let width = rect.width().min(plan.width(sheet, GAPS[1]));
+fn draw(slate: &mut Slate<'_>, rect: Rect, table: &Table, links: &mut Links) {
+    let text_width = rect.width() - 2.0 * slate.pts(PAD);
+    let plan = Plan::of(slate, table, text_width);
+    let width = rect.width().min(plan.width(slate, GAPS[1]));
     let rect = Rect::from_min_size(rect.min, vec2(width, rect.height()));
-    let edges = plan.edges(sheet, rect);
+    let edges = plan.edges(slate, rect);
     let room = rect.height() - plan.notes;
-    let least = plan.row + 2.0 * sheet.pts(AIR[0]);
+    let least = plan.row + 2.0 * slate.pts(AIR[0]);
     let n_fit = ((room / least + 0.01) as usize)
         .saturating_sub(1)
         .max(LEAST_ROWS);
     let focus = table.rows.iter().position(|row| row.is_current);
     let fold = Fold::about(table.rows.len(), focus, n_fit);
-    let most = plan.row + 2.0 * sheet.pts(AIR[1]);
+    let most = plan.row + 2.0 * slate.pts(AIR[1]);
     let step = (room / (fold.n_rows() + 1) as f32)
         .clamp(least, most)
         .floor();
@@ -166,29 +168,29 @@ fn draw(sheet: &mut Sheet<'_>, rect: Rect, table: &Table, links: &mut Links) {
         let top = rect.top() + nth as f32 * step;
         Rect::from_min_size(pos2(rect.left(), top), vec2(width, step))
     };
-    header(sheet, place(0), table, &edges);
+    header(slate, place(0), table, &edges);
     if fold.before > 0 {
-        folded(sheet, place(1), fold.before);
+        folded(slate, place(1), fold.before);
     }
     for idx in fold.shown.clone() {
         let nth = idx - fold.shown.start + fold.first_row() + 1;
-        row(sheet, place(nth), &table.rows[idx], (&plan, &edges), links);
+        row(slate, place(nth), &table.rows[idx], (&plan, &edges), links);
     }
     if fold.after > 0 {
-        folded(sheet, place(fold.n_rows()), fold.after);
+        folded(slate, place(fold.n_rows()), fold.after);
     }
-    let mut y = place(fold.n_rows()).bottom() + sheet.pts(NOTE_GAP);
+    let mut y = place(fold.n_rows()).bottom() + slate.pts(NOTE_GAP);
     for note in &table.notes {
-        let theme = sheet.theme();
+        let theme = slate.theme();
         let ink = if note.applies { theme.ink } else { theme.soft };
-        let lines = sheet.sentence(&note.text, text_width, (Face::Plain, NOTE_SIZE, ink));
-        let at = pos2(rect.left() + sheet.pts(PAD), y);
-        y = sheet.put_lines(&lines, at, Align2::LEFT_TOP);
+        let lines = slate.sentence(&note.text, text_width, (Face::Plain, NOTE_SIZE, ink));
+        let at = pos2(rect.left() + slate.pts(PAD), y);
+        y = slate.put(&lines, at, Align2::LEFT_TOP).bottom();
     }
 }
 
-fn header(sheet: &mut Sheet<'_>, place: Rect, table: &Table, edges: &[f32]) {
-    let theme = sheet.theme();
+fn header(slate: &mut Slate<'_>, place: Rect, table: &Table, edges: &[f32]) {
+    let theme = slate.theme();
     for (idx, (title, &edge)) in table.header.iter().zip(edges).enumerate() {
         let is_word = title.0.iter().all(|token| matches!(token, Token::Term(_)));
         let style: Style = if is_word {
@@ -196,13 +198,13 @@ fn header(sheet: &mut Sheet<'_>, place: Rect, table: &Table, edges: &[f32]) {
         } else {
             (Face::Strong, SIZE, theme.ink)
         };
-        let title = sheet.formula(title, style);
+        let title = slate.formula(title, style);
         let align = align(idx == 0 || is_word);
-        sheet.put(&title, pos2(edge, place.center().y), align);
+        slate.put(&title, pos2(edge, place.center().y), align);
     }
     let y = place.bottom().round() - 0.5;
     let stroke = Stroke::new(1.0, theme.hairline);
-    sheet.line([place.left(), place.right()].map(|x| pos2(x, y)), stroke);
+    slate.line([place.left(), place.right()].map(|x| pos2(x, y)), stroke);
 }
 
 const fn align(is_words: bool) -> Align2 {
@@ -214,23 +216,23 @@ const fn align(is_words: bool) -> Align2 {
 }
 
 fn row(
-    sheet: &mut Sheet<'_>,
+    slate: &mut Slate<'_>,
     place: Rect,
     row: &TableRow,
     (plan, edges): (&Plan, &[f32]),
     links: &mut Links,
 ) {
-    let theme = sheet.theme();
+    let theme = slate.theme();
     let is_lit = links.touch(place, row.link);
     if row.is_current {
-        let bar = place.with_max_x(place.left() + sheet.pts(3.0));
+        let bar = place.with_max_x(place.left() + slate.pts(3.0));
         let tint = wash(theme, Role::Signal);
-        sheet.painter.rect_filled(place, sheet.pts(2.0), tint);
-        sheet.painter.rect_filled(bar, 0.0, theme.signal);
+        slate.painter.rect_filled(place, slate.pts(2.0), tint);
+        slate.painter.rect_filled(bar, 0.0, theme.signal);
     } else if is_lit {
-        sheet
+        slate
             .painter
-            .rect_filled(place, sheet.pts(2.0), theme.accent_wash);
+            .rect_filled(place, slate.pts(2.0), theme.accent_wash);
     }
     let at = |edge: f32| pos2(edge, place.center().y);
     let face = if row.is_current {
@@ -238,17 +240,17 @@ fn row(
     } else {
         Face::Plain
     };
-    let name = sheet.value(&row.name, (face, SIZE, theme.ink));
+    let name = slate.value(&row.name, (face, SIZE, theme.ink));
     if let Some(&edge) = edges.first() {
-        sheet.put(&name, at(edge), Align2::LEFT_CENTER);
+        slate.put(&name, at(edge), Align2::LEFT_CENTER);
     }
     for (nth, cell) in row.cells.iter().enumerate() {
         let (Some(&edge), Some(column)) = (edges.get(nth + 1), plan.columns.get(nth + 1)) else {
             break;
         };
         if let Some(value) = &cell.value {
-            let value = sheet.value(value, (face_of(cell), SIZE, colour(theme, cell.role)));
-            sheet.put(&value, at(edge), align(column.is_words));
+            let value = slate.value(value, (face_of(cell), SIZE, text_colour(theme, cell.role)));
+            slate.put(&value, at(edge), align(column.is_words));
         }
     }
 }
@@ -262,11 +264,11 @@ const fn face_of(cell: &Cell) -> Face {
     }
 }
 
-fn folded(sheet: &mut Sheet<'_>, place: Rect, count: usize) {
-    let words = sheet.look.catalog.message(&more(count));
-    let words = sheet.words(words, (Face::Plain, FOLD_SIZE, sheet.theme().soft));
-    let at = place.left_center() + vec2(sheet.pts(PAD), 0.0);
-    sheet.put(&words, at, Align2::LEFT_CENTER);
+fn folded(slate: &mut Slate<'_>, place: Rect, count: usize) {
+    let words = slate.look.catalog.message(&more(count));
+    let words = slate.words(words, (Face::Plain, FOLD_SIZE, slate.theme().soft));
+    let at = place.left_center() + vec2(slate.pts(PAD), 0.0);
+    slate.put(&words, at, Align2::LEFT_CENTER);
 }
 
 /// `… 37 more`.

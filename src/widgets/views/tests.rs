@@ -9,8 +9,8 @@ use egui::{Rect, Vec2, pos2, vec2};
 use super::{
     super::Look,
     links::Links,
-    on_sheet::OnSheet,
-    sheet::{Sheet, crosses},
+    on_slate::OnSlate,
+    slate::{Slate, crosses},
 };
 use crate::{
     paint::{Headless, ThemeKind},
@@ -18,7 +18,7 @@ use crate::{
 };
 
 /// Draws a view in a room of this size; where its text stands, and the lines it keeps clear of.
-fn drawn(name: &str, kind: ThemeKind, lang: Lang, room: Vec2, view: &dyn OnSheet) -> Placed {
+fn drawn(name: &str, kind: ThemeKind, lang: Lang, room: Vec2, view: &dyn OnSlate) -> Placed {
     let mut table = Headless::new(kind);
     let look = Look {
         theme: table.theme(),
@@ -27,14 +27,14 @@ fn drawn(name: &str, kind: ThemeKind, lang: Lang, room: Vec2, view: &dyn OnSheet
     let rect = Rect::from_min_size(pos2(16.0, 16.0), room);
     let mut placed = Placed::default();
     let image = table.draw(room + vec2(32.0, 32.0), 4.0 / 3.0, |ui| {
-        let mut sheet = view.sheet(ui.painter(), look, rect);
+        let mut slate = view.slate(ui.painter(), look, rect);
         let mut links = Links {
             lit: None,
             pointer: None,
             pointed: None,
         };
-        view.draw(&mut sheet, rect, &mut links);
-        placed = Placed::of(sheet, rect);
+        view.draw(&mut slate, rect, &mut links);
+        placed = Placed::of(slate, rect);
     });
     if let Ok(folder) = std::env::var("CLIPSCOPE_SAMPLES") {
         let path = format!(
@@ -54,11 +54,11 @@ struct Placed {
 }
 
 impl Placed {
-    fn of(sheet: Sheet<'_>, room: Rect) -> Self {
+    fn of(slate: Slate<'_>, room: Rect) -> Self {
         Self {
             room: Some(room),
-            texts: sheet.texts,
-            strokes: sheet.strokes,
+            texts: slate.texts,
+            strokes: slate.strokes,
         }
     }
 
@@ -85,7 +85,7 @@ impl Placed {
 }
 
 /// A view in every theme and language, with as much room as beside a drawing and with less.
-fn check(name: &str, rooms: &[Vec2], view: &dyn OnSheet) {
+fn check(name: &str, rooms: &[Vec2], view: &dyn OnSlate) {
     for kind in ThemeKind::ALL {
         for lang in Lang::ALL {
             for &room in rooms {
@@ -112,4 +112,38 @@ fn a_table_keeps_every_row() {
 #[test]
 fn a_long_table_says_how_much_it_folds() {
     check("table-200", &ROOMS, &data::many_edges(200, 77));
+}
+
+#[test]
+fn lists_are_linked() {
+    check("c3", &ROOMS, &data::two_lists());
+    check("lists-in-out", &ROOMS, &data::in_and_out());
+}
+
+#[test]
+fn a_long_list_says_how_much_it_folds() {
+    check("lists-40", &ROOMS, &data::long_lists());
+}
+
+#[test]
+fn products_are_seen() {
+    check("c4", &ROOMS, &data::normal());
+    check("c4-parallel", &ROOMS, &data::parallel());
+}
+
+#[test]
+fn an_empty_interval_is_crossed_over() {
+    let rooms = [vec2(430.0, 100.0), vec2(620.0, 140.0)];
+    check("c2-axis", &rooms, &data::axis([0.375, 0.25], 1));
+    check("c2-axis-open", &rooms, &data::axis([0.375, 0.75], 1));
+    check("c2-axis-start", &rooms, &data::axis([0.0, 1.0], 2));
+    check("c2-axis-close", &rooms, &data::axis([0.5, 0.53], 0));
+    check("c2-axis-touch", &rooms, &data::axis([0.5, 0.5], 0));
+    check("c2-axis-late", &rooms, &data::axis([1.5, 1.0], 0));
+}
+
+#[test]
+fn coordinates_of_a_pipeline_are_whole() {
+    let rooms = [vec2(900.0, 100.0), vec2(560.0, 120.0), vec2(420.0, 120.0)];
+    check("clippers", &rooms, &data::pipeline());
 }

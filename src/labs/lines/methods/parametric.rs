@@ -84,11 +84,14 @@ impl Interval {
             name: crossing.name,
             link: Some(crossing.link),
         });
+        let ticks: Vec<LineTick> = ticks.collect();
         NumberLine {
             symbol: self.symbol,
+            ends: ["P₁", "P₂"].map(name),
+            shown: NumberLine::showing(ticks.iter().map(|tick| tick.u)),
             interval: self.bounds,
             empty: self.verdict == Some(None),
-            ticks: ticks.collect(),
+            ticks,
         }
     }
 

@@ -6,60 +6,63 @@ use egui::{Pos2, Rect, Vec2, pos2, vec2};
 
 use crate::{figure::ClipperRow, paint::Theme};
 
+use super::super::slate::Slate;
+
 /// As many clippers as a window has sides are shown wherever they are; more only if there is room.
 const LEAST_SHOWN: usize = 4;
 /// A row of more than this is hard to follow.
 const MOST_SHOWN: usize = 6;
-/// White space above and below the row.
-const MARGIN_PTS: f32 = 10.0;
+/// White space beside the row, and above and below it.
+const MARGIN: Vec2 = vec2(4.0, 8.0);
 /// White space in a box.
 pub const PAD: Vec2 = vec2(7.0, 5.0);
-/// The least length of an arrow.
-const LEAST_ARROW: f32 = 28.0;
-/// The most, before the theme's factor: a row is read as one thing.
+/// The least length of an arrow, with room for a vertex and its name.
+const LEAST_ARROW: f32 = 32.0;
+/// The most: a row is read as one thing.
 const MOST_ARROW: f32 = 96.0;
+/// Heights of a name over its box, and of a line in it.
+const NAME: f32 = 19.0;
+pub const LINE: f32 = 15.5;
+/// Room for F or S before a coordinate.
+pub const LETTER: f32 = 14.0;
+/// V at the left end; what comes out at the right end.
+pub const ENDS: [f32; 2] = [16.0, 24.0];
+
+/// Room for `(−1/3, 0.1235)`, or stacked for `0.1235`, after the letter.
+const fn text_width(is_stacked: bool) -> f32 {
+    if is_stacked { 48.0 } else { 96.0 }
+}
+
+fn box_size(is_stacked: bool) -> Vec2 {
+    // Stacked, F and S are set apart.
+    let [n_lines, apart] = if is_stacked { [4.0, 5.0] } else { [2.0, 0.0] };
+    let width = LETTER + text_width(is_stacked);
+    2.0 * PAD + vec2(width, n_lines * LINE + apart)
+}
+
+/// How much it wants at natural size, with coordinates stacked or not.
+fn natural(is_stacked: bool) -> Vec2 {
+    let n = LEAST_SHOWN as f32;
+    let size = box_size(is_stacked);
+    let ends = ENDS[0] + ENDS[1] + (n + 1.0) * LEAST_ARROW;
+    2.0 * MARGIN + vec2(n * size.x + ends, NAME + size.y)
+}
 
 /// Height of the view in a column of this width.
 #[must_use]
 pub fn clipper_row_height(theme: &Theme, width: f32) -> f32 {
-    let is_stacked = width < least_side_by_side(theme);
-    (2.0 * MARGIN_PTS + name_height(theme) + box_height(theme, is_stacked)).round()
+    let is_stacked = width < theme.text_scale * natural(false).x;
+    (theme.text_scale * natural(is_stacked).y).round()
 }
 
-pub fn name_height(theme: &Theme) -> f32 {
-    18.0 * theme.text_scale
+/// A coordinate stands below the other where they have no room beside each other.
+fn is_stacked(slate: &Slate<'_>, room: Vec2) -> bool {
+    room.x < slate.pts(natural(false).x)
 }
 
-pub fn line_height(theme: &Theme) -> f32 {
-    14.5 * theme.text_scale
-}
-
-fn box_height(theme: &Theme, is_stacked: bool) -> f32 {
-    // Stacked, F and S are set apart.
-    let [n_lines, apart] = if is_stacked { [4.0, 5.0] } else { [2.0, 0.0] };
-    2.0 * PAD.y + n_lines * line_height(theme) + apart
-}
-
-/// Room for `(−1/3, 0.1235)`, or stacked for `0.1235`, after the letter F.
-fn box_width(theme: &Theme, is_stacked: bool) -> f32 {
-    let text = if is_stacked { 56.0 } else { 108.0 };
-    2.0 * PAD.x + text * theme.text_scale
-}
-
-/// What stands at both ends of the row.
-pub fn end_widths(theme: &Theme) -> [f32; 2] {
-    [14.0, 20.0].map(|width| width * theme.text_scale)
-}
-
-fn margin(width: f32) -> f32 {
-    24.0_f32.min(0.04 * width)
-}
-
-/// The width from which on coordinates stand beside each other.
-fn least_side_by_side(theme: &Theme) -> f32 {
-    let [left, right] = end_widths(theme);
-    let n = LEAST_SHOWN as f32;
-    2.0 * 24.0 + left + right + n * box_width(theme, false) + (n + 1.0) * LEAST_ARROW
+/// How much room it wants on a slate.
+pub fn wanted(slate: &Slate<'_>, room: Vec2) -> Vec2 {
+    natural(is_stacked(slate, room)) * slate.scale
 }
 
 /// Where everything stands.
@@ -77,28 +80,32 @@ pub struct Plan {
 }
 
 impl Plan {
-    pub fn new(theme: &Theme, rect: Rect, row: &ClipperRow) -> Self {
-        let is_stacked = rect.height() >= clipper_row_height(theme, 0.0);
-        let [left, right] = end_widths(theme);
-        let room = rect.width() - 2.0 * margin(rect.width()) - left - right;
-        let natural = box_width(theme, is_stacked);
-        let fit = ((room - LEAST_ARROW) / (natural + LEAST_ARROW)).max(0.0) as usize;
+    pub fn new(slate: &Slate<'_>, rect: Rect, row: &ClipperRow) -> Self {
+        let is_stacked = is_stacked(slate, rect.size());
+        let natural = box_size(is_stacked) * slate.scale;
+        let [left, right] = ENDS.map(|end| slate.pts(end));
+        let least = slate.pts(LEAST_ARROW);
+        let margin = MARGIN * slate.scale;
+        let room = rect.width() - 2.0 * margin.x - left - right;
+        let fit = ((room - least) / (natural.x + least)).max(0.0) as usize;
         let shown = shown(row, fit.clamp(LEAST_SHOWN, MOST_SHOWN));
         let is_cut = shown.end < row.clippers.len();
         let room = if is_cut { room - left } else { room };
         let n = shown.len() as f32;
-        let least_arrows = (n + 1.0) * LEAST_ARROW;
-        let width = natural.min((room - least_arrows) / n).max(1.0).floor();
-        let arrow = ((room - n * width) / (n + 1.0)).min(MOST_ARROW * theme.text_scale);
+        let width = natural
+            .x
+            .min((room - (n + 1.0) * least) / n)
+            .max(1.0)
+            .floor();
+        let arrow = ((room - n * width) / (n + 1.0)).min(slate.pts(MOST_ARROW));
         let spare = 0.5 * (room - n * width - (n + 1.0) * arrow);
-        let x = rect.left() + margin(rect.width()) + left + spare + arrow;
-        let height = box_height(theme, is_stacked);
-        let used = name_height(theme) + height;
-        let y = rect.top() + 0.5 * (rect.height() - used) + name_height(theme);
+        let x = rect.left() + margin.x + left + spare + arrow;
+        let used = slate.pts(NAME) + natural.y;
+        let y = rect.top() + (0.5 * (rect.height() - used)).min(2.0 * margin.y) + slate.pts(NAME);
         Self {
             shown,
             is_stacked,
-            first: Rect::from_min_size(pos2(x, y).round(), vec2(width, height.round())),
+            first: Rect::from_min_size(pos2(x, y).round(), vec2(width, natural.y.round())),
             arrow,
             is_cut,
         }

@@ -1,11 +1,11 @@
 //! What a view is drawn on: faces, colours and strokes at one scale. It remembers where everything stands, so that
 //! a label finds a free place, and a test sees what overlaps.
 
-use egui::{Align2, Color32, FontFamily, FontId, Painter, Pos2, Rect, Shape, Stroke, Vec2, pos2};
+use egui::{Align2, Color32, FontFamily, FontId, Painter, Pos2, Rect, Shape, Stroke, Vec2, vec2};
 
 use crate::{
     figure::Role,
-    paint::{Theme, Typeset, fonts::semibold},
+    paint::{Span, Theme, Typeset, fonts::semibold},
     text::{Formula, Message, Value},
 };
 
@@ -29,7 +29,7 @@ pub enum Face {
 pub type Style = (Face, f32, Color32);
 
 /// A painter with a scale and a memory.
-pub struct Sheet<'a> {
+pub struct Slate<'a> {
     /// Paints.
     pub painter: &'a Painter,
     /// Colours and language.
@@ -42,7 +42,7 @@ pub struct Sheet<'a> {
     pub strokes: Vec<[Pos2; 2]>,
 }
 
-impl<'a> Sheet<'a> {
+impl<'a> Slate<'a> {
     /// At natural size.
     pub const fn new(painter: &'a Painter, look: Look<'a>) -> Self {
         Self {
@@ -54,25 +54,25 @@ impl<'a> Sheet<'a> {
         }
     }
 
-    /// As large as `room` lets it be, and at most of natural size; `wanted` says how much a sheet of some scale needs.
+    /// As large as `room` lets it be, and at most of natural size; `wanted` says how much a slate of some scale needs.
     pub fn fitted(
         painter: &'a Painter,
         look: Look<'a>,
         room: Vec2,
         wanted: impl Fn(&Self) -> Vec2,
     ) -> Self {
-        let mut sheet = Self::new(painter, look);
-        let least = LEAST_SCALE * sheet.scale;
+        let mut slate = Self::new(painter, look);
+        let least = LEAST_SCALE * slate.scale;
         // Text does not shrink evenly, as glyphs stand on whole pixels: what comes out is measured again.
         for _ in 0..3 {
-            let wanted = wanted(&sheet);
+            let wanted = wanted(&slate);
             let part = (room.x / wanted.x).min(room.y / wanted.y);
-            if part >= 1.0 || sheet.scale <= least {
+            if part >= 1.0 || slate.scale <= least {
                 break;
             }
-            sheet.scale = (sheet.scale * part).max(least);
+            slate.scale = (slate.scale * part).max(least);
         }
-        sheet
+        slate
     }
 
     /// The theme.
@@ -112,24 +112,16 @@ impl<'a> Sheet<'a> {
         Typeset::text(self.painter, words.into(), font, colour)
     }
 
+    /// A value on one plain line, its quotients not stacked: where rows are low.
+    pub fn low(&self, value: &Value, style: Style) -> Typeset {
+        self.words(self.look.catalog.value(value), style)
+    }
+
     /// A sentence, on as many lines as it takes.
-    pub fn sentence(&self, message: &Message, width: f32, style: Style) -> Vec<Typeset> {
-        let text = self.look.catalog.message(message);
-        let mut lines: Vec<String> = vec![String::new()];
-        for piece in pieces(&text) {
-            let longer = lines
-                .last()
-                .map_or_else(String::new, |line| format!("{line}{piece}"));
-            let is_too_long = self.words(longer.trim_end(), style).size().x > width;
-            match lines.last_mut() {
-                Some(line) if !is_too_long || line.is_empty() => *line = longer,
-                _ => lines.push(piece.to_owned()),
-            }
-        }
-        let lines = lines.into_iter();
-        lines
-            .map(|line| self.words(line.trim_end(), style))
-            .collect()
+    pub fn sentence(&self, message: &Message, width: f32, (face, size, colour): Style) -> Typeset {
+        let font = self.font(face, size);
+        let span = Span::message(self.look.catalog, message, font, colour);
+        Typeset::wrapped(self.painter, &[span], width)
     }
 
     /// Paints it with this corner, edge or middle of its box at `at`; the box.
@@ -139,18 +131,9 @@ impl<'a> Sheet<'a> {
         rect
     }
 
-    /// Paints lines below each other, the first one's corner at `at`; the bottom of the last.
-    pub fn put_lines(&mut self, lines: &[Typeset], at: Pos2, align: Align2) -> f32 {
-        let mut bottom = at.y;
-        for line in lines {
-            bottom = self.put(line, pos2(at.x, bottom), align).bottom();
-        }
-        bottom
-    }
-
-    /// Is there nothing within this rectangle and a little more?
+    /// Is there nothing within this rectangle and beside it?
     pub fn is_free(&self, place: Rect) -> bool {
-        let around = place.expand(self.pts(2.0));
+        let around = place.expand2(vec2(self.pts(5.0), self.pts(1.0)));
         self.texts.iter().all(|text| !text.intersects(around))
             && !self.strokes.iter().any(|&stroke| crosses(stroke, around))
     }
@@ -231,6 +214,16 @@ pub const fn colour(theme: &Theme, role: Role) -> Color32 {
     }
 }
 
+/// The colour of text of a role: thinner than strokes, so darker where those are light.
+pub const fn text_colour(theme: &Theme, role: Role) -> Color32 {
+    match role {
+        Role::Signal => theme.signal_text,
+        Role::Accepted => theme.accepted_text,
+        Role::Faint | Role::Discarded => theme.soft,
+        Role::Ink | Role::Soft | Role::Accent => colour(theme, role),
+    }
+}
+
 /// The colour of a surface that belongs to a role.
 pub fn wash(theme: &Theme, role: Role) -> Color32 {
     let tint = |colour| theme.background.lerp_to_gamma(colour, 0.1);
@@ -264,49 +257,11 @@ pub fn crosses([a, b]: [Pos2; 2], rect: Rect) -> bool {
     from < to
 }
 
-/// Where a sentence may be broken: after a space outside parentheses, and between Chinese characters.
-fn pieces(text: &str) -> Vec<&str> {
-    let mut breaks = vec![0];
-    let mut depth = 0_usize;
-    let mut before = ' ';
-    for (at, c) in text.char_indices() {
-        let is_after_space = before == ' ' && c != ' ';
-        let is_between_words = is_ideograph(before) && is_ideograph(c);
-        if at > 0 && depth == 0 && (is_after_space || is_between_words) {
-            breaks.push(at);
-        }
-        match c {
-            '(' | '（' => depth += 1,
-            ')' | '）' => depth = depth.saturating_sub(1),
-            _ => {}
-        }
-        before = c;
-    }
-    breaks.push(text.len());
-    breaks
-        .windows(2)
-        .map(|ends| &text[ends[0]..ends[1]])
-        .collect()
-}
-
-const fn is_ideograph(c: char) -> bool {
-    matches!(c, '\u{4e00}'..='\u{9fff}')
-}
-
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use egui::pos2;
 
-    #[test]
-    fn coordinates_and_arguments_are_not_broken() {
-        let text = "u = max(0, 3/8) at (−1, 2).";
-        assert_eq!(
-            pieces(text),
-            ["u ", "= ", "max(0, 3/8) ", "at ", "(−1, 2)."]
-        );
-        assert_eq!(pieces("裁剪 x"), ["裁", "剪 ", "x"]);
-        assert_eq!(pieces(""), [""]);
-    }
+    use super::*;
 
     #[test]
     fn a_line_comes_into_a_rectangle_or_passes_it() {
