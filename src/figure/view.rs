@@ -1,7 +1,7 @@
 //! What a step shows: one view or several, side by side. A view is a picture of where things are, or of what an
 //! algorithm holds.
 
-use crate::text::Value;
+use crate::text::{Formula, Value};
 
 use super::{Bits, Link, Lists, Mark, Products, Table};
 
@@ -75,6 +75,8 @@ pub enum Side {
 pub struct LineTick {
     /// Where.
     pub u: f64,
+    /// The same as it is written: the quotient that it was computed as.
+    pub value: Formula,
     /// Which bound it belongs to.
     pub side: Side,
     /// Does it hold the bound now?
@@ -96,9 +98,11 @@ pub struct NumberLine {
     pub ends: [Value; 2],
     /// The part of the axis that is shown, 0 and 1 always: the same at every step of a run.
     pub shown: [f64; 2],
-    /// Lower and upper bound so far; the interval is empty where they are out of order.
+    /// Lower and upper bound so far: out of order where they have passed each other.
     pub interval: [f64; 2],
-    /// Nothing is left: the bounds have passed each other.
+    /// Both as they are written.
+    pub values: [Formula; 2],
+    /// Nothing is left, because the bounds have passed each other or for another reason.
     pub empty: bool,
     /// Every crossing computed so far.
     pub ticks: Vec<LineTick>,

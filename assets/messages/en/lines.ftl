@@ -10,8 +10,11 @@ line-touch = Accept: the segment touches the window in the one point { $at }.
 param-left = { $min } < { $max }: a part is left.
 param-touch = { $min } = { $max }: a single point is left, and on the border is inside.
 param-empty = { $min } > { $max }: nothing is left.
+param-put-end = { $end } = { $at } was inside and stays.
 watch-crossings = crossings
 watch-crossings-used = of use
+table-edge = edge
+table-start = start
 
 ## Brute force
 
@@ -74,8 +77,10 @@ lb-enter-idle = The line enters across the { $edge }, but not after u_min: no ch
 lb-leave = The line leaves across the { $edge }: u_max comes down.
 lb-leave-idle = The line leaves across the { $edge }, but not before u_max: no change.
 lb-put = { $end } moves to u = { $u } on { $border }.
-lb-put-end = { $end } = { $at } was inside and stays.
 lb-reject = Reject at the { $edge }: nothing of the segment is left.
+lb-note-enter = p < 0 enters: { $bound } = max({ $bound }, r)
+lb-note-leave = p > 0 leaves: { $bound } = min({ $bound }, r)
+lb-note-parallel = p = 0 is parallel: inside where q ≥ 0
 code-lb-start = u_min ← 0; u_max ← 1; Δ ← P₂ − P₁
 code-lb-each = for k = 1 … 4: p, q of side k
 code-lb-parallel = if p = 0 and q < 0: reject
@@ -104,6 +109,13 @@ cb-leave = The line leaves across { $edge }: t_max comes down.
 cb-leave-idle = The line leaves across { $edge }, but not before t_max: no change.
 cb-put = { $end } moves to t = { $t } on { $edge }.
 cb-reject = Reject at { $edge }: nothing of the segment is left.
+cb-sign-enters = { $product } > 0: the line enters
+cb-sign-leaves = { $product } < 0: the line leaves
+cb-sign-parallel = { $product } = 0: the line is parallel
+cb-sign-inside = { $product } > 0: { $end } is inside
+cb-sign-on = { $product } = 0: { $end } is on the edge
+cb-sign-outside = { $product } < 0: { $end } is outside
+cb-measured = Measured along { $normal }, from the edge
 code-cb-start = t_min ← 0; t_max ← 1; D ← P₂ − P₁
 code-cb-each = for each edge: n; w ← P₁ − E
 code-cb-parallel = if n·D = 0 and n·w < 0: reject

@@ -10,8 +10,11 @@ line-touch = Se acepta: el segmento toca la ventana en un solo punto, { $at }.
 param-left = { $min } < { $max }: queda una parte.
 param-touch = { $min } = { $max }: queda un solo punto, y el borde cuenta como interior.
 param-empty = { $min } > { $max }: no queda nada.
+param-put-end = { $end } = { $at } ya estaba dentro y se queda.
 watch-crossings = intersecciones
 watch-crossings-used = útiles
+table-edge = borde
+table-start = inicio
 
 ## Brute force
 
@@ -74,8 +77,10 @@ lb-enter-idle = La recta entra por el { $edge }, pero no después de u_min: nada
 lb-leave = La recta sale por el { $edge }: u_max baja.
 lb-leave-idle = La recta sale por el { $edge }, pero no antes de u_max: nada cambia.
 lb-put = { $end } pasa a u = { $u }, en { $border }.
-lb-put-end = { $end } = { $at } ya estaba dentro y se queda.
 lb-reject = Se rechaza en el { $edge }: del segmento no queda nada.
+lb-note-enter = p < 0, entra: { $bound } = max({ $bound }; r)
+lb-note-leave = p > 0, sale: { $bound } = min({ $bound }; r)
+lb-note-parallel = p = 0, es paralelo: dentro si q ≥ 0
 code-lb-start = u_min ← 0; u_max ← 1; Δ ← P₂ − P₁
 code-lb-each = para cada borde k = 1 … 4: p, q
 code-lb-parallel = si p = 0 y q < 0: rechazar
@@ -104,6 +109,13 @@ cb-leave = La recta sale por { $edge }: t_max baja.
 cb-leave-idle = La recta sale por { $edge }, pero no antes de t_max: nada cambia.
 cb-put = { $end } pasa a t = { $t }, en { $edge }.
 cb-reject = Se rechaza en { $edge }: del segmento no queda nada.
+cb-sign-enters = { $product } > 0: la recta entra
+cb-sign-leaves = { $product } < 0: la recta sale
+cb-sign-parallel = { $product } = 0: la recta es paralela
+cb-sign-inside = { $product } > 0: { $end } está dentro
+cb-sign-on = { $product } = 0: { $end } está en la arista
+cb-sign-outside = { $product } < 0: { $end } está fuera
+cb-measured = Medido a lo largo de { $normal }, desde la arista
 code-cb-start = t_min ← 0; t_max ← 1; D ← P₂ − P₁
 code-cb-each = para cada arista: n; w ← P₁ − E
 code-cb-parallel = si n·D = 0 y n·w < 0: rechazar

@@ -10,8 +10,11 @@ line-touch = Aceito: o segmento toca a janela em um único ponto, { $at }.
 param-left = { $min } < { $max }: sobra uma parte.
 param-touch = { $min } = { $max }: sobra um único ponto, e na borda ainda é dentro.
 param-empty = { $min } > { $max }: não sobra nada.
+param-put-end = { $end } = { $at } já estava dentro e permanece.
 watch-crossings = interseções
 watch-crossings-used = úteis
+table-edge = borda
+table-start = início
 
 ## Brute force
 
@@ -74,8 +77,10 @@ lb-enter-idle = A reta entra pela { $edge }, mas não depois de u_min: nada muda
 lb-leave = A reta sai pela { $edge }: u_max desce.
 lb-leave-idle = A reta sai pela { $edge }, mas não antes de u_max: nada muda.
 lb-put = { $end } vai para u = { $u }, em { $border }.
-lb-put-end = { $end } = { $at } já estava dentro e permanece.
 lb-reject = Rejeitado na { $edge }: não sobra nada do segmento.
+lb-note-enter = p < 0, entra: { $bound } = max({ $bound }; r)
+lb-note-leave = p > 0, sai: { $bound } = min({ $bound }; r)
+lb-note-parallel = p = 0, é paralelo: dentro se q ≥ 0
 code-lb-start = u_min ← 0; u_max ← 1; Δ ← P₂ − P₁
 code-lb-each = para cada k = 1 … 4: p, q do lado k
 code-lb-parallel = se p = 0 e q < 0: rejeite
@@ -104,6 +109,13 @@ cb-leave = A reta sai por { $edge }: t_max desce.
 cb-leave-idle = A reta sai por { $edge }, mas não antes de t_max: nada muda.
 cb-put = { $end } vai para t = { $t }, em { $edge }.
 cb-reject = Rejeitado em { $edge }: não sobra nada do segmento.
+cb-sign-enters = { $product } > 0: a reta entra
+cb-sign-leaves = { $product } < 0: a reta sai
+cb-sign-parallel = { $product } = 0: a reta é paralela
+cb-sign-inside = { $product } > 0: { $end } está dentro
+cb-sign-on = { $product } = 0: { $end } está na aresta
+cb-sign-outside = { $product } < 0: { $end } está fora
+cb-measured = Medido ao longo de { $normal }, a partir da aresta
 code-cb-start = t_min ← 0; t_max ← 1; D ← P₂ − P₁
 code-cb-each = para cada aresta: n; w ← P₁ − E
 code-cb-parallel = se n·D = 0 e n·w < 0: rejeite

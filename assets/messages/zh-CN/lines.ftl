@@ -10,8 +10,11 @@ line-touch = 接受：线段与窗口只有一个公共点 { $at }。
 param-left = { $min } < { $max }：还剩一段。
 param-touch = { $min } = { $max }：只剩一点，而边界上的点算在窗口内。
 param-empty = { $min } > { $max }：区间为空，什么也不剩。
+param-put-end = { $end } = { $at } 本来就在窗口内，保持不动。
 watch-crossings = 交点数
 watch-crossings-used = 有用的
+table-edge = 边界
+table-start = 初始
 
 ## Brute force
 
@@ -74,8 +77,10 @@ lb-enter-idle = 直线由{ $edge }进入，但不晚于 u_min：不变。
 lb-leave = 直线由{ $edge }离开：u_max 减小。
 lb-leave-idle = 直线由{ $edge }离开，但不早于 u_max：不变。
 lb-put = { $end } 移到 u = { $u } 处，落在 { $border } 上。
-lb-put-end = { $end } = { $at } 本来就在窗口内，保持不动。
 lb-reject = 处理到{ $edge }时舍弃：线段一点不剩。
+lb-note-enter = p < 0 进入：{ $bound } = max({ $bound }, r)
+lb-note-leave = p > 0 离开：{ $bound } = min({ $bound }, r)
+lb-note-parallel = p = 0 平行：q ≥ 0 时在内侧
 code-lb-start = u_min ← 0; u_max ← 1; Δ ← P₂ − P₁
 code-lb-each = 对 k = 1 … 4：取第 k 条边界的 p、q
 code-lb-parallel = 若 p = 0 且 q < 0，则舍弃
@@ -104,6 +109,13 @@ cb-leave = 直线由 { $edge } 离开：t_max 减小。
 cb-leave-idle = 直线由 { $edge } 离开，但不早于 t_max：不变。
 cb-put = { $end } 移到 t = { $t } 处，落在 { $edge } 上。
 cb-reject = 处理到 { $edge } 时舍弃：线段一点不剩。
+cb-sign-enters = { $product } > 0：直线进入
+cb-sign-leaves = { $product } < 0：直线离开
+cb-sign-parallel = { $product } = 0：直线平行
+cb-sign-inside = { $product } > 0：{ $end } 在内侧
+cb-sign-on = { $product } = 0：{ $end } 在边所在直线上
+cb-sign-outside = { $product } < 0：{ $end } 在外侧
+cb-measured = 沿 { $normal } 从边量起
 code-cb-start = t_min ← 0; t_max ← 1; D ← P₂ − P₁
 code-cb-each = 对每条边：取 n；w ← P₁ − E
 code-cb-parallel = 若 n·D = 0 且 n·w < 0，则舍弃

@@ -148,6 +148,8 @@ pub struct Row {
     pub q: f64,
     /// q / p, where there is one.
     pub r: Option<f64>,
+    /// u_min and u_max after it, once known.
+    pub left: Option<[f64; 2]>,
 }
 
 /// What the picture of a step needs.
@@ -236,8 +238,14 @@ impl Algorithm for LiangBarsky {
         match event {
             Event::Delta { dx, dy } => state.delta = Some([dx, dy]),
             Event::Row { edge, p, q } => {
-                let r = None;
-                state.rows[edge as usize] = Some(Row { edge, p, q, r });
+                let (r, left) = (None, None);
+                state.rows[edge as usize] = Some(Row {
+                    edge,
+                    p,
+                    q,
+                    r,
+                    left,
+                });
             }
             Event::Enter {
                 edge,
@@ -254,7 +262,8 @@ impl Algorithm for LiangBarsky {
             Event::Put { end, at, .. } => state.ends[end.idx()] = Some(at),
             Event::Accept { segment } => state.verdict = Some(Some(segment)),
             Event::Reject { .. } => state.verdict = Some(None),
-            Event::Parallel { .. } | Event::Interval { .. } => {}
+            Event::Parallel { edge, .. } => state.keep(edge),
+            Event::Interval { .. } => {}
         }
     }
 
@@ -276,6 +285,13 @@ impl LiangBarskyState {
         self.interval[end.idx()] = u;
         if moves {
             self.set_by[end.idx()] = Some(edge);
+        }
+        self.keep(edge);
+    }
+
+    fn keep(&mut self, edge: Edge) {
+        if let Some(row) = &mut self.rows[edge as usize] {
+            row.left = Some(self.interval);
         }
     }
 }

@@ -47,7 +47,7 @@ impl OnSlate for NumberLine {
     }
 
     fn spoken(&self, look: Look<'_>) -> String {
-        let [low, high] = self.interval.map(|u| look.catalog.number(u));
+        let [low, high] = [0, 1].map(|i| look.catalog.formula(&self.values[i]));
         let symbol = self.symbol;
         let mut parts = vec![format!("{symbol}_min = {low}, {symbol}_max = {high}")];
         if self.empty {
@@ -62,7 +62,7 @@ impl OnSlate for NumberLine {
             let name = look.catalog.value(&tick.name);
             format!(
                 "{arrow}{name} {sign} {symbol} = {}",
-                look.catalog.number(tick.u)
+                look.catalog.formula(&tick.value)
             )
         };
         parts.extend(self.ticks.iter().map(tick));

@@ -1,28 +1,30 @@
 //! Cyrus–Beck, shown.
 
-use glam::DVec2;
-
-use crate::labs::words::{name, subscript};
 use crate::{
     algo::line::{
         CyrusBeck, CyrusBeckEvent as Event, CyrusBeckInput as Input, CyrusBeckRow as Row,
         CyrusBeckState as State, End,
     },
-    figure::{
-        Body, Caption, Link, Mark, Role, Shape, Side, Tick, View, Watch, WatchRow, WatchSection,
-    },
-    geom::{Point, Segment, extent},
+    figure::{Body, Caption, Mark, Side, Tick, View, Watch, WatchSection},
+    geom::{Point, Segment},
     labs::{
         CodeLine, Demo, Step, code_line,
         lines::{LineDemo, Scene},
     },
-    text::{Formula, Message, Value},
+    text::{Formula, Message},
 };
 
 use super::{
-    parametric::{Crossing, Interval, bound_formula, interval_caption, moved_ends_rows},
+    convex_edges::{edge_name, edge_table, interval, ratio, reach, row_values},
+    dot_products::{edge_marks, products},
+    parametric::{moved_ends_rows, quotient_formula, stays_caption},
     shared::{accepted, end_name, opening},
 };
+
+/// The view of the edge in hand, or of all edges.
+const EDGES_VIEW: &str = "edges";
+/// The view of what is left of t.
+const AXIS_VIEW: &str = "axis";
 
 const EACH: usize = 1;
 const PARALLEL: usize = 2;
@@ -103,11 +105,7 @@ impl Demo for CyrusBeck {
                 t_min,
             } => {
                 let key = if raises { "cb-enter" } else { "cb-enter-idle" };
-                bound_caption(key, edge_idx, before, t).so(bound_formula(
-                    "t_min = max(",
-                    [before.interval[0], t],
-                    t_min,
-                ))
+                bound_caption(key, edge_idx, before, Side::Entering, [t, t_min])
             }
             Event::Leave {
                 edge_idx,
@@ -116,17 +114,9 @@ impl Demo for CyrusBeck {
                 t_max,
             } => {
                 let key = if lowers { "cb-leave" } else { "cb-leave-idle" };
-                bound_caption(key, edge_idx, before, t).so(bound_formula(
-                    "t_max = min(",
-                    [before.interval[1], t],
-                    t_max,
-                ))
+                bound_caption(key, edge_idx, before, Side::Leaving, [t, t_max])
             }
-            Event::Interval {
-                t_min,
-                t_max,
-                empty,
-            } => interval_caption(["t_min", "t_max"], [t_min, t_max], empty),
+            Event::Interval { empty, .. } => interval(before, None).caption(empty),
             Event::Put {
                 end,
                 t,
@@ -139,91 +129,47 @@ impl Demo for CyrusBeck {
     }
 
     fn views(step: &Step<'_, Self>) -> Vec<View> {
+        let edges = match step.event {
+            Some(
+                Event::Edge { .. }
+                | Event::Parallel { .. }
+                | Event::Enter { .. }
+                | Event::Leave { .. }
+                | Event::Interval { .. },
+            ) => products(step).map(Body::Products),
+            Some(Event::Put { .. } | Event::Accept { .. } | Event::Reject { .. }) | None => None,
+        };
+        let interval = interval(step.state, step.event);
         vec![
             View::plane(marks(step)),
-            View::new("axis", Body::NumberLine(interval(step).number_line())),
+            View::new(
+                EDGES_VIEW,
+                edges.unwrap_or_else(|| Body::Table(edge_table(step))),
+            ),
+            View::new(
+                AXIS_VIEW,
+                Body::NumberLine(interval.number_line(reach(step.input))),
+            ),
         ]
     }
 
     fn watch(step: &Step<'_, Self>) -> Watch {
-        let state = step.state;
-        let table = (0..step.input.clip.vertices().len())
-            .map(|i| {
-                let row = state.rows.get(i);
-                let cell = |value: fn(&Row) -> f64| row.map(|row| Value::Number(value(row)));
-                let cells = vec![
-                    cell(|row| row.d1),
-                    cell(|row| row.slope),
-                    row.and_then(|row| row.t).map(Value::Number),
-                ];
-                WatchRow::table(edge_name(i), cells).linked(edge_link(i))
-            })
-            .collect();
-        let mut rows: Vec<WatchRow> = interval(step).bound_rows().collect();
-        rows.extend(moved_ends_rows(state.ends));
+        let scalars = moved_ends_rows(step.state.ends).collect();
+        let table = WatchSection::table(vec!["n·(P₁ − E)", "n·D", "t"], row_values(step));
+        let bounds = interval(step.state, step.event).bound_rows().collect();
         vec![
-            WatchSection::table(vec!["d₁", "n·D", "t"], table),
-            WatchSection::list(rows),
+            WatchSection::list(scalars),
+            table.seen_in(EDGES_VIEW),
+            WatchSection::list(bounds).seen_in(AXIS_VIEW),
         ]
     }
 }
 
 /// The drawing.
 fn marks(step: &Step<'_, CyrusBeck>) -> Vec<Mark> {
-    let segment = &step.input.segment;
-    let current = current_edge(step.event);
-    let mut marks = normals(step, current);
-    marks.extend(interval(step).marks(segment));
+    let mut marks = edge_marks(step);
+    marks.extend(interval(step.state, step.event).marks(&step.input.segment));
     marks
-}
-
-fn interval(step: &Step<'_, CyrusBeck>) -> Interval {
-    let state = step.state;
-    let current = current_edge(step.event);
-    let crossings = state.rows.iter().enumerate().filter_map(|(i, row)| {
-        Some(Crossing {
-            at: row.t?,
-            side: if row.slope > 0.0 {
-                Side::Entering
-            } else {
-                Side::Leaving
-            },
-            holds: state.set_by.contains(&Some(i)),
-            current: current == Some(i),
-            name: edge_name(i),
-            link: edge_link(i),
-        })
-    });
-    Interval {
-        symbol: "t",
-        crossing_symbol: "t",
-        bounds: state.interval,
-        crossings: crossings.collect(),
-        verdict: state.verdict,
-    }
-}
-
-/// The edge that the step is about.
-const fn current_edge(event: Option<Event>) -> Option<usize> {
-    match event {
-        Some(
-            Event::Edge { edge_idx, .. }
-            | Event::Parallel { edge_idx, .. }
-            | Event::Enter { edge_idx, .. }
-            | Event::Leave { edge_idx, .. }
-            | Event::Reject { edge_idx },
-        ) => Some(edge_idx),
-        _ => None,
-    }
-}
-
-/// `e₁`, `e₂`, …: edges are numbered from 1 on screen.
-fn edge_name(edge_idx: usize) -> Value {
-    name(format!("e{}", subscript(edge_idx + 1)))
-}
-
-fn edge_link(edge_idx: usize) -> Link {
-    Link::nth("edge", edge_idx)
 }
 
 fn edge_caption(key: &'static str, edge_idx: usize) -> Caption {
@@ -248,7 +194,7 @@ fn row_caption(
     edge_caption(key, edge_idx)
         .so(distance_formula(normal, input.segment.p1, origin, d1))
         .so(Formula::default()
-            .sym("n·D = d₂ − d₁ = ")
+            .sym("n·D = n·(P₂ − E) − n·(P₁ − E) = ")
             .num(d2)
             .sym(" − ")
             .operand(d1)
@@ -262,48 +208,46 @@ fn parallel_caption(edge_idx: usize, d1: f64, inside: bool) -> Caption {
         ("cb-parallel-outside", " < 0")
     };
     edge_caption(key, edge_idx).so(Formula::default()
-        .sym("n·D = 0,  d₁ = ")
+        .sym("n·D = 0,  n·(P₁ − E) = ")
         .num(d1)
         .sym(relation))
 }
 
-/// `d₁ = n·(P₁ − E) = 2 · (−3 − 0) + (−1) · (1 − 2) = −5`.
+/// `n·(P₁ − E) = 2 · (−3 − 0) + (−1) · (1 − 2) = −5`.
 fn distance_formula(normal: [f64; 2], p: Point, origin: Point, d: f64) -> Formula {
-    let formula = Formula::default()
-        .sym("n = ")
-        .point(normal)
-        .sym(",  d₁ = n·(P₁ − E) = ");
     let terms = [
         (normal[0], p.x(), origin.x()),
         (normal[1], p.y(), origin.y()),
     ];
-    let mut first = true;
-    terms
-        .into_iter()
-        .filter(|&(n, ..)| n != 0.0)
-        .fold(formula, |formula, (n, a, o)| {
-            let formula = if std::mem::take(&mut first) {
-                formula.num(n)
-            } else {
-                formula.sym(" + ").operand(n)
-            };
-            formula.sym(" · (").num(a).sym(" − ").operand(o).sym(")")
-        })
-        .equals(d)
+    let mut formula = Formula::default().sym("n·(P₁ − E) = ");
+    let terms = terms.into_iter().filter(|&(n, ..)| n != 0.0);
+    for (i, (n, a, o)) in terms.enumerate() {
+        formula = if i == 0 {
+            formula.num(n)
+        } else {
+            formula.sym(" + ").operand(n)
+        };
+        formula = formula.sym(" · (").num(a).sym(" − ").operand(o).sym(")");
+    }
+    formula.equals(d)
 }
 
-/// `t = −d₁ / n·D = 1 / 4 = 1/4`.
-fn bound_caption(key: &'static str, edge_idx: usize, before: &State, t: f64) -> Caption {
+/// `t = −n·(P₁ − E) / n·D = 9 / 27 = 1/3`, and what it does to its bound.
+fn bound_caption(
+    key: &'static str,
+    edge_idx: usize,
+    before: &State,
+    side: Side,
+    [t, bound]: [f64; 2],
+) -> Caption {
     let caption = edge_caption(key, edge_idx);
-    match before.rows.get(edge_idx) {
-        Some(row) => caption.so(Formula::default()
-            .sym("t = −d₁ / n·D = ")
-            .dividend(-row.d1)
-            .sym(" / ")
-            .divisor(row.slope)
-            .equals(t)),
-        None => caption,
-    }
+    let Some(row) = before.rows.get(edge_idx) else {
+        return caption;
+    };
+    let quotient = ratio(row, t);
+    caption
+        .so(quotient_formula("t", ["−n·(P₁ − E)", "n·D"], quotient))
+        .so(interval(before, None).bound_formula(side, t, quotient, bound))
 }
 
 fn put_caption(
@@ -315,58 +259,28 @@ fn put_caption(
     input: &Input,
 ) -> Caption {
     let Some(edge_idx) = edge_idx else {
-        return Caption::new(
-            Message::new("lb-put-end")
-                .with("end", end_name(end))
-                .with("at", at.to_array()),
-        );
+        return stays_caption(end, at);
     };
     let caption = Caption::new(
         Message::new("cb-put")
             .with("end", end_name(end))
-            .with("t", t)
+            .with("t", interval(before, None).written(t))
             .with("edge", edge_name(edge_idx)),
     );
-    match before.rows.get(edge_idx) {
-        Some(&Row { d1, d2, slope, .. }) => caption.so(Formula::default()
-            .sym("(")
-            .point(input.segment.p1.to_array())
-            .sym(" · ")
-            .operand(d2)
-            .sym(" − ")
-            .point(input.segment.p2.to_array())
-            .sym(" · ")
-            .operand(d1)
-            .sym(") / ")
-            .divisor(slope)
-            .sym(" = ")
-            .point(at.to_array())),
-        None => caption,
-    }
-}
-
-/// Every edge's normal, drawn from its middle; the current edge and its normal stand out.
-fn normals(step: &Step<'_, CyrusBeck>, current: Option<usize>) -> Vec<Mark> {
-    let vertices = step.input.clip.vertices();
-    let [min, max] = extent(vertices.iter().copied());
-    // Long enough to be seen, whatever the size of the polygon.
-    let length = 0.14 * (max[0] - min[0]).max(max[1] - min[1]);
-    let mut marks = Vec::new();
-    for (i, plane) in step.input.clip.half_planes().enumerate() {
-        let [a, b] = [i, (i + 1) % vertices.len()].map(|i| vertices[i].to_array());
-        let middle = DVec2::from(a).midpoint(DVec2::from(b));
-        let tip = middle + DVec2::from(plane.normal()).normalize_or_zero() * length;
-        let role = if current == Some(i) {
-            marks.push(Mark::new(Role::Signal, Shape::Line([a, b])).linked(edge_link(i)));
-            Role::Signal
-        } else {
-            Role::Soft
-        };
-        marks.push(
-            Mark::new(role, Shape::Arrow([middle.to_array(), tip.to_array()]))
-                .labelled(edge_name(i))
-                .linked(edge_link(i)),
-        );
-    }
-    marks
+    let Some(&Row { d1, d2, slope, .. }) = before.rows.get(edge_idx) else {
+        return caption;
+    };
+    let sum = Formula::default()
+        .point(input.segment.p1.to_array())
+        .sym(" · ")
+        .operand(d2)
+        .sym(" − ")
+        .point(input.segment.p2.to_array())
+        .sym(" · ")
+        .operand(d1);
+    let whole = Formula::default().num(slope);
+    caption.so(Formula::default()
+        .over(sum, whole)
+        .sym(" = ")
+        .point(at.to_array()))
 }

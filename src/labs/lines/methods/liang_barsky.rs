@@ -1,12 +1,12 @@
 //! Liang–Barsky, shown.
 
-use crate::labs::words::{along, border_equation, edge_link, edge_name, free_formula, name};
+use crate::labs::words::{along, border_equation, edge_name, free_formula, name};
 use crate::{
     algo::line::{
-        End, LiangBarsky, LiangBarskyEvent as Event, LiangBarskyState as State, Row, WindowInput,
+        End, LiangBarsky, LiangBarskyEvent as Event, LiangBarskyState as State, WindowInput,
     },
     figure::{Body, Caption, Mark, Role, Shape, Side, Tick, View, Watch, WatchRow, WatchSection},
-    geom::{Axis, Edge, Point, Segment, Window},
+    geom::{Axis, Edge, Point, Segment},
     labs::{
         CodeLine, Demo, Step, code_line,
         lines::{LineDemo, Scene},
@@ -15,9 +15,15 @@ use crate::{
 };
 
 use super::{
-    parametric::{Crossing, Interval, bound_formula, interval_caption, moved_ends_rows},
+    parametric::{moved_ends_rows, quotient_formula, stays_caption},
+    rows::{current_edge, direction, interval, ratio, reach, row_values, rows_table},
     shared::{accepted, end_name, opening, outside_marks},
 };
+
+/// The view of the rows p, q, r.
+const ROWS_VIEW: &str = "pqr";
+/// The view of what is left of u.
+const AXIS_VIEW: &str = "axis";
 
 const START: usize = 0;
 const EACH: usize = 1;
@@ -77,7 +83,7 @@ impl Demo for LiangBarsky {
     }
 
     fn caption(event: &Event, before: &State, input: &WindowInput) -> Caption {
-        let WindowInput { window, segment } = input;
+        let segment = &input.segment;
         match *event {
             Event::Delta { dx, dy } => delta_caption(segment, dx, dy),
             Event::Row { edge, p, q } => row_caption(edge, p, q, input),
@@ -99,9 +105,11 @@ impl Demo for LiangBarsky {
                 u_min,
             } => {
                 let key = if raises { "lb-enter" } else { "lb-enter-idle" };
-                bound_caption(key, edge, before, r).so(bound_formula(
-                    "u_min = max(",
-                    [before.interval[0], r],
+                bound_caption(key, edge, r, before).so(formula(
+                    before,
+                    edge,
+                    Side::Entering,
+                    r,
                     u_min,
                 ))
             }
@@ -112,18 +120,16 @@ impl Demo for LiangBarsky {
                 u_max,
             } => {
                 let key = if lowers { "lb-leave" } else { "lb-leave-idle" };
-                bound_caption(key, edge, before, r).so(bound_formula(
-                    "u_max = min(",
-                    [before.interval[1], r],
+                bound_caption(key, edge, r, before).so(formula(
+                    before,
+                    edge,
+                    Side::Leaving,
+                    r,
                     u_max,
                 ))
             }
-            Event::Interval {
-                u_min,
-                u_max,
-                empty,
-            } => interval_caption(["u_min", "u_max"], [u_min, u_max], empty),
-            Event::Put { end, u, edge, at } => put_caption(end, u, edge, at, segment, window),
+            Event::Interval { empty, .. } => interval(before, None).caption(empty),
+            Event::Put { end, u, edge, at } => put_caption(end, u, edge, at, before, input),
             Event::Accept { segment } => accepted(&segment),
             Event::Reject { edge } => {
                 Caption::new(Message::new("lb-reject").with("edge", edge_name(edge)))
@@ -132,39 +138,29 @@ impl Demo for LiangBarsky {
     }
 
     fn views(step: &Step<'_, Self>) -> Vec<View> {
+        let interval = interval(step.state, step.event);
         vec![
             View::plane(marks(step)),
-            View::new("axis", Body::NumberLine(interval(step).number_line())),
+            View::new(ROWS_VIEW, Body::Table(rows_table(step))),
+            View::new(
+                AXIS_VIEW,
+                Body::NumberLine(interval.number_line(reach(step.input))),
+            ),
         ]
     }
 
     fn watch(step: &Step<'_, Self>) -> Watch {
         let state = step.state;
-        let table = Edge::ALL
-            .into_iter()
-            .map(|edge| {
-                let row = state.rows[edge as usize];
-                let cells = vec![
-                    row.map(|row| Value::Number(row.p)),
-                    row.map(|row| Value::Number(row.q)),
-                    row.and_then(|row| row.r).map(Value::Number),
-                ];
-                let shown = WatchRow::table(edge_name(edge), cells).linked(edge_link(edge));
-                match row {
-                    Some(row) => shown.noted(Value::Term(direction(row.p))),
-                    None => shown,
-                }
-            })
-            .collect();
         let mut rows = vec![
             WatchRow::new(name("Δx"), state.delta.map(|d| Value::Number(d[0]))),
             WatchRow::new(name("Δy"), state.delta.map(|d| Value::Number(d[1]))),
         ];
-        rows.extend(interval(step).bound_rows());
         rows.extend(moved_ends_rows(state.ends));
+        let bounds = interval(state, step.event).bound_rows().collect();
         vec![
-            WatchSection::table(vec!["p", "q", "r"], table),
             WatchSection::list(rows),
+            WatchSection::table(vec!["p", "q", "r"], row_values(state)).seen_in(ROWS_VIEW),
+            WatchSection::list(bounds).seen_in(AXIS_VIEW),
         ]
     }
 }
@@ -179,65 +175,13 @@ fn marks(step: &Step<'_, LiangBarsky>) -> Vec<Mark> {
     if let Some(edge) = current_edge(step.event) {
         marks.extend(outside_marks(window, edge));
     }
-    marks.extend(interval(step).marks(segment));
+    marks.extend(interval(step.state, step.event).marks(segment));
     marks
 }
 
-fn interval(step: &Step<'_, LiangBarsky>) -> Interval {
-    let State {
-        rows,
-        interval: bounds,
-        set_by,
-        verdict,
-        ..
-    } = *step.state;
-    let current = current_edge(step.event);
-    let crossings = rows.into_iter().flatten().filter_map(|row| {
-        Some(Crossing {
-            at: row.r?,
-            side: if row.p < 0.0 {
-                Side::Entering
-            } else {
-                Side::Leaving
-            },
-            holds: set_by.contains(&Some(row.edge)),
-            current: current == Some(row.edge),
-            name: edge_name(row.edge),
-            link: edge_link(row.edge),
-        })
-    });
-    Interval {
-        symbol: "u",
-        crossing_symbol: "r",
-        bounds,
-        crossings: crossings.collect(),
-        verdict,
-    }
-}
-
-/// The side that the step is about.
-const fn current_edge(event: Option<Event>) -> Option<Edge> {
-    match event {
-        Some(
-            Event::Row { edge, .. }
-            | Event::Parallel { edge, .. }
-            | Event::Enter { edge, .. }
-            | Event::Leave { edge, .. }
-            | Event::Reject { edge },
-        ) => Some(edge),
-        _ => None,
-    }
-}
-
-/// Catalogue key: which way the line crosses a side.
-fn direction(p: f64) -> &'static str {
-    if p < 0.0 {
-        "verdict-entering"
-    } else if p > 0.0 {
-        "verdict-leaving"
-    } else {
-        "verdict-parallel"
-    }
+/// `u_min = max(0, 1/4) = 1/4`
+fn formula(before: &State, edge: Edge, side: Side, r: f64, new: f64) -> Formula {
+    interval(before, None).bound_formula(side, r, ratio(before, edge, r), new)
 }
 
 fn delta_caption(segment: &Segment, dx: f64, dy: f64) -> Caption {
@@ -302,17 +246,12 @@ fn row_caption(
 }
 
 /// `r = q/p = −1/−4 = 1/4`.
-fn bound_caption(key: &'static str, edge: Edge, before: &State, r: f64) -> Caption {
-    let caption = Caption::new(Message::new(key).with("edge", edge_name(edge)));
-    match before.rows[edge as usize] {
-        Some(Row { p, q, .. }) => caption.so(Formula::default()
-            .sym("r = q / p = ")
-            .dividend(q)
-            .sym(" / ")
-            .divisor(p)
-            .equals(r)),
-        None => caption,
-    }
+fn bound_caption(key: &'static str, edge: Edge, r: f64, before: &State) -> Caption {
+    Caption::new(Message::new(key).with("edge", edge_name(edge))).so(quotient_formula(
+        "r",
+        ["q", "p"],
+        ratio(before, edge, r),
+    ))
 }
 
 fn put_caption(
@@ -320,26 +259,16 @@ fn put_caption(
     u: f64,
     edge: Option<Edge>,
     at: Point,
-    segment: &Segment,
-    window: &Window,
+    before: &State,
+    WindowInput { window, segment }: &WindowInput,
 ) -> Caption {
-    match edge {
-        None => Caption::new(
-            Message::new("lb-put-end")
-                .with("end", end_name(end))
-                .with("at", at.to_array()),
-        ),
-        Some(edge) => Caption::new(
-            Message::new("lb-put")
-                .with("end", end_name(end))
-                .with("u", u)
-                .with("border", border_equation(window, edge)),
-        )
-        .so(free_formula(
-            segment,
-            window,
-            edge,
-            along(at, edge.axis())[1],
-        )),
-    }
+    let Some(edge) = edge else {
+        return stays_caption(end, at);
+    };
+    let message = Message::new("lb-put")
+        .with("end", end_name(end))
+        .with("u", interval(before, None).written(u))
+        .with("border", border_equation(window, edge));
+    let free = along(at, edge.axis())[1];
+    Caption::new(message).so(free_formula(segment, window, edge, free))
 }

@@ -3,9 +3,12 @@
 mod brute_force;
 mod codes;
 mod cohen_sutherland;
+mod convex_edges;
 mod cyrus_beck;
+mod dot_products;
 mod liang_barsky;
 mod nicholl_lee_nicholl;
 mod parametric;
+mod rows;
 mod sectors;
 mod shared;

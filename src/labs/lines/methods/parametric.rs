@@ -1,21 +1,21 @@
-//! What the clippers of a parameter interval, Liang–Barsky and Cyrus–Beck, have in common on screen.
-
-use glam::DVec2;
+//! What the clippers of a parameter interval have in common: the interval's sentences, its picture on the segment and
+//! on the axis, its rows in tables. Nothing here knows against what is clipped.
 
 use crate::{
-    algo::line::{End, Visible},
+    algo::line::{End, Ratio, Visible},
     figure::{Caption, LineTick, Link, Mark, NumberLine, Role, Shape, Side, WatchRow},
     geom::{Point, Segment},
     text::{Formula, Message, Value},
 };
 
-use super::shared::{end_link, end_name_now, segment_marks};
-use crate::labs::words::name;
+use super::shared::{end_link, end_name, end_name_now, segment_marks};
 
 /// A crossing that has been computed.
 pub struct Crossing {
     /// Its parameter.
     pub at: f64,
+    /// The quotient that it was computed as.
+    pub quotient: Ratio,
     /// Which bound it may move.
     pub side: Side,
     /// Does it hold that bound now?
@@ -43,29 +43,38 @@ pub struct Interval {
 }
 
 impl Interval {
+    /// Have the bounds passed each other?
+    fn is_crossed_over(&self) -> bool {
+        self.bounds[0] > self.bounds[1]
+    }
+
+    /// A parameter as the quotient that it was computed as.
+    pub fn written(&self, at: f64) -> Value {
+        value_of(written(at, &self.crossings))
+    }
+
     /// The segment with the part that is left standing out, and the crossings on it.
     pub fn marks(&self, segment: &Segment) -> Vec<Mark> {
-        if let Some(visible) = self.verdict {
-            let ends = visible.unwrap_or(*segment);
-            return segment_marks(segment, [ends.p1, ends.p2], self.verdict);
+        if let Some(Some(visible)) = self.verdict {
+            return segment_marks(segment, [visible.p1, visible.p2], self.verdict);
         }
-        let mut marks = whole_segment_marks(segment, self.bounds);
+        let mut marks = self.parts(segment);
         for crossing in &self.crossings {
             let at = on_line(segment, crossing.at);
             let on_end = End::BOTH.iter().any(|end| end.of(segment).to_array() == at);
-            let mark = if crossing.current {
+            let mark = if crossing.holds {
+                self.bound_mark(crossing, segment)
+            } else if crossing.current {
                 let label = Formula::default()
                     .sym(self.crossing_symbol)
                     .sym(" = ")
-                    .num(crossing.at);
-                Mark::new(Role::Signal, Shape::Dot(at))
+                    .ratio(crossing.quotient.num, crossing.quotient.den);
+                Mark::new(Role::Signal, Shape::Cross(at))
                     .labelled(label)
                     .strong()
             } else if on_end {
                 // The end itself is enough.
                 continue;
-            } else if crossing.holds {
-                Mark::new(Role::Accent, Shape::Dot(at))
             } else {
                 Mark::new(Role::Discarded, Shape::Cross(at))
             };
@@ -74,10 +83,63 @@ impl Interval {
         marks
     }
 
-    /// The second view.
-    pub fn number_line(self) -> NumberLine {
+    /// A bound where it stands on the segment, with what it is.
+    fn bound_mark(&self, crossing: &Crossing, segment: &Segment) -> Mark {
+        let at = on_line(segment, crossing.at);
+        let role = match (crossing.current, self.is_crossed_over()) {
+            (true, _) => Role::Signal,
+            (false, true) => Role::Ink,
+            (false, false) => Role::Accent,
+        };
+        let label = Formula::default()
+            .sym(self.bound_symbol(crossing.side))
+            .sym(" = ")
+            .ratio(crossing.quotient.num, crossing.quotient.den);
+        Mark::new(role, Shape::Dot(at)).labelled(label).strong()
+    }
+
+    /// `u_min`
+    fn bound_symbol(&self, side: Side) -> String {
+        let suffix = match side {
+            Side::Entering => "min",
+            Side::Leaving => "max",
+        };
+        format!("{}_{suffix}", self.symbol)
+    }
+
+    /// All of the segment is still there, only the bounds move: what is left stands out. Where they have passed each
+    /// other, the part between them is crossed over.
+    fn parts(&self, segment: &Segment) -> Vec<Mark> {
+        let ends = [segment.p1, segment.p2];
+        let crossed = self.is_crossed_over();
+        let verdict = self.verdict.or(crossed.then_some(None));
+        let mut marks = segment_marks(segment, ends, verdict);
+        let [from, to] = self.bounds;
+        let between = [from, to].map(|u| on_line(segment, u));
+        if crossed {
+            let middle = on_line(segment, from.midpoint(to));
+            marks.push(Mark::new(Role::Signal, Shape::Segment(between)));
+            marks.push(Mark::new(Role::Signal, Shape::Cross(middle)));
+        } else if verdict.is_none() && self.bounds != [0.0, 1.0] {
+            let whole = Shape::Segment(ends.map(Point::to_array));
+            marks[0] = Mark::new(Role::Discarded, whole);
+            marks.insert(
+                1,
+                Mark::new(Role::Accent, Shape::Segment(between)).linked("segment"),
+            );
+        }
+        marks
+    }
+
+    /// The axis, with room for every crossing that there will be: those at `reach`.
+    pub fn number_line(self, reach: impl Iterator<Item = f64>) -> NumberLine {
+        let values = self
+            .bounds
+            .map(|bound| formula_of(written(bound, &self.crossings)));
+        let empty = self.is_crossed_over() || self.verdict == Some(None);
         let ticks = self.crossings.into_iter().map(|crossing| LineTick {
             u: crossing.at,
+            value: formula_of(crossing.quotient),
             side: crossing.side,
             holds: crossing.holds,
             current: crossing.current,
@@ -87,81 +149,118 @@ impl Interval {
         let ticks: Vec<LineTick> = ticks.collect();
         NumberLine {
             symbol: self.symbol,
-            ends: ["P₁", "P₂"].map(name),
-            shown: NumberLine::showing(ticks.iter().map(|tick| tick.u)),
+            ends: End::BOTH.map(end_name),
+            shown: NumberLine::showing(reach),
             interval: self.bounds,
-            empty: self.verdict == Some(None),
+            values,
+            empty,
             ticks,
         }
     }
 
     /// Rows for both bounds, each with the border that set it.
     pub fn bound_rows(&self) -> impl Iterator<Item = WatchRow> + '_ {
-        let bounds = [(Side::Entering, "min"), (Side::Leaving, "max")];
-        bounds
-            .into_iter()
-            .zip(self.bounds)
-            .map(|((side, suffix), bound)| {
-                let symbol = name(format!("{}_{suffix}", self.symbol));
-                let row = WatchRow::new(symbol, Some(Value::Number(bound)));
-                let set_by = |c: &&Crossing| c.holds && c.side == side;
-                match self.crossings.iter().find(set_by) {
-                    Some(crossing) => row.noted(crossing.name.clone()).linked(crossing.link),
-                    None => row,
-                }
-            })
+        let sides = [Side::Entering, Side::Leaving].into_iter();
+        sides.zip(self.bounds).map(|(side, bound)| {
+            let row = WatchRow::new(self.bound_symbol(side), Some(self.written(bound)));
+            let set_by = |c: &&Crossing| c.holds && c.side == side;
+            match self.crossings.iter().find(set_by) {
+                Some(crossing) => row.noted(crossing.name.clone()).linked(crossing.link),
+                None => row,
+            }
+        })
+    }
+
+    /// Is anything left of it?
+    pub fn caption(&self, empty: bool) -> Caption {
+        let [min, max] = self.bounds;
+        let (key, relation) = match (empty, min == max) {
+            (true, _) => ("param-empty", " > "),
+            (false, true) => ("param-touch", " = "),
+            (false, false) => ("param-left", " < "),
+        };
+        let symbols = [Side::Entering, Side::Leaving].map(|side| self.bound_symbol(side));
+        let message = Message::new(key)
+            .with("min", symbols[0].clone())
+            .with("max", symbols[1].clone());
+        let bound = |formula: Formula, symbol: &String, at: f64| {
+            let Ratio { num, den } = written(at, &self.crossings);
+            formula.sym(symbol.clone()).sym(" = ").ratio(num, den)
+        };
+        let formula = bound(Formula::default(), &symbols[0], min).sym(relation);
+        Caption::new(message).so(bound(formula, &symbols[1], max))
+    }
+
+    /// `u_min = max(0, 1/4) = 1/4`: what a crossing does to the bound on its side.
+    pub fn bound_formula(&self, side: Side, at: f64, crossing: Ratio, new: f64) -> Formula {
+        let (function, old) = match side {
+            Side::Entering => ("max", self.bounds[0]),
+            Side::Leaving => ("min", self.bounds[1]),
+        };
+        let new = if new == old {
+            written(old, &self.crossings)
+        } else {
+            crossing
+        };
+        Formula::default()
+            .sym(format!("{} = {function}(", self.bound_symbol(side)))
+            .list(&[old, at])
+            .sym(")")
+            .equals_ratio(new.num, new.den)
     }
 }
 
-/// The segment with the part for parameters in `interval` standing out: all of it is still there, only the
-/// bounds move.
-fn whole_segment_marks(segment: &Segment, [from, to]: [f64; 2]) -> Vec<Mark> {
-    let ends = [segment.p1, segment.p2];
-    let mut marks: Vec<Mark> = segment_marks(segment, ends, None);
-    if (from, to) != (0.0, 1.0) {
-        let whole = Shape::Segment(ends.map(Point::to_array));
-        marks[0] = Mark::new(Role::Discarded, whole);
-        if from <= to {
-            let left = Shape::Segment([on_line(segment, from), on_line(segment, to)]);
-            marks.insert(1, Mark::new(Role::Accent, left).linked("segment"));
-        }
+/// The quotient that a bound was computed as; of those with the same value any tells it.
+fn written(at: f64, crossings: &[Crossing]) -> Ratio {
+    let same = crossings.iter().find(|crossing| crossing.at == at);
+    same.map_or(Ratio { num: at, den: 1.0 }, |crossing| crossing.quotient)
+}
+
+/// A quotient that stands alone.
+pub const fn value_of(Ratio { num, den }: Ratio) -> Value {
+    Value::Ratio { num, den }
+}
+
+fn formula_of(Ratio { num, den }: Ratio) -> Formula {
+    Formula::default().ratio(num, den)
+}
+
+/// The quotient of two numbers that have been divided, as long as halves of them did not have to be taken instead.
+pub fn quotient(num: f64, den: f64, at: f64) -> Ratio {
+    if num.is_finite() && den.is_finite() {
+        Ratio { num, den }
+    } else {
+        Ratio { num: at, den: 1.0 }
     }
-    marks
+}
+
+/// `r = q/p = −1/−4 = 1/4`; the last part is left out where it would say the same again.
+pub fn quotient_formula(
+    symbol: &'static str,
+    [above, below]: [&'static str; 2],
+    Ratio { num, den }: Ratio,
+) -> Formula {
+    let part = |symbol: &'static str| Formula::default().sym(symbol);
+    let number = |x: f64| Formula::default().num(x);
+    Formula::default()
+        .sym(symbol)
+        .sym(" = ")
+        .over(part(above), part(below))
+        .sym(" = ")
+        .over(number(num), number(den))
+        .equals_ratio(num, den)
 }
 
 /// P(u), to place a mark: the algorithm itself never computes points that it does not put out.
-fn on_line(segment: &Segment, u: f64) -> [f64; 2] {
-    let [p1, p2] = [segment.p1, segment.p2].map(|p| DVec2::from(p.to_array()));
-    p1.lerp(p2, u).to_array()
+pub fn on_line(segment: &Segment, u: f64) -> [f64; 2] {
+    let [x1, y1, x2, y2] = segment.to_array();
+    [x1 + u * (x2 - x1), y1 + u * (y2 - y1)]
 }
 
-/// Is anything left of the interval?
-pub fn interval_caption(symbols: [&'static str; 2], [min, max]: [f64; 2], empty: bool) -> Caption {
-    let (key, relation) = match (empty, min == max) {
-        (true, _) => ("param-empty", " > "),
-        (false, true) => ("param-touch", " = "),
-        (false, false) => ("param-left", " < "),
-    };
-    let message = Message::new(key)
-        .with("min", name(symbols[0]))
-        .with("max", name(symbols[1]));
-    Caption::new(message).so(Formula::default()
-        .sym(symbols[0])
-        .sym(" = ")
-        .num(min)
-        .sym(relation)
-        .sym(symbols[1])
-        .sym(" = ")
-        .num(max))
-}
-
-/// `u_min = max(0, 1/4) = 1/4`.
-pub fn bound_formula(call: &'static str, [old, r]: [f64; 2], new: f64) -> Formula {
-    Formula::default()
-        .sym(call)
-        .list(&[old, r])
-        .sym(")")
-        .equals(new)
+/// An end that was inside stays where it is.
+pub fn stays_caption(end: End, at: Point) -> Caption {
+    let message = Message::new("param-put-end");
+    Caption::new(message.with("end", end_name(end)).with("at", at.to_array()))
 }
 
 /// Rows for the ends that have been put in place.

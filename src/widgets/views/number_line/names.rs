@@ -94,7 +94,13 @@ fn set_bound(slate: &Slate<'_>, line: &NumberLine, side: Side) -> Typeset {
     };
     let u = bound_of(line, side);
     let symbol = format!("{}{suffix} = ", line.symbol);
-    let formula = Formula::default().sym(symbol).num(u);
+    let [low, high] = &line.values;
+    let value = match side {
+        Side::Entering => low,
+        Side::Leaving => high,
+    };
+    let mut formula = Formula::default().sym(symbol);
+    formula.0.extend_from_slice(&value.0);
     let colour = if (u - own).abs() < f64::EPSILON {
         slate.theme().soft
     } else {
@@ -160,7 +166,8 @@ fn crossing(slate: &mut Slate<'_>, axis: &Axis, tick: &LineTick, links: &mut Lin
         slate.value(&tick.name, style)
     } else {
         let name = slate.look.catalog.value(&tick.name);
-        let formula = Formula::default().sym(name).sym("  ").num(tick.u);
+        let mut formula = Formula::default().sym(name).sym("  ");
+        formula.0.extend_from_slice(&tick.value.0);
         slate.formula(&formula, style)
     };
     let half = 0.5 * text.size();

@@ -335,6 +335,7 @@ pub fn parallel() -> Products {
 pub fn axis(interval: [f64; 2], current: usize) -> NumberLine {
     let tick = |u, side, holds, nth: usize, side_name| LineTick {
         u,
+        value: Formula::default().num(u),
         side,
         holds,
         current: nth == current,
@@ -356,6 +357,7 @@ pub fn axis(interval: [f64; 2], current: usize) -> NumberLine {
         ends: [name("P₁"), name("P₂")],
         shown: NumberLine::showing(ticks.iter().map(|tick| tick.u)),
         interval,
+        values: interval.map(|u| Formula::default().num(u)),
         empty: low > high,
         ticks,
     }

@@ -1,0 +1,215 @@
+//! The dot products of Cyrus–Beck, seen: the vectors of the edge in hand, on the stage at true length and beside it.
+
+use glam::DVec2;
+
+use crate::{
+    algo::line::{CyrusBeck, CyrusBeckEvent as Event, CyrusBeckRow as Row},
+    figure::{Mark, Measured, Product, Products, Role, Shape, Vector},
+    geom::{Segment, extent},
+    labs::{Step, words::name},
+    text::{Formula, Message, Value},
+};
+
+use super::{
+    convex_edges::{current_edge, edge_link, edge_name},
+    parametric::on_line,
+};
+
+/// The edge whose products are shown: the one in hand, or the last one while the interval is looked at.
+fn edge_in_hand(step: &Step<'_, CyrusBeck>) -> Option<usize> {
+    match step.event {
+        Some(Event::Interval { .. }) => step.state.rows.len().checked_sub(1),
+        event => current_edge(event),
+    }
+}
+
+/// n·D and n·(P₁ − E) of the edge in hand, and both ends measured along n; `None` where no edge is.
+pub fn products(step: &Step<'_, CyrusBeck>) -> Option<Products> {
+    let edge_idx = edge_in_hand(step)?;
+    let row = step.state.rows.get(edge_idx)?;
+    let vectors = Vectors::new(row, &step.input.segment);
+    let is_current = matches!(step.event, Some(Event::Edge { .. }));
+    let product = |of: Vector, decision: Message, value: f64| Product {
+        arithmetic: product_formula(row.normal, of.to, value),
+        onto: vectors.normal.clone(),
+        of,
+        decision,
+        is_current,
+    };
+    let along = sign_of(
+        row.slope,
+        ["cb-sign-enters", "cb-sign-parallel", "cb-sign-leaves"],
+    );
+    let inside = sign_of(row.d1, ["cb-sign-inside", "cb-sign-on", "cb-sign-outside"]);
+    Some(Products {
+        products: vec![
+            product(
+                vectors.along,
+                Message::new(along).with("product", name("n·D")),
+                row.slope,
+            ),
+            product(
+                vectors.from_edge,
+                Message::new(inside)
+                    .with("product", name("n·(P₁ − E)"))
+                    .with("end", name("P₁")),
+                row.d1,
+            ),
+        ],
+        measured: Some(measured(edge_idx, row)),
+    })
+}
+
+/// One of three, for more than, equal to and less than zero.
+fn sign_of(x: f64, [positive, zero, negative]: [&'static str; 3]) -> &'static str {
+    if x > 0.0 {
+        positive
+    } else if x < 0.0 {
+        negative
+    } else {
+        zero
+    }
+}
+
+/// Where both ends lie along n, and what t divides by what.
+fn measured(edge_idx: usize, row: &Row) -> Measured {
+    let mut spans = vec![([0.0, row.d1], Value::Number(row.d1.abs()), Role::Signal)];
+    if row.slope != 0.0 {
+        let whole = Formula::default().sym("n·D = ").num(row.slope);
+        spans.push(([row.d1, row.d2], whole.into(), Role::Accent));
+    }
+    spans.retain(|([from, to], ..)| from != to);
+    Measured {
+        title: Message::new("cb-measured").with("normal", name("n")),
+        zero: edge_name(edge_idx),
+        ends: [(name("P₁"), row.d1), (name("P₂"), row.d2)],
+        spans,
+    }
+}
+
+/// n, D and P₁ − E of one edge.
+struct Vectors {
+    normal: Vector,
+    along: Vector,
+    from_edge: Vector,
+}
+
+impl Vectors {
+    fn new(row: &Row, segment: &Segment) -> Self {
+        let [p1, p2, origin] = [segment.p1, segment.p2, row.origin].map(|p| p.to_array());
+        let vector = |symbol: &str, to: [f64; 2], role| Vector {
+            name: name(symbol),
+            to,
+            role,
+        };
+        let difference = |a: [f64; 2], b: [f64; 2]| [a[0] - b[0], a[1] - b[1]];
+        Self {
+            normal: vector("n", row.normal, Role::Signal),
+            along: vector("D", difference(p2, p1), Role::Accent),
+            from_edge: vector("P₁ − E", difference(p1, origin), Role::Ink),
+        }
+    }
+}
+
+/// `3 · 11 + 2 · (−3) = 27`; what is multiplied by 0 is left out where something else stays.
+fn product_formula(normal: [f64; 2], of: [f64; 2], value: f64) -> Formula {
+    let terms: Vec<[f64; 2]> = (0..2)
+        .map(|axis| [normal[axis], of[axis]])
+        .filter(|[n, _]| *n != 0.0)
+        .collect();
+    let mut formula = Formula::default();
+    for (i, [n, x]) in terms.into_iter().enumerate() {
+        formula = if i == 0 {
+            formula.num(n)
+        } else {
+            formula.sym(" + ").operand(n)
+        };
+        formula = formula.sym(" · ").operand(x);
+    }
+    formula.equals(value)
+}
+
+/// Every edge with its name and the side that its normal points to; of the edge in hand everything that is multiplied.
+pub fn edge_marks(step: &Step<'_, CyrusBeck>) -> Vec<Mark> {
+    let vertices = step.input.clip.vertices();
+    let in_hand = edge_in_hand(step);
+    let [min, max] = extent(vertices.iter().copied());
+    // Long enough to be seen, whatever the size of the polygon.
+    let length = 0.1 * (max[0] - min[0]).max(max[1] - min[1]);
+    let mut marks = Vec::new();
+    for (i, plane) in step.input.clip.half_planes().enumerate() {
+        let edge = [i, (i + 1) % vertices.len()].map(|i| vertices[i].to_array());
+        if in_hand == Some(i) {
+            marks.extend(outside_marks(i, edge));
+            continue;
+        }
+        let middle = DVec2::from(edge[0]).midpoint(DVec2::from(edge[1]));
+        let tip = middle + DVec2::from(plane.normal()).normalize_or_zero() * length;
+        marks.push(
+            Mark::new(
+                Role::Soft,
+                Shape::Arrow([middle.to_array(), tip.to_array()]),
+            )
+            .labelled(edge_name(i))
+            .linked(edge_link(i)),
+        );
+    }
+    let row = in_hand.and_then(|i| Some((i, step.state.rows.get(i)?)));
+    if let Some((i, row)) = row {
+        let edge = [i, (i + 1) % vertices.len()].map(|i| vertices[i].to_array());
+        marks.extend(vector_marks(edge, row, &step.input.segment));
+    }
+    marks
+}
+
+/// The edge, its line, and what lies outside it.
+fn outside_marks(edge_idx: usize, [a, b]: [[f64; 2]; 2]) -> [Mark; 2] {
+    [
+        // The polygon lies to the left of a → b.
+        Mark::new(Role::Signal, Shape::HalfPlane([b, a])),
+        Mark::new(Role::Signal, Shape::Segment([a, b]))
+            .labelled(edge_name(edge_idx))
+            .strong()
+            .linked(edge_link(edge_idx)),
+    ]
+}
+
+/// n, D, E and P₁ − E where they are, as long as they are.
+fn vector_marks(edge: [[f64; 2]; 2], row: &Row, segment: &Segment) -> Vec<Mark> {
+    let [p1, p2, origin] = [segment.p1, segment.p2, row.origin].map(|p| p.to_array());
+    let arrow = |role, ends, label: &str| {
+        Mark::new(role, Shape::Arrow(ends))
+            .labelled(name(label))
+            .strong()
+    };
+    let mut marks = vec![arrow(Role::Accent, [p1, p2], "D")];
+    if p1 != origin {
+        marks.push(arrow(Role::Ink, [origin, p1], "P₁ − E"));
+    }
+    let from = foot(edge, row, segment);
+    let [nx, ny] = row.normal;
+    marks.push(arrow(
+        Role::Signal,
+        [from, [from[0] + nx, from[1] + ny]],
+        "n",
+    ));
+    marks.push(
+        Mark::new(Role::Signal, Shape::Dot(origin))
+            .labelled(name("E"))
+            .strong(),
+    );
+    marks
+}
+
+/// Where n is drawn from: from the crossing, so that its angle to D is seen, or from the middle of an edge that the
+/// segment's line does not meet.
+fn foot([a, b]: [[f64; 2]; 2], row: &Row, segment: &Segment) -> [f64; 2] {
+    let (a, b) = (DVec2::from(a), DVec2::from(b));
+    if row.slope != 0.0 {
+        let at = DVec2::from(on_line(segment, -row.d1 / row.slope));
+        if (at - a).dot(at - b) <= 0.0 {
+            return at.to_array();
+        }
+    }
+    a.midpoint(b).to_array()
+}
