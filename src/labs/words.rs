@@ -66,17 +66,11 @@ pub fn parameter_formula(
 ) -> Formula {
     let [a1, _] = along(segment.p1, edge.axis());
     let [a2, _] = along(segment.p2, edge.axis());
+    let from_a1 = |a: f64| Formula::default().num(a).sym(" − ").operand(a1);
     Formula::default()
         .sym(symbol)
-        .sym(" = (")
-        .num(window.border(edge))
-        .sym(" − ")
-        .operand(a1)
-        .sym(") / (")
-        .num(a2)
-        .sym(" − ")
-        .operand(a1)
-        .sym(")")
+        .sym(" = ")
+        .over(from_a1(window.border(edge)), from_a1(a2))
         .equals_ratio(u.num, u.den)
 }
 
@@ -89,18 +83,18 @@ pub fn free_formula(segment: &Segment, window: &Window, edge: Edge, free: f64) -
         Axis::X => "y",
         Axis::Y => "x",
     };
-    Formula::default()
-        .sym(other)
-        .sym(" = (")
+    let sum = Formula::default()
         .num(o1)
         .sym(" · ")
         .operand(a2 - c)
         .sym(" + ")
         .operand(o2)
         .sym(" · ")
-        .operand(c - a1)
-        .sym(") / ")
-        .divisor(a2 - a1)
+        .operand(c - a1);
+    Formula::default()
+        .sym(other)
+        .sym(" = ")
+        .over(sum, Formula::default().num(a2 - a1))
         .equals(free)
 }
 

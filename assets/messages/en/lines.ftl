@@ -15,6 +15,7 @@ watch-crossings = crossings
 watch-crossings-used = of use
 table-edge = edge
 table-start = start
+table-corner = corner
 
 ## Brute force
 
@@ -22,6 +23,7 @@ bf-intersect = Meet the line of the { $edge }.
 bf-keep = Nothing lies beyond the { $edge }: this crossing was not needed.
 bf-keep-parallel = Nothing lies beyond the { $edge }: this side changes nothing.
 bf-cut = { $end } lies beyond { $border }: it moves to { $to }.
+bf-in-vain = in vain
 code-bf-each = for each side, not parallel to P₁P₂
 code-bf-intersect = X ← line P₁P₂ ∩ line of side
 code-bf-reject = if both ends are beyond: reject
@@ -146,6 +148,7 @@ nln-sector-both = In by the { $enters }, out by the { $leaves }: two crossings, 
 nln-question-enters = in by which side
 nln-question-meets = in at all
 nln-question-leaves = out by which side
+nln-note-products = { $a } and { $b }: how far P₁ and P₂ lie from the corner along x and along y
 turn-left = left
 turn-through = on it
 turn-right = right

@@ -15,6 +15,7 @@ watch-crossings = intersecciones
 watch-crossings-used = útiles
 table-edge = borde
 table-start = inicio
+table-corner = esquina
 
 ## Brute force
 
@@ -22,6 +23,7 @@ bf-intersect = Intersección con la recta del { $edge }.
 bf-keep = Nada queda más allá del { $edge }: esta intersección no hacía falta.
 bf-keep-parallel = Nada queda más allá del { $edge }: este lado no cambia nada.
 bf-cut = { $end } está más allá de { $border }: pasa a { $to }.
+bf-in-vain = en vano
 code-bf-each = para cada borde no paralelo a P₁P₂
 code-bf-intersect = X ← recta P₁P₂ ∩ recta del borde
 code-bf-reject = si ambos extremos están fuera: rechazar
@@ -146,6 +148,7 @@ nln-sector-both = Entra por el { $enters } y sale por el { $leaves }: dos inters
 nln-question-enters = por dónde entra
 nln-question-meets = si llega a entrar
 nln-question-leaves = por dónde sale
+nln-note-products = { $a } y { $b }: distancias de P₁ y P₂ a la esquina a lo largo de x y de y
 turn-left = a la izquierda
 turn-through = sobre ella
 turn-right = a la derecha

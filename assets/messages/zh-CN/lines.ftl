@@ -15,6 +15,7 @@ watch-crossings = 交点数
 watch-crossings-used = 有用的
 table-edge = 边界
 table-start = 初始
+table-corner = 角点
 
 ## Brute force
 
@@ -22,6 +23,7 @@ bf-intersect = 求与{ $edge }所在直线的交点。
 bf-keep = { $edge }外侧没有线段的任何部分：这个交点没有用上。
 bf-keep-parallel = { $edge }外侧没有线段的任何部分：不变。
 bf-cut = { $end } 在 { $border } 外侧：移到 { $to }。
+bf-in-vain = 未用上
 code-bf-each = 对每条不与 P₁P₂ 平行的边界：
 code-bf-intersect = X ← 直线 P₁P₂ ∩ 边界所在直线
 code-bf-reject = 若两端点都在外侧，则舍弃
@@ -146,6 +148,7 @@ nln-sector-both = 由{ $enters }进入，由{ $leaves }离开：求两个交点�
 nln-question-enters = 由哪条边界进入
 nln-question-meets = 是否进入
 nln-question-leaves = 由哪条边界离开
+nln-note-products = { $a }、{ $b }：P₁、P₂ 到角点沿 x 方向和 y 方向的有向距离
 turn-left = 左侧
 turn-through = 线上
 turn-right = 右侧

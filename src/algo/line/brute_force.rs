@@ -92,6 +92,17 @@ pub enum BruteForceEvent {
     },
 }
 
+/// What a crossing was good for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum CrossingFate {
+    /// There is none.
+    Parallel,
+    /// It was not needed.
+    InVain,
+    /// This end has moved to it.
+    Replaces(End),
+}
+
 /// What the picture of a step needs.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct BruteForceState {
@@ -101,6 +112,8 @@ pub struct BruteForceState {
     pub edge: Option<Edge>,
     /// The crossings so far, by side, with the parameter.
     pub crossings: [Option<(Point, Ratio)>; 4],
+    /// What became of the crossings, by side, once it is decided.
+    pub fates: [Option<CrossingFate>; 4],
     /// The crossings that replaced an end.
     pub n_used: usize,
     /// The answer, once known.
@@ -155,6 +168,7 @@ impl Algorithm for BruteForce {
             ends: [input.segment.p1, input.segment.p2],
             edge: None,
             crossings: [None; 4],
+            fates: [None; 4],
             n_used: 0,
             verdict: None,
         }
@@ -167,9 +181,17 @@ impl Algorithm for BruteForce {
                 state.edge = Some(edge);
                 state.crossings[edge as usize] = Some((at, u));
             }
-            Event::Parallel { edge } | Event::Keep { edge } => state.edge = Some(edge),
-            Event::Cut { end, to, .. } => {
+            Event::Parallel { edge } => {
+                state.edge = Some(edge);
+                state.fates[edge as usize] = Some(CrossingFate::Parallel);
+            }
+            Event::Keep { edge } => {
+                state.edge = Some(edge);
+                state.fates[edge as usize].get_or_insert(CrossingFate::InVain);
+            }
+            Event::Cut { end, edge, to, .. } => {
                 state.ends[end.idx()] = to;
+                state.fates[edge as usize] = Some(CrossingFate::Replaces(end));
                 state.n_used += 1;
             }
             Event::Accept { segment } => state.verdict = Some(Some(segment)),

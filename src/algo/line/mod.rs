@@ -31,7 +31,7 @@ mod outcode;
 
 use crate::geom::{Point, Segment, Window};
 
-pub use brute_force::{BruteForce, BruteForceEvent, BruteForceState};
+pub use brute_force::{BruteForce, BruteForceEvent, BruteForceState, CrossingFate};
 pub use cohen_sutherland::{
     CohenSutherland, CohenSutherlandEvent, CohenSutherlandInput, CohenSutherlandState,
 };

@@ -2,9 +2,13 @@
 
 use crate::{
     algo::line::{
-        BruteForce, BruteForceEvent as Event, BruteForceState as State, End, Ratio, WindowInput,
+        BruteForce, BruteForceEvent as Event, BruteForceState as State, CrossingFate, End, Ratio,
+        WindowInput,
     },
-    figure::{Caption, Mark, Role, Shape, Tick, View, Watch, WatchRow, WatchSection},
+    figure::{
+        Body, Caption, Cell, Mark, Role, Shape, Table, TableRow, Tick, View, Watch, WatchRow,
+        WatchSection,
+    },
     geom::{Edge, Segment},
     labs::{
         CodeLine, Demo, Step, code_line,
@@ -14,12 +18,16 @@ use crate::{
 };
 
 use super::shared::{
-    accepted, border_mark, crossing_mark, end_name, ends_rows, opening, outside_marks,
-    parallel_formula, segment_marks,
+    accepted, border_mark, crossing_mark, end_name, end_symbol, ends_rows, opening, outside_marks,
+    parallel_formula, segment_marks, side_key,
 };
 use crate::labs::words::{
-    along, axis_symbol, border_equation, edge_link, edge_name, free_formula, parameter_formula,
+    along, axis_symbol, border_equation, edge_link, edge_name, free_formula, name,
+    parameter_formula,
 };
+
+/// The view of the crossings, computed one by one.
+const CROSSINGS_VIEW: &str = "crossings";
 
 const EACH: usize = 0;
 const INTERSECT: usize = 1;
@@ -112,42 +120,92 @@ impl Demo for BruteForce {
     }
 
     fn views(step: &Step<'_, Self>) -> Vec<View> {
-        vec![View::plane(marks(step))]
+        vec![
+            View::plane(marks(step)),
+            View::new(CROSSINGS_VIEW, Body::Table(crossing_table(step))),
+        ]
     }
 
     fn watch(step: &Step<'_, Self>) -> Watch {
-        let mut rows = ends_rows(step.state.ends);
-        let n_crossings = step.state.crossings.iter().flatten().count();
-        rows.push(WatchRow::new(
-            Value::Term("watch-crossings"),
-            Some(Value::Count(n_crossings)),
-        ));
-        rows.push(WatchRow::new(
-            Value::Term("watch-crossings-used"),
-            Some(Value::Count(step.state.n_used)),
-        ));
-        let table = Edge::ALL
-            .into_iter()
-            .map(|edge| {
-                let crossing = step.state.crossings[edge as usize];
-                let cells = vec![
-                    crossing.map(|(_, Ratio { num, den })| Value::Ratio { num, den }),
-                    crossing.map(|(at, _)| Value::Point(at.to_array())),
-                ];
-                WatchRow::table(edge_name(edge), cells).linked(edge_link(edge))
-            })
-            .collect();
-        vec![
-            WatchSection::list(rows),
-            WatchSection::table(vec!["t", "P(t)"], table),
-        ]
+        let state = step.state;
+        let mut rows = ends_rows(state.ends);
+        let n_crossings = state.crossings.iter().flatten().count();
+        for (key, n) in [
+            ("watch-crossings", n_crossings),
+            ("watch-crossings-used", state.n_used),
+        ] {
+            rows.push(WatchRow::new(Value::Term(key), Some(Value::Count(n))));
+        }
+        let of_edge = |edge| {
+            let cells = crossing_values(state, edge).to_vec();
+            WatchRow::table(edge_name(edge), cells).linked(edge_link(edge))
+        };
+        let table = WatchSection::table(vec!["t", "P(t)"], Edge::ALL.map(of_edge).to_vec());
+        vec![WatchSection::list(rows), table.seen_in(CROSSINGS_VIEW)]
     }
 }
 
-/// The drawing.
-fn marks(step: &Step<'_, BruteForce>) -> Vec<Mark> {
-    let WindowInput { window, segment } = step.input;
-    let current = match step.event {
+/// t and P(t), once computed.
+fn crossing_values(state: &State, edge: Edge) -> [Option<Value>; 2] {
+    let crossing = state.crossings[edge as usize];
+    [
+        crossing.map(|(_, Ratio { num, den })| Value::Ratio { num, den }),
+        crossing.map(|(at, _)| Value::Point(at.to_array())),
+    ]
+}
+
+/// Every crossing, and what it was good for.
+fn crossing_table(step: &Step<'_, BruteForce>) -> Table {
+    let current = current_edge(step.event);
+    let of_edge = |edge: Edge| {
+        let fate = step.state.fates[edge as usize];
+        let role = match fate {
+            _ if current == Some(edge) => Role::Signal,
+            Some(CrossingFate::InVain | CrossingFate::Parallel) => Role::Soft,
+            Some(CrossingFate::Replaces(_)) | None => Role::Ink,
+        };
+        let found_now = matches!(step.event, Some(Event::Intersect { .. }));
+        let found = if found_now || role == Role::Soft {
+            role
+        } else {
+            Role::Ink
+        };
+        let mut cells: Vec<Cell> = crossing_values(step.state, edge)
+            .into_iter()
+            .map(|value| Cell::new(found, value))
+            .collect();
+        cells.push(Cell::new(role, fate.map(fate_word)));
+        TableRow {
+            name: Value::Term(side_key(edge)),
+            cells,
+            is_current: current == Some(edge),
+            link: Some(edge_link(edge)),
+        }
+    };
+    Table {
+        header: vec![
+            Formula::default().term("table-edge"),
+            Formula::default().sym("t"),
+            Formula::default().sym("P(t)"),
+            Formula::default(),
+        ],
+        rows: Edge::ALL.map(of_edge).to_vec(),
+        notes: Vec::new(),
+    }
+}
+
+/// "in vain", or the end that the crossing replaces.
+fn fate_word(fate: CrossingFate) -> Value {
+    match fate {
+        CrossingFate::Parallel => Value::Term("verdict-parallel"),
+        CrossingFate::InVain => Value::Term("bf-in-vain"),
+        CrossingFate::Replaces(end) => name(format!("→ {}′", end_symbol(end))),
+    }
+}
+
+/// The side that the step is about.
+const fn current_edge(event: Option<Event>) -> Option<Edge> {
+    match event {
         Some(
             Event::Intersect { edge, .. }
             | Event::Parallel { edge }
@@ -155,8 +213,14 @@ fn marks(step: &Step<'_, BruteForce>) -> Vec<Mark> {
             | Event::Cut { edge, .. }
             | Event::Reject { edge },
         ) => Some(edge),
-        _ => None,
-    };
+        Some(Event::Accept { .. }) | None => None,
+    }
+}
+
+/// The drawing.
+fn marks(step: &Step<'_, BruteForce>) -> Vec<Mark> {
+    let WindowInput { window, segment } = step.input;
+    let current = current_edge(step.event);
     let mut marks: Vec<Mark> = Edge::ALL
         .into_iter()
         .filter(|&edge| Some(edge) != current)

@@ -254,14 +254,21 @@ fn regions(step: &Step<'_, CohenSutherland>, order: BitOrder) -> Vec<Mark> {
             Mark::new(Role::Faint, border)
         })
         .collect();
+    let deciding = deciding_edge(step);
+    let column = deciding.and_then(|edge| order.written().iter().position(|&e| e == edge));
+    let beyond = |code: Outcode| deciding.is_some_and(|edge| code.has(edge, order));
     for (x0, x1, x_edge) in columns {
         for (y0, y1, y_edge) in rows {
             let edges: Vec<Edge> = x_edge.into_iter().chain(y_edge).collect();
             let code = Outcode::from_edges(&edges, order);
             let taken = step.state.codes.contains(&Some(code));
-            let role = if taken { Role::Ink } else { Role::Faint };
+            let role = if taken { Role::Ink } else { Role::Soft };
             let region = Shape::Region([[x0, y0], [x1, y1]]);
-            marks.push(Mark::new(role, region).coded(name(code.to_string())));
+            let mark = Mark::new(role, region).coded(name(code.to_string()));
+            marks.push(match column.filter(|_| beyond(code)) {
+                Some(column) => mark.lit(column),
+                None => mark,
+            });
         }
     }
     marks

@@ -39,6 +39,15 @@ pub const fn current_edge(event: Option<Event>) -> Option<usize> {
     }
 }
 
+/// The edge whose products are shown: the one in hand, or the last one while the interval is looked at.
+pub fn edge_in_hand(state: &State, event: Option<Event>) -> Option<usize> {
+    match event {
+        Some(Event::Interval { .. }) => state.rows.len().checked_sub(1),
+        Some(Event::Reject { .. }) => None,
+        event => current_edge(event),
+    }
+}
+
 /// What is left of t in a state; `event` tells which edge is the step's.
 pub fn interval(state: &State, event: Option<Event>) -> Interval {
     let current = current_edge(event);
@@ -63,6 +72,7 @@ pub fn interval(state: &State, event: Option<Event>) -> Interval {
         bounds: state.interval,
         crossings: crossings.collect(),
         verdict: state.verdict,
+        vector: edge_in_hand(state, event).map(|_| "D"),
     }
 }
 

@@ -129,23 +129,14 @@ impl Demo for CyrusBeck {
     }
 
     fn views(step: &Step<'_, Self>) -> Vec<View> {
-        let edges = match step.event {
-            Some(
-                Event::Edge { .. }
-                | Event::Parallel { .. }
-                | Event::Enter { .. }
-                | Event::Leave { .. }
-                | Event::Interval { .. },
-            ) => products(step).map(Body::Products),
-            Some(Event::Put { .. } | Event::Accept { .. } | Event::Reject { .. }) | None => None,
+        let edges = match products(step) {
+            Some(products) => Body::Products(products),
+            None => Body::Table(edge_table(step)),
         };
         let interval = interval(step.state, step.event);
         vec![
             View::plane(marks(step)),
-            View::new(
-                EDGES_VIEW,
-                edges.unwrap_or_else(|| Body::Table(edge_table(step))),
-            ),
+            View::new(EDGES_VIEW, edges),
             View::new(
                 AXIS_VIEW,
                 Body::NumberLine(interval.number_line(reach(step.input))),

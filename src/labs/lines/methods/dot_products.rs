@@ -11,21 +11,13 @@ use crate::{
 };
 
 use super::{
-    convex_edges::{current_edge, edge_link, edge_name},
+    convex_edges::{edge_in_hand, edge_link, edge_name},
     parametric::on_line,
 };
 
-/// The edge whose products are shown: the one in hand, or the last one while the interval is looked at.
-fn edge_in_hand(step: &Step<'_, CyrusBeck>) -> Option<usize> {
-    match step.event {
-        Some(Event::Interval { .. }) => step.state.rows.len().checked_sub(1),
-        event => current_edge(event),
-    }
-}
-
 /// n·D and n·(P₁ − E) of the edge in hand, and both ends measured along n; `None` where no edge is.
 pub fn products(step: &Step<'_, CyrusBeck>) -> Option<Products> {
-    let edge_idx = edge_in_hand(step)?;
+    let edge_idx = edge_in_hand(step.state, step.event)?;
     let row = step.state.rows.get(edge_idx)?;
     let vectors = Vectors::new(row, &step.input.segment);
     let is_current = matches!(step.event, Some(Event::Edge { .. }));
@@ -132,7 +124,7 @@ fn product_formula(normal: [f64; 2], of: [f64; 2], value: f64) -> Formula {
 /// Every edge with its name and the side that its normal points to; of the edge in hand everything that is multiplied.
 pub fn edge_marks(step: &Step<'_, CyrusBeck>) -> Vec<Mark> {
     let vertices = step.input.clip.vertices();
-    let in_hand = edge_in_hand(step);
+    let in_hand = edge_in_hand(step.state, step.event);
     let [min, max] = extent(vertices.iter().copied());
     // Long enough to be seen, whatever the size of the polygon.
     let length = 0.1 * (max[0] - min[0]).max(max[1] - min[1]);
@@ -163,10 +155,11 @@ pub fn edge_marks(step: &Step<'_, CyrusBeck>) -> Vec<Mark> {
 }
 
 /// The edge, its line, and what lies outside it.
-fn outside_marks(edge_idx: usize, [a, b]: [[f64; 2]; 2]) -> [Mark; 2] {
+fn outside_marks(edge_idx: usize, [a, b]: [[f64; 2]; 2]) -> [Mark; 3] {
     [
         // The polygon lies to the left of a → b.
-        Mark::new(Role::Signal, Shape::HalfPlane([b, a])),
+        Mark::new(Role::Signal, Shape::Wash([b, a])),
+        Mark::new(Role::Signal, Shape::Line([a, b])).dashed(),
         Mark::new(Role::Signal, Shape::Segment([a, b]))
             .labelled(edge_name(edge_idx))
             .strong()
@@ -177,22 +170,26 @@ fn outside_marks(edge_idx: usize, [a, b]: [[f64; 2]; 2]) -> [Mark; 2] {
 /// n, D, E and P₁ − E where they are, as long as they are.
 fn vector_marks(edge: [[f64; 2]; 2], row: &Row, segment: &Segment) -> Vec<Mark> {
     let [p1, p2, origin] = [segment.p1, segment.p2, row.origin].map(|p| p.to_array());
-    let arrow = |role, ends, label: &str| {
-        Mark::new(role, Shape::Arrow(ends))
-            .labelled(name(label))
-            .strong()
-    };
-    let mut marks = vec![arrow(Role::Accent, [p1, p2], "D")];
+    let mut marks = Vec::new();
     if p1 != origin {
-        marks.push(arrow(Role::Ink, [origin, p1], "P₁ − E"));
+        let ends = [origin, p1];
+        marks.push(Mark::new(Role::Ink, Shape::Arrow(ends)));
+        let along = Mark::new(Role::Ink, Shape::Segment(ends));
+        marks.push(along.labelled(name("P₁ − E")).strong());
     }
     let from = foot(edge, row, segment);
     let [nx, ny] = row.normal;
-    marks.push(arrow(
+    let tip = [from[0] + nx, from[1] + ny];
+    let normal = Mark::new(Role::Signal, Shape::Arrow([from, tip]));
+    marks.push(normal.labelled(name("n")).strong());
+    marks.push(Mark::new(
         Role::Signal,
-        [from, [from[0] + nx, from[1] + ny]],
-        "n",
+        Shape::RightAngle([from, edge[0], tip]),
     ));
+    if row.slope != 0.0 && from != edge[0] {
+        let along = [from[0] + p2[0] - p1[0], from[1] + p2[1] - p1[1]];
+        marks.push(Mark::new(Role::Ink, Shape::Angle([from, tip, along])));
+    }
     marks.push(
         Mark::new(Role::Signal, Shape::Dot(origin))
             .labelled(name("E"))

@@ -5,8 +5,11 @@ use crate::{
         CornerLine, End, NichollLeeNicholl, NichollLeeNichollEvent as Event,
         NichollLeeNichollState as State, Question, Region, Turn, WindowInput,
     },
-    figure::{Caption, Mark, Role, Shape, Tick, View, Watch, WatchRow, WatchSection},
-    geom::{Axis, Edge, Point, Segment},
+    figure::{
+        Body, Caption, Cell, Mark, Role, Shape, Table, TableNote, TableRow, Tick, View, Watch,
+        WatchRow, WatchSection,
+    },
+    geom::{Axis, Edge, Point, Segment, Window},
     labs::{
         CodeLine, Demo, Step, code_line,
         lines::{LineDemo, Scene},
@@ -21,8 +24,11 @@ use super::shared::{
 };
 use crate::labs::words::{
     along, border_equation, edge_name, free_formula, name, parameter_formula, point_formula,
-    position_formula,
+    position_formula, subscript,
 };
+
+/// The view of the corners' lines that have been asked.
+const CORNERS_VIEW: &str = "corners";
 
 const REGIONS: usize = 0;
 const SHARED: usize = 1;
@@ -86,7 +92,7 @@ impl Demo for NichollLeeNicholl {
         let WindowInput { window, segment } = input;
         match *event {
             Event::Region { end, region } => region_caption(end, region, input),
-            Event::Side { question, line } => side_caption(question, &line),
+            Event::Side { question, line } => side_caption(question, &line, window),
             Event::Sector { enters, leaves } => sector_caption(enters, leaves, segment),
             Event::Cut {
                 end, edge, u, to, ..
@@ -112,13 +118,16 @@ impl Demo for NichollLeeNicholl {
             } => Caption::new(
                 Message::new("nln-miss")
                     .with("edge", edge_name(edge))
-                    .with("corner", corner.to_array()),
+                    .with("corner", corner_formula(window, corner)),
             ),
         }
     }
 
     fn views(step: &Step<'_, Self>) -> Vec<View> {
-        vec![View::plane(marks(step))]
+        vec![
+            View::plane(marks(step)),
+            View::new(CORNERS_VIEW, Body::Table(corner_table(step))),
+        ]
     }
 
     fn watch(step: &Step<'_, Self>) -> Watch {
@@ -139,21 +148,65 @@ impl Demo for NichollLeeNicholl {
             Value::Term("watch-crossings"),
             Some(Value::Count(state.n_cuts)),
         ));
-        let table: Vec<WatchRow> = state
-            .lines
-            .iter()
-            .flatten()
-            .map(|(question, line)| {
-                let cells = line.products.map(|p| Some(Value::Number(p))).to_vec();
-                WatchRow::table(Value::Term(question_key(*question)), cells)
-                    .noted(Value::Term(turn_key(line.turn)))
-            })
-            .collect();
-        let mut watch = vec![WatchSection::list(rows)];
-        if !table.is_empty() {
-            watch.push(WatchSection::table(vec!["a₁·b₂", "b₁·a₂"], table));
+        let asked = state.lines.iter().flatten().map(|(question, line)| {
+            let cells = line.products.map(|p| Some(Value::Number(p))).to_vec();
+            WatchRow::table(Value::Term(question_key(*question)), cells)
+                .noted(Value::Term(turn_key(line.turn)))
+        });
+        let table = WatchSection::table(vec!["a₁·b₂", "b₁·a₂"], asked.collect());
+        vec![WatchSection::list(rows), table.seen_in(CORNERS_VIEW)]
+    }
+}
+
+/// What each corner's line was asked, and the two products that answer.
+fn corner_table(step: &Step<'_, NichollLeeNicholl>) -> Table {
+    let n_asked = step.state.lines.iter().flatten().count();
+    let is_asking = matches!(step.event, Some(Event::Side { .. }));
+    let rows = step.state.lines.iter().flatten().enumerate();
+    let rows = rows.map(|(i, (question, line))| {
+        let is_current = is_asking && i + 1 == n_asked;
+        let role = if is_current { Role::Signal } else { Role::Ink };
+        let [p, q] = line.products.map(Value::Number);
+        let cells = [
+            Value::Term(question_key(*question)),
+            p,
+            name(relation(line.turn)),
+            q,
+            Value::Term(turn_key(line.turn)),
+        ];
+        TableRow {
+            name: corner_name(&step.input.window, line.corner),
+            cells: cells.map(|value| Cell::new(role, Some(value))).to_vec(),
+            is_current,
+            link: None,
         }
-        watch
+    });
+    let symbol = |symbol: &'static str| Formula::default().sym(symbol);
+    Table {
+        header: vec![
+            Formula::default().term("table-corner"),
+            Formula::default(),
+            symbol("a₁·b₂"),
+            Formula::default(),
+            symbol("b₁·a₂"),
+            symbol("P₂"),
+        ],
+        rows: rows.collect(),
+        notes: vec![TableNote {
+            text: Message::new("nln-note-products")
+                .with("a", name("a"))
+                .with("b", name("b")),
+            applies: is_asking,
+        }],
+    }
+}
+
+/// Between `a₁·b₂` and `b₁·a₂`.
+const fn relation(turn: Turn) -> &'static str {
+    match turn {
+        Turn::Left => "<",
+        Turn::Through => "=",
+        Turn::Right => ">",
     }
 }
 
@@ -166,20 +219,24 @@ fn marks(step: &Step<'_, NichollLeeNicholl>) -> Vec<Mark> {
     if state.regions[0].is_some() {
         marks.extend(sectors::marks(p1, window));
     }
-    let asked = state.lines.iter().flatten();
     let current = match step.event {
         Some(Event::Side { line, .. }) => Some(line.corner),
         Some(Event::Reject { corner, .. }) => corner,
         _ => None,
     };
-    for (_, line) in asked.filter(|(_, line)| line.corner != p1) {
-        let role = if current == Some(line.corner) {
+    let asked = state.lines.iter().flatten().map(|(_, line)| line.corner);
+    let asked: Vec<Point> = asked.filter(|&corner| corner != p1).collect();
+    for corner in window.corners() {
+        let role = if current == Some(corner) {
             Role::Signal
         } else {
             Role::Soft
         };
-        marks.push(ray(role, p1, line.corner));
-        marks.push(Mark::new(role, Shape::Dot(line.corner.to_array())).labelled(name("C")));
+        if asked.contains(&corner) {
+            marks.push(ray(role, p1, corner));
+        }
+        let label = corner_name(window, corner);
+        marks.push(Mark::new(role, Shape::Dot(corner.to_array())).labelled(label));
     }
     if let Some(Event::Cut { edge, .. }) = step.event {
         marks.push(border_mark(window, edge));
@@ -196,6 +253,22 @@ fn marks(step: &Step<'_, NichollLeeNicholl>) -> Vec<Mark> {
         _ => {}
     }
     marks
+}
+
+/// `C₁`, `C₂`, …: the window's corners are numbered counter-clockwise from the lower left.
+fn corner_symbol(window: &Window, corner: Point) -> String {
+    let found = window.corners().iter().position(|&c| c == corner);
+    found.map_or_else(|| "C".to_owned(), |i| format!("C{}", subscript(i + 1)))
+}
+
+fn corner_name(window: &Window, corner: Point) -> Value {
+    name(corner_symbol(window, corner))
+}
+
+/// `C₄ = (−1, 1)`, in a sentence.
+fn corner_formula(window: &Window, corner: Point) -> Formula {
+    let formula = Formula::default().sym(corner_symbol(window, corner));
+    formula.sym(" = ").point(corner.to_array())
 }
 
 fn ray(role: Role, from: Point, through: Point) -> Mark {
@@ -237,7 +310,7 @@ fn region_caption(end: End, region: Region, input: &WindowInput) -> Caption {
         })
 }
 
-fn side_caption(question: Question, line: &CornerLine) -> Caption {
+fn side_caption(question: Question, line: &CornerLine, window: &Window) -> Caption {
     let key = match (question, line.turn) {
         (_, Turn::Through) => "nln-side-through",
         (Question::Enters, _) => "nln-side-enters",
@@ -245,23 +318,17 @@ fn side_caption(question: Question, line: &CornerLine) -> Caption {
         (Question::Leaves, _) => "nln-side-leaves",
     };
     let [p, q] = line.products;
-    let relation = match line.turn {
-        Turn::Left => " < ",
-        Turn::Through => " = ",
-        Turn::Right => " > ",
-    };
     let first = line.first.unwrap_or(line.edges[0]);
     Caption::new(
         Message::new(key)
-            .with("corner", line.corner.to_array())
+            .with("corner", corner_formula(window, line.corner))
             .with("turn", Value::Term(turn_key(line.turn)))
             .with("first", edge_name(first)),
     )
     .so(Formula::default()
         .sym("a₁·b₂ = ")
         .num(p)
-        .sym(relation)
-        .sym("b₁·a₂ = ")
+        .sym(format!(" {} b₁·a₂ = ", relation(line.turn)))
         .num(q))
 }
 

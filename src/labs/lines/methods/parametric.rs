@@ -5,6 +5,7 @@ use crate::{
     algo::line::{End, Ratio, Visible},
     figure::{Caption, LineTick, Link, Mark, NumberLine, Role, Shape, Side, WatchRow},
     geom::{Point, Segment},
+    labs::words::name,
     text::{Formula, Message, Value},
 };
 
@@ -40,6 +41,8 @@ pub struct Interval {
     pub crossings: Vec<Crossing>,
     /// The answer, once known.
     pub verdict: Option<Visible>,
+    /// At this step the segment is seen as a vector of this name, from P₁ to P₂.
+    pub vector: Option<&'static str>,
 }
 
 impl Interval {
@@ -95,7 +98,13 @@ impl Interval {
             .sym(self.bound_symbol(crossing.side))
             .sym(" = ")
             .ratio(crossing.quotient.num, crossing.quotient.den);
-        Mark::new(role, Shape::Dot(at)).labelled(label).strong()
+        // The bound allows what comes after u_min and before u_max.
+        let allowed = match crossing.side {
+            Side::Entering => segment.p2,
+            Side::Leaving => segment.p1,
+        };
+        let head = Shape::Bound([at, allowed.to_array()]);
+        Mark::new(role, head).labelled(label).strong()
     }
 
     /// `u_min`
@@ -121,12 +130,21 @@ impl Interval {
             marks.push(Mark::new(Role::Signal, Shape::Segment(between)));
             marks.push(Mark::new(Role::Signal, Shape::Cross(middle)));
         } else if verdict.is_none() && self.bounds != [0.0, 1.0] {
-            let whole = Shape::Segment(ends.map(Point::to_array));
-            marks[0] = Mark::new(Role::Discarded, whole);
+            marks[0] = Mark::new(Role::Discarded, Shape::Segment(ends.map(Point::to_array)));
             marks.insert(
                 1,
                 Mark::new(Role::Accent, Shape::Segment(between)).linked("segment"),
             );
+        }
+        if let (Some(symbol), None) = (self.vector, verdict) {
+            let arrow = Mark::new(Role::Accent, Shape::Arrow(ends.map(Point::to_array)));
+            if self.bounds == [0.0, 1.0] {
+                marks[0] = marks[0].clone().labelled(name(symbol)).strong();
+                marks.insert(1, arrow);
+            } else {
+                marks[0] = arrow.dashed();
+                marks[1] = marks[1].clone().labelled(name(symbol)).strong();
+            }
         }
         marks
     }
@@ -242,13 +260,24 @@ pub fn quotient_formula(
 ) -> Formula {
     let part = |symbol: &'static str| Formula::default().sym(symbol);
     let number = |x: f64| Formula::default().num(x);
-    Formula::default()
+    let formula = Formula::default()
         .sym(symbol)
         .sym(" = ")
-        .over(part(above), part(below))
+        .over(part(above), part(below));
+    if is_reduced(num, den) {
+        return formula.equals_ratio(num, den);
+    }
+    formula
         .sym(" = ")
         .over(number(num), number(den))
         .equals_ratio(num, den)
+}
+
+/// Are these small numbers that the quotient is written with in any case?
+fn is_reduced(num: f64, den: f64) -> bool {
+    let is_small = |x: f64| x.fract() == 0.0 && (0.0..=99.0).contains(&x);
+    let divides = |d: u32| num % f64::from(d) == 0.0 && den % f64::from(d) == 0.0;
+    is_small(num) && is_small(den) && den > 1.0 && !(2..=den as u32).any(divides)
 }
 
 /// P(u), to place a mark: the algorithm itself never computes points that it does not put out.

@@ -43,6 +43,7 @@ pub fn interval(state: &State, event: Option<Event>) -> Interval {
         bounds: state.interval,
         crossings: crossings.collect(),
         verdict: state.verdict,
+        vector: None,
     }
 }
 

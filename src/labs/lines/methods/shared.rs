@@ -151,36 +151,24 @@ pub fn border_mark(window: &Window, edge: Edge) -> Mark {
 pub fn outside_marks(window: &Window, edge: Edge) -> [Mark; 2] {
     let c = window.border(edge);
     // What lies beyond is to the left of the line from the first point to the second.
-    let line = match edge {
-        Edge::Left => [[c, 0.0], [c, 1.0]],
-        Edge::Right => [[c, 1.0], [c, 0.0]],
-        Edge::Bottom => [[1.0, c], [0.0, c]],
-        Edge::Top => [[0.0, c], [1.0, c]],
+    let (line, outwards) = match edge {
+        Edge::Left => ([[c, 0.0], [c, 1.0]], [-1.0, 0.0]),
+        Edge::Right => ([[c, 1.0], [c, 0.0]], [1.0, 0.0]),
+        Edge::Bottom => ([[1.0, c], [0.0, c]], [0.0, -1.0]),
+        Edge::Top => ([[0.0, c], [1.0, c]], [0.0, 1.0]),
     };
     let relation = if edge.is_max() { " > " } else { " < " };
     let beyond = Formula::default()
         .sym(axis_symbol(edge.axis()))
         .sym(relation)
         .num(c);
+    let border = Mark::new(Role::Signal, Shape::Border(edge.axis(), c));
     [
         Mark::new(Role::Signal, Shape::HalfPlane(line))
             .labelled(border_equation(window, edge))
             .linked(edge_link(edge)),
-        Mark::new(Role::Signal, Shape::Region(beside(window, edge))).labelled(beyond),
+        border.labelled(beyond).toward(outwards),
     ]
-}
-
-/// A strip along the outside of a side, for a label.
-fn beside(window: &Window, edge: Edge) -> [[f64; 2]; 2] {
-    let ([xmin, ymin], [xmax, ymax]) = (window.min().to_array(), window.max().to_array());
-    let room = 0.15 * (xmax - xmin).min(ymax - ymin);
-    let all = f64::INFINITY;
-    match edge {
-        Edge::Left => [[xmin - 2.0 * room, -all], [xmin, all]],
-        Edge::Right => [[xmax, -all], [xmax + 2.0 * room, all]],
-        Edge::Bottom => [[-all, ymin - room], [all, ymin]],
-        Edge::Top => [[-all, ymax], [all, ymax + room]],
-    }
 }
 
 /// A crossing, as this step's subject: `t = 1/4`.
