@@ -74,6 +74,11 @@ ear-done =
         [one] Done: one triangle, as it was given.
        *[other] Done: { $n } triangles, two fewer than there were vertices.
     }
+ear-list-ring = What is left
+ear-list-rivals = Not convex
+ear-list-triangles = Triangles
+ear-inside = inside
+ear-outside = outside
 ear-left = what is left
 ear-n-left = vertices left
 ear-n-triangles = triangles

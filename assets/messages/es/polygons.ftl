@@ -74,6 +74,11 @@ ear-done =
         [one] Listo: un triángulo, tal como se dio.
        *[other] Listo: { $n } triángulos, dos menos que los vértices que había.
     }
+ear-list-ring = Lo que queda
+ear-list-rivals = No convexos
+ear-list-triangles = Triángulos
+ear-inside = dentro
+ear-outside = fuera
 ear-left = lo que queda
 ear-n-left = vértices restantes
 ear-n-triangles = triángulos

@@ -74,6 +74,11 @@ ear-done =
         [one] Pronto: um triângulo, tal como foi dado.
        *[other] Pronto: { $n } triângulos, dois a menos que os vértices.
     }
+ear-list-ring = O que resta
+ear-list-rivals = Não convexos
+ear-list-triangles = Triângulos
+ear-inside = dentro
+ear-outside = fora
 ear-left = o que resta
 ear-n-left = vértices restantes
 ear-n-triangles = triângulos

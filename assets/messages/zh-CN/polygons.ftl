@@ -74,6 +74,11 @@ ear-done =
         [1] 完成：本来就是一个三角形。
        *[other] 完成：共 { $n } 个三角形，比顶点数少 2。
     }
+ear-list-ring = 剩余部分
+ear-list-rivals = 非凸顶点
+ear-list-triangles = 三角形
+ear-inside = 在内
+ear-outside = 在外
 ear-left = 剩余部分
 ear-n-left = 剩余顶点数
 ear-n-triangles = 三角形数

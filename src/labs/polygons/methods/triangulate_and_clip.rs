@@ -110,7 +110,7 @@ impl Demo for TriangulateAndClip {
     fn watch(step: &Step<'_, Self>) -> Watch {
         let state = step.state;
         if let Some(Event::Triangulate(_)) | None = step.event {
-            return EarClipping::watch(&ears(step));
+            return ear_clipping::watch(&step.state.ears);
         }
         let mut rows = Vec::new();
         if let Some((triangle_idx, triangle)) = triangle_now(state) {
