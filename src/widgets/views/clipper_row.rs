@@ -28,11 +28,10 @@ use super::{
     on_slate::OnSlate,
     slate::{Face, Slate},
 };
-use plan::{LETTER, LINE, PAD, Plan};
+use plan::{LETTER, LINE, NAME_SIZE, PAD, Plan};
 
 pub use plan::clipper_row_height;
 
-const NAME_SIZE: f32 = 13.0;
 const COORDINATE_SIZE: f32 = 12.5;
 
 impl OnSlate for ClipperRow {
@@ -136,11 +135,18 @@ fn narrowed(room: f32, set: impl Fn(f32) -> Typeset) -> Typeset {
 
 /// A vertex in one line, or in two.
 fn lines(slate: &Slate<'_>, plan: &Plan, at: Option<[f64; 2]>) -> Vec<String> {
-    match at {
-        None => vec!["–".to_owned()],
-        Some(at) if plan.is_stacked => at.map(|x| slate.look.catalog.number(x)).to_vec(),
-        Some(at) => vec![slate.look.catalog.point(at)],
+    let catalog = slate.look.catalog;
+    let Some(at) = at else {
+        return vec!["–".to_owned()];
+    };
+    let point = catalog.point(at);
+    if !plan.is_stacked {
+        return vec![point];
     }
+    // Also below each other, the numbers of a point are all fractions or all decimals.
+    let numbers = point.trim_matches(['(', ')']);
+    let numbers = numbers.split(catalog.lang().list_separator());
+    numbers.map(str::to_owned).collect()
 }
 
 /// All coordinates are set in one size: that in which the longest fits.

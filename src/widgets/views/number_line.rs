@@ -20,10 +20,8 @@ use crate::{
 };
 
 use super::{super::Look, links::Links, on_slate::OnSlate, slate::Slate};
-use axis::Axis;
+use axis::{ABOVE, Axis};
 
-/// Above the axis: the names of the ends, and two rows for those of borders.
-const ABOVE: f32 = 52.0;
 /// Below it: 0 and 1, and a bound with a stacked fraction.
 const BELOW: f32 = 48.0;
 

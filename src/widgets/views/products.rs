@@ -16,13 +16,16 @@ mod vectors;
 
 use egui::{Align2, Painter, Rect, Vec2, pos2, vec2};
 
-use crate::figure::{Product, Products};
+use crate::{
+    figure::{Product, Products},
+    paint::Typeset,
+};
 
 use super::{
     super::Look,
     links::Links,
     on_slate::OnSlate,
-    slate::{Face, Slate, Style},
+    slate::{Face, Slate},
 };
 
 /// A drawing's width; its arithmetic stands beside it.
@@ -33,6 +36,8 @@ const HEIGHTS: [f32; 2] = [62.0, 104.0];
 const ASIDE: f32 = 20.0;
 /// A decision is broken into lines when it is wider than this.
 const MOST_WORDS: f32 = 210.0;
+/// It has this width at least.
+const LEAST_WORDS: f32 = 90.0;
 /// Between one product and the next.
 const GAP: f32 = 8.0;
 const DECISION_SIZE: f32 = 14.0;
@@ -47,14 +52,14 @@ impl OnSlate for Products {
     }
 
     fn draw(&self, slate: &mut Slate<'_>, rect: Rect, _: &mut Links) {
-        let [least, most] = HEIGHTS.map(|height| slate.pts(height));
         let measured = self.measured.as_ref();
         let under = measured.map_or(0.0, |measured| {
             measured::height(slate, measured, rect.width())
         });
-        let n = n_kept(self);
-        let height = (rect.height() - under) / n - slate.pts(GAP);
-        let drawing = vec2(slate.pts(WIDTH), height.clamp(least, most));
+        let room = (rect.height() - under) / n_kept(self) - slate.pts(GAP);
+        let least = least_height(slate, self, rect.width());
+        let height = room.min(slate.pts(HEIGHTS[1])).max(least);
+        let drawing = vec2(slate.pts(WIDTH), height);
         let scale = vectors::common_scale(slate, &self.products, drawing);
         let mut top = rect.top();
         for product in &self.products {
@@ -92,38 +97,46 @@ fn n_kept(products: &Products) -> f32 {
 }
 
 fn wanted(slate: &Slate<'_>, products: &Products, room: f32) -> Vec2 {
-    let ink = slate.theme().ink;
+    let aside = slate.pts(WIDTH + ASIDE);
     let widths = products.products.iter().map(|product| {
-        let arithmetic = slate.formula(&product.arithmetic, (Face::Plain, ARITHMETIC_SIZE, ink));
-        let style = (Face::Strong, DECISION_SIZE, ink);
-        let decision = slate.sentence(&product.decision, slate.pts(MOST_WORDS), style);
+        let [decision, arithmetic] = words(slate, product, room - aside);
         decision.size().x.max(arithmetic.size().x)
     });
-    let words = widths.fold(0.0, f32::max);
-    let height = n_kept(products) * slate.pts(HEIGHTS[0] + GAP);
+    let told = widths.fold(0.0, f32::max);
+    let height = n_kept(products) * (least_height(slate, products, room) + slate.pts(GAP));
     let measured = products.measured.as_ref();
     let measured = measured.map_or(0.0, |measured| measured::height(slate, measured, room));
-    vec2(slate.pts(WIDTH + ASIDE) + words, height + measured)
+    vec2(aside + told, height + measured)
 }
 
-/// The decision, and the arithmetic under it.
-fn told(slate: &mut Slate<'_>, place: Rect, product: &Product) {
+/// What is said of a product: its decision, and the arithmetic under it.
+fn words(slate: &Slate<'_>, product: &Product, width: f32) -> [Typeset; 2] {
     let theme = slate.theme();
     let ink = if product.is_current {
         theme.ink
     } else {
         theme.soft
     };
-    let style: Style = (Face::Strong, DECISION_SIZE, ink);
-    let width = place
-        .width()
-        .min(slate.pts(MOST_WORDS))
-        .max(slate.pts(60.0));
-    let decision = slate.sentence(&product.decision, width, style);
-    let arithmetic = slate.formula(
-        &product.arithmetic,
-        (Face::Plain, ARITHMETIC_SIZE, theme.soft),
-    );
+    let width = width.min(slate.pts(MOST_WORDS)).max(slate.pts(LEAST_WORDS));
+    let soft = (Face::Plain, ARITHMETIC_SIZE, theme.soft);
+    [
+        slate.sentence(&product.decision, width, (Face::Strong, DECISION_SIZE, ink)),
+        slate.formula(&product.arithmetic, soft),
+    ]
+}
+
+/// So high is a drawing at least that what is said beside it has room.
+fn least_height(slate: &Slate<'_>, products: &Products, room: f32) -> f32 {
+    let width = room - slate.pts(WIDTH + ASIDE);
+    let heights = products.products.iter().map(|product| {
+        let [decision, arithmetic] = words(slate, product, width);
+        decision.size().y + slate.pts(AIR) + arithmetic.size().y
+    });
+    heights.fold(slate.pts(HEIGHTS[0]), f32::max)
+}
+
+fn told(slate: &mut Slate<'_>, place: Rect, product: &Product) {
+    let [decision, arithmetic] = words(slate, product, place.width());
     let height = decision.size().y + slate.pts(AIR) + arithmetic.size().y;
     let top = place.center().y - 0.5 * height;
     let put = slate.put(&decision, pos2(place.left(), top), Align2::LEFT_TOP);

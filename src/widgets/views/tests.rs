@@ -116,13 +116,13 @@ fn a_long_table_says_how_much_it_folds() {
 
 #[test]
 fn lists_are_linked() {
-    check("c3", &ROOMS, &data::two_lists());
-    check("lists-in-out", &ROOMS, &data::in_and_out());
+    check("c3", &ROOMS, &data::polygons::two_lists());
+    check("lists-in-out", &ROOMS, &data::polygons::in_and_out());
 }
 
 #[test]
 fn a_long_list_says_how_much_it_folds() {
-    check("lists-40", &ROOMS, &data::long_lists());
+    check("lists-40", &ROOMS, &data::polygons::long_lists());
 }
 
 #[test]
@@ -145,5 +145,5 @@ fn an_empty_interval_is_crossed_over() {
 #[test]
 fn coordinates_of_a_pipeline_are_whole() {
     let rooms = [vec2(900.0, 100.0), vec2(560.0, 120.0), vec2(420.0, 120.0)];
-    check("clippers", &rooms, &data::pipeline());
+    check("clippers", &rooms, &data::polygons::pipeline());
 }

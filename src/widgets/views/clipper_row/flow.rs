@@ -5,10 +5,7 @@ use egui::{Align2, Pos2, Rect, Vec2, pos2, vec2};
 use crate::figure::{ClipperRow, Fate, Traveller};
 
 use super::super::slate::{Face, Slate};
-use super::{
-    NAME_SIZE,
-    plan::{ENDS, Plan},
-};
+use super::plan::{ENDS, NAME_SIZE, Plan};
 
 /// V on the left, or what is left out; on the right as many vertices as have come out.
 pub fn ends(slate: &mut Slate<'_>, plan: &Plan, row: &ClipperRow) {

@@ -23,6 +23,8 @@ const MOST_ARROW: f32 = 96.0;
 /// Heights of a name over its box, and of a line in it.
 const NAME: f32 = 19.0;
 pub const LINE: f32 = 15.5;
+/// Size of names.
+pub const NAME_SIZE: f32 = 13.0;
 /// Room for F or S before a coordinate.
 pub const LETTER: f32 = 14.0;
 /// V at the left end; what comes out at the right end.

@@ -6,8 +6,9 @@ use egui_plot::{PlotBounds, PlotTransform};
 use crate::figure::{LineTick, NumberLine, Role, Side};
 
 use super::super::slate::{Slate, colour};
-use super::ABOVE;
 
+/// Above the axis: the names of the ends, and two rows for those of borders.
+pub const ABOVE: f32 = 52.0;
 /// White space at both ends of the axis; on the right the parameter's name.
 const ENDS: [f32; 2] = [26.0, 34.0];
 /// Crossings farther out are drawn at the end of the axis, as arrows that point to them.
@@ -111,12 +112,18 @@ impl Axis {
         }
     }
 
-    /// Between bounds that have passed each other there is nothing.
+    /// There is nothing between the bounds.
     fn crossed_over(&self, slate: &mut Slate<'_>, line: &NumberLine) {
         let [low, high] = line.interval.map(|u| self.at(u));
         let signal = slate.theme().signal;
         let stroke = slate.stroke(2.5, signal);
-        slate.line([high, low], stroke);
+        if line.interval[0] > line.interval[1] {
+            slate.line([high, low], stroke);
+        } else {
+            // Empty though the bounds are in order: the line runs beside the window.
+            let dashes = slate.stroke(1.75, slate.theme().ink);
+            slate.dashed([low, high], dashes, 6.0);
+        }
         let middle = high.lerp(low, 0.5);
         let arm = slate.pts(CROSS);
         for y in [-arm, arm] {

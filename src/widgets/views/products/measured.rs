@@ -142,8 +142,8 @@ fn segment(slate: &mut Slate<'_>, bar: Rect, scale: &Scale, measured: &Measured)
 fn names(slate: &mut Slate<'_>, bar: Rect, scale: &Scale, measured: &Measured) {
     let theme = slate.theme();
     let room = bar.expand2(vec2(slate.pts(4.0), slate.pts(2.0 * ROW)));
-    let above = bar.top() - 0.5 * slate.pts(ROW);
-    let below = bar.bottom() + 0.5 * slate.pts(ROW);
+    let above = bar.top() - 0.6 * slate.pts(ROW);
+    let below = bar.bottom() + 0.6 * slate.pts(ROW);
     let [(first, from), (second, to)] = &measured.ends;
     let zero = (Face::Strong, NAME_SIZE, theme.signal_text);
     let end = (Face::Strong, NAME_SIZE, theme.accent);
