@@ -5,6 +5,7 @@ from pathlib import Path
 from fontTools import subset
 from fontTools.fontBuilder import FontBuilder
 from fontTools.pens.t2CharStringPen import T2CharStringPen
+from fontTools.pens.ttGlyphPen import TTGlyphPen
 from fontTools.ttLib import TTFont
 
 HERE = Path(__file__).parent
@@ -51,6 +52,20 @@ def used_characters():
     return {ord(c) for c in text if ord(c) >= 0x20 and c != "\u007f"} | set(latin)
 
 
+def widen_minus(font):
+    """JetBrains Mono draws its minus as a hyphen: here it is as wide as the plus."""
+    names, outlines = font.getBestCmap(), font["glyf"]
+    minus, plus = names[ord("−")], outlines[names[ord("+")]]
+    low, high = outlines[minus].yMin, outlines[minus].yMax
+    pen = TTGlyphPen(None)
+    pen.moveTo((plus.xMin, low))
+    for corner in [(plus.xMin, high), (plus.xMax, high), (plus.xMax, low)]:
+        pen.lineTo(corner)
+    pen.closePath()
+    outlines[minus] = pen.glyph()
+    font["hmtx"][minus] = (font["hmtx"][minus][0], plus.xMin)
+
+
 def cut(target, source, face, characters):
     """Writes the subset, if there is anything in it; returns what is still missing."""
     font = TTFont(DEBIAN / source, fontNumber=face, recalcTimestamp=False)
@@ -66,6 +81,8 @@ def cut(target, source, face, characters):
     cutter = subset.Subsetter(options)
     cutter.populate(unicodes=present)
     cutter.subset(font)
+    if target.startswith("JetBrainsMono"):
+        widen_minus(font)
     subset.save_font(font, HERE / target, options)
     print(f"{target:28} {len(present):5} characters {(HERE / target).stat().st_size:8} bytes")
     return characters - present
