@@ -6,8 +6,9 @@ use crate::{
     figure::{Role, unseen},
     labs::MethodCard,
     lesson::CodeView,
-    trace::Counts,
-    widgets::{CodeLine, Cost, code_view_switch, cost, pseudocode, rule, section, watch},
+    widgets::{
+        CodeLine, Cost, code_view_switch, cost, most_of_a_kind, pseudocode, rule, section, watch,
+    },
 };
 
 use super::{Command, model::Model, stage_state::StageState};
@@ -99,7 +100,6 @@ fn costs(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
         Some((counts, counts, method))
     };
     let compared = beside.or_else(baseline);
-    let most = |counts: Counts| counts.add.max(counts.mul).max(counts.div).max(counts.cmp);
     let name = |method: &MethodCard| look.say(method.name_key);
     let other_name = compared
         .map(|(_, _, method)| name(method))
@@ -107,7 +107,7 @@ fn costs(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
     let shown = Cost {
         now,
         compared: compared.map(|(counts, _, _)| (counts, &*other_name)),
-        most: most(end).max(compared.map_or(0, |(_, end, _)| most(end))),
+        most: most_of_a_kind(&[end, compared.map_or(end, |(_, end, _)| end)]),
     };
     ui.scope(|ui| cost(ui, look, &shown));
     if !model.measures {

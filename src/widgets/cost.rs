@@ -1,8 +1,10 @@
 //! Operations done so far, as bars: this run's, and another's to compare with.
 
-use egui::{Align2, Rect, RichText, Role, Sense, TextStyle, Ui, WidgetInfo, pos2, vec2};
+use egui::{
+    Align2, FontId, Painter, Rect, RichText, Role, Sense, TextStyle, Ui, WidgetInfo, pos2, vec2,
+};
 
-use crate::{text::Message, trace::Counts};
+use crate::{paint::Typeset, text::Message, trace::Counts};
 
 use super::Look;
 
@@ -16,92 +18,171 @@ pub struct Cost<'a> {
     pub most: u32,
 }
 
-/// Draws four rows of bars with their numbers.
+/// Between two kinds of operations beside each other, and from a name to its number.
+const GAP: f32 = 20.0;
+const INNER_GAP: f32 = 8.0;
+/// A run's bar, and that of the one it is compared with.
+const BAR: f32 = 5.0;
+const OTHER_BAR: f32 = 4.0;
+
+/// The most operations of one kind that any of these runs has done: for bars of one scale.
+#[must_use]
+pub fn most_of_a_kind(runs: &[Counts]) -> u32 {
+    let counts = runs.iter().flat_map(|run| KINDS.map(|kind| (kind.of)(run)));
+    counts.max().unwrap_or_default()
+}
+
+#[derive(Clone, Copy)]
+struct Kind {
+    key: &'static str,
+    /// In full, for those who ask.
+    name_key: &'static str,
+    of: fn(&Counts) -> u32,
+}
+
+/// Dearest first.
+const KINDS: [Kind; 4] = [
+    Kind {
+        key: "cost-divisions",
+        name_key: "cost-divisions",
+        of: |c| c.div,
+    },
+    Kind {
+        key: "cost-multiplications",
+        name_key: "cost-multiplications",
+        of: |c| c.mul,
+    },
+    Kind {
+        key: "cost-sums",
+        name_key: "cost-additions",
+        of: |c| c.add,
+    },
+    Kind {
+        key: "cost-comparisons",
+        name_key: "cost-comparisons",
+        of: |c| c.cmp,
+    },
+];
+
+/// Draws the four kinds of operations with their bars, in as many columns as there is room for, and what they are
+/// compared with.
 pub fn cost(ui: &mut Ui, look: Look<'_>, cost: &Cost<'_>) {
-    ui.spacing_mut().item_spacing.y = 0.0;
-    let other = cost.compared.map(|(counts, _)| counts);
-    for (sign, key, of) in ROWS {
-        row(
-            ui,
-            look,
-            sign,
-            key,
-            of(&cost.now),
-            other.as_ref().map(of),
-            cost.most.max(1),
-        );
+    let bars = Bars::new(ui.painter(), look, cost, ui.available_width());
+    let size = vec2(ui.available_width(), bars.height());
+    let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
+    bars.paint(ui.painter(), rect);
+    for (i, kind) in KINDS.iter().enumerate() {
+        let name = look.say(kind.name_key);
+        let said = format!("{name}: {}", bars.numbers(kind));
+        let id = ui.scope_id().with(("cost", kind.key));
+        let response = ui.interact(bars.cell(rect, i), id, Sense::hover());
+        response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &said));
+        response.on_hover_text(name);
     }
     if let Some((_, name)) = cost.compared {
-        ui.add_space(4.0);
         let note = Message::new("cost-compared-with").with("method", name.to_owned());
-        ui.label(
-            RichText::new(look.catalog.message(&note))
-                .small()
-                .color(look.theme.soft),
-        );
+        let note = RichText::new(look.catalog.message(&note)).small();
+        ui.label(note.color(look.theme.soft));
     }
 }
 
-type Of = fn(&Counts) -> u32;
+/// Four bars with their names and numbers, in a given width: under a figure, or in the inspector.
+pub struct Bars<'a> {
+    look: Look<'a>,
+    cost: &'a Cost<'a>,
+    small: FontId,
+    mono: FontId,
+    n_columns: usize,
+    width: f32,
+}
 
-/// Dearest first.
-const ROWS: [(&str, &str, Of); 4] = [
-    ("÷", "cost-divisions", |c| c.div),
-    ("×", "cost-multiplications", |c| c.mul),
-    ("+ −", "cost-additions", |c| c.add),
-    ("<", "cost-comparisons", |c| c.cmp),
-];
-
-fn row(
-    ui: &mut Ui,
-    look: Look<'_>,
-    sign: &str,
-    key: &str,
-    now: u32,
-    other: Option<u32>,
-    most: u32,
-) {
-    let theme = look.theme;
-    let mono = TextStyle::Monospace.resolve(ui.style());
-    let height = (mono.size * 1.75).round();
-    let (rect, response) =
-        ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
-    let numbers = match other {
-        Some(other) => format!("{now} / {other}"),
-        None => now.to_string(),
-    };
-    let name = look.say(key);
-    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, format!("{name}: {numbers}")));
-    let y = rect.center().y;
-    let painter = ui.painter();
-    painter.text(
-        pos2(rect.left() + 8.0, y),
-        Align2::LEFT_CENTER,
-        sign,
-        mono.clone(),
-        theme.soft,
-    );
-    let written = painter.text(
-        pos2(rect.right(), y),
-        Align2::RIGHT_CENTER,
-        &numbers,
-        mono,
-        theme.ink,
-    );
-    let left = rect.left() + 48.0 * theme.text_scale;
-    // The numbers of all rows share one column, so that all bars share one scale.
-    let room = (rect.right() - 72.0 * theme.text_scale).min(written.left() - 8.0) - left;
-    let bar = |top: f32, count: u32, height: f32, colour| {
-        let width = room.max(0.0) * count as f32 / most as f32;
-        let bar = Rect::from_min_size(pos2(left, top), vec2(width, height));
-        painter.rect_filled(bar, 1.0, colour);
-    };
-    match other {
-        Some(other) => {
-            bar(y - 6.0, now, 6.0, theme.accent);
-            bar(y + 1.0, other, 5.0, theme.hairline);
-        }
-        None => bar(y - 3.0, now, 6.0, theme.accent),
+impl<'a> Bars<'a> {
+    /// Finds how many stand beside each other.
+    #[must_use]
+    pub fn new(painter: &Painter, look: Look<'a>, cost: &'a Cost<'a>, width: f32) -> Self {
+        let style = painter.ctx().global_style();
+        let mut bars = Self {
+            look,
+            cost,
+            small: TextStyle::Small.resolve(&style),
+            mono: TextStyle::Monospace.resolve(&style),
+            n_columns: 1,
+            width,
+        };
+        let widths = KINDS.iter().map(|kind| {
+            let [name, numbers] = bars.texts(painter, kind);
+            name.size().x + INNER_GAP * look.theme.text_scale + numbers.size().x
+        });
+        let widest = widths.fold(0.0, f32::max);
+        let fits = |n: &usize| *n as f32 * (widest + GAP) - GAP <= width;
+        bars.n_columns = [4, 2].into_iter().find(fits).unwrap_or(1);
+        bars
     }
-    response.on_hover_text(name);
+
+    /// Of all of it.
+    #[must_use]
+    pub fn height(&self) -> f32 {
+        let n_rows = KINDS.len().div_ceil(self.n_columns);
+        n_rows as f32 * self.row_height()
+    }
+
+    /// Draws it from the top of `rect`, which is as wide as was said before.
+    pub fn paint(&self, painter: &Painter, rect: Rect) {
+        let theme = self.look.theme;
+        for (i, kind) in KINDS.iter().enumerate() {
+            let cell = self.cell(rect, i);
+            let y = cell.top() + 0.5 * self.text_height();
+            let [name, numbers] = self.texts(painter, kind);
+            name.paint(painter, pos2(cell.left(), y), Align2::LEFT_CENTER);
+            numbers.paint(painter, pos2(cell.right(), y), Align2::RIGHT_CENTER);
+            let mut top = cell.top() + self.text_height();
+            let mut bar = |counts: &Counts, height: f32, colour| {
+                let share = (kind.of)(counts) as f32 / self.cost.most.max(1) as f32;
+                let size = vec2(cell.width() * share, height * theme.text_scale);
+                let bar = Rect::from_min_size(pos2(cell.left(), top), size);
+                painter.rect_filled(bar, 1.0, colour);
+                top = bar.bottom() + 1.0;
+            };
+            bar(&self.cost.now, BAR, theme.accent);
+            if let Some((other, _)) = &self.cost.compared {
+                bar(other, OTHER_BAR, theme.discarded);
+            }
+        }
+    }
+
+    fn texts(&self, painter: &Painter, kind: &Kind) -> [Typeset; 2] {
+        let theme = self.look.theme;
+        let name = self.look.say(kind.key);
+        [
+            Typeset::text(painter, name, self.small.clone(), theme.soft),
+            Typeset::text(painter, self.numbers(kind), self.mono.clone(), theme.ink),
+        ]
+    }
+
+    fn numbers(&self, kind: &Kind) -> String {
+        let now = (kind.of)(&self.cost.now);
+        match &self.cost.compared {
+            Some((other, _)) => format!("{now} / {}", (kind.of)(other)),
+            None => now.to_string(),
+        }
+    }
+
+    fn text_height(&self) -> f32 {
+        (self.mono.size * 1.4).round()
+    }
+
+    fn row_height(&self) -> f32 {
+        let scale = self.look.theme.text_scale;
+        let other = self.cost.compared.map_or(0.0, |_| 1.0 + OTHER_BAR * scale);
+        (self.text_height() + BAR * scale + other + 5.0).round()
+    }
+
+    /// Where the `i`th kind stands.
+    fn cell(&self, rect: Rect, i: usize) -> Rect {
+        let n = self.n_columns as f32;
+        let width = (self.width - (n - 1.0) * GAP) / n;
+        let [row, column] = [i / self.n_columns, i % self.n_columns].map(|k| k as f32);
+        let at = rect.min + vec2(column * (width + GAP), row * self.row_height());
+        Rect::from_min_size(at, vec2(width, self.row_height()))
+    }
 }

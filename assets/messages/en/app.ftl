@@ -47,6 +47,7 @@ pseudocode-hidden = Hidden
 pseudocode-hidden-note = Hidden: what comes next?
 watch-empty = Nothing has been computed yet.
 cost-additions = additions and subtractions
+cost-sums = additions
 cost-multiplications = multiplications
 cost-divisions = divisions
 cost-comparisons = comparisons

@@ -47,6 +47,7 @@ pseudocode-hidden = Oculto
 pseudocode-hidden-note = Oculto: ¿qué sigue ahora?
 watch-empty = Todavía no se ha calculado nada.
 cost-additions = sumas y restas
+cost-sums = sumas
 cost-multiplications = multiplicaciones
 cost-divisions = divisiones
 cost-comparisons = comparaciones

@@ -47,6 +47,7 @@ pseudocode-hidden = Oculto
 pseudocode-hidden-note = Oculto: o que vem a seguir?
 watch-empty = Nada foi calculado ainda.
 cost-additions = somas e subtrações
+cost-sums = somas
 cost-multiplications = multiplicações
 cost-divisions = divisões
 cost-comparisons = comparações

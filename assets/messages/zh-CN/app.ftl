@@ -43,6 +43,7 @@ pseudocode-hidden = 隐藏
 pseudocode-hidden-note = 已隐藏：下一步会是什么？
 watch-empty = 尚未进行任何计算。
 cost-additions = 加减法
+cost-sums = 加减
 cost-multiplications = 乘法
 cost-divisions = 除法
 cost-comparisons = 比较
