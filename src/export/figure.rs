@@ -1,16 +1,13 @@
 //! One figure: what the stage shows, and the caption under it.
 
-use std::sync::Arc;
-
-use egui::{Align2, FontId, Galley, Rect, Ui, pos2, vec2};
+use egui::{Align2, Rect, Ui, pos2, vec2};
 
 use crate::{
     figure::{Frame, Run},
     labs::{Difference, MethodCard, Scene},
     paint::{Headless, Image, Theme, ThemeKind, Viewport, stage},
     text::{Catalog, Lang},
-    trace::Counts,
-    widgets::{Look, caption_job, column_title, strip_height, view},
+    widgets::{Bars, CaptionLayout, Cost, Look, column_title, most_of_a_kind, strip_height, view},
 };
 
 /// A figure is laid out on a page of this size in points, or larger along one side as its shape asks, and
@@ -67,6 +64,7 @@ pub fn draw(table: &mut Headless, picture: &Picture<'_>) -> Image {
             catalog: Catalog::of(picture.lang),
         },
         is_comparison: columns.len() > 1,
+        most: most_of_a_kind(&columns.iter().map(|c| c.frame.counts).collect::<Vec<_>>()),
         difference: Difference::between(&scene.document().methods(), &all),
         second_height: columns
             .iter()
@@ -82,7 +80,10 @@ pub fn draw(table: &mut Headless, picture: &Picture<'_>) -> Image {
             .map(|column| page.caption(ui, width, &column.frame))
             .collect();
         // As much room under both stages, so that they show the same place at the same size.
-        let room = captions.iter().map(|c| c.size().y).fold(0.0, f32::max);
+        let room = captions
+            .iter()
+            .map(CaptionLayout::height)
+            .fold(0.0, f32::max);
         for (i, (column, caption)) in columns.iter().zip(captions).enumerate() {
             let left = whole.left() + width * i as f32;
             let rect = Rect::from_min_size(pos2(left, whole.top()), vec2(width, whole.height()));
@@ -119,16 +120,17 @@ struct Page<'a> {
     scene: &'a Scene,
     look: Look<'static>,
     is_comparison: bool,
+    /// Operations at full length of a bar.
+    most: u32,
     difference: Option<Difference>,
     /// Height of the second view: the same under both stages, so that they show the same place.
     second_height: f32,
 }
 
 impl Page<'_> {
-    fn caption(&self, ui: &Ui, width: f32, frame: &Frame) -> Arc<Galley> {
+    fn caption(&self, ui: &Ui, width: f32, frame: &Frame) -> CaptionLayout {
         let width = width - 2.0 * MARGIN_PTS[0];
-        let job = caption_job(ui, self.look, &frame.caption, width, MAX_ROWS);
-        ui.painter().layout_job(job)
+        CaptionLayout::new(ui.painter(), self.look, &frame.caption, width, MAX_ROWS)
     }
 
     fn column(
@@ -137,11 +139,20 @@ impl Page<'_> {
         rect: Rect,
         index: usize,
         column: &Column,
-        (caption, caption_height): (Arc<Galley>, f32),
+        (caption, caption_height): (CaptionLayout, f32),
     ) {
         let frame = &column.frame;
         let [margin_x, margin_y] = MARGIN_PTS;
-        let cost_height = if self.is_comparison { 28.0 } else { 0.0 };
+        let cost = Cost {
+            now: frame.counts,
+            compared: None,
+            most: self.most,
+        };
+        let width = rect.width() - 2.0 * margin_x;
+        let bars = self
+            .is_comparison
+            .then(|| Bars::new(ui.painter(), self.look, &cost, width));
+        let cost_height = bars.as_ref().map_or(0.0, |bars| bars.height() + 8.0);
         let bottom = rect.bottom() - margin_y;
         let caption_top = bottom - cost_height - caption_height;
         let strip_top = caption_top - margin_y;
@@ -166,9 +177,10 @@ impl Page<'_> {
         let hairline = self.look.theme.stroke(1.0, self.look.theme.hairline);
         ui.painter().hline(rect.x_range(), strip_top, hairline);
         let at = pos2(rect.left() + margin_x, caption_top);
-        ui.painter().galley(at, caption, self.look.theme.ink);
-        if self.is_comparison && column.has_run {
-            self.cost(ui, pos2(at.x, bottom), &frame.counts);
+        caption.paint(ui.painter(), at);
+        if let Some(bars) = bars.filter(|_| column.has_run) {
+            let top = bottom - bars.height();
+            bars.paint(ui.painter(), rect.with_min_x(at.x).with_min_y(top));
         }
     }
 
@@ -201,19 +213,6 @@ impl Page<'_> {
             rect.width() - 2.0 * margin_x,
             &self.look.catalog.term(method.name_key),
             note.as_deref(),
-        );
-    }
-
-    fn cost(&self, ui: &Ui, left_bottom: egui::Pos2, counts: &Counts) {
-        ui.painter().text(
-            left_bottom,
-            Align2::LEFT_BOTTOM,
-            format!(
-                "÷ {}   × {}   + {}   < {}",
-                counts.div, counts.mul, counts.add, counts.cmp
-            ),
-            FontId::monospace(12.0 * self.look.theme.text_scale),
-            self.look.theme.soft,
         );
     }
 }

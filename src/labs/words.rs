@@ -74,7 +74,7 @@ pub fn parameter_formula(
         .equals_ratio(u.num, u.den)
 }
 
-/// `y = (−1 · 3 + 1.5 · 1) / 4 = −3/8`: the free coordinate of a crossing, as it is computed.
+/// `y = (−1 · 3 + 3/2 · 1) / 4 = −3/8`: the free coordinate of a crossing, as it is computed.
 pub fn free_formula(segment: &Segment, window: &Window, edge: Edge, free: f64) -> Formula {
     let (axis, c) = (edge.axis(), window.border(edge));
     let [a1, o1] = along(segment.p1, axis);

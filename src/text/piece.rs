@@ -39,12 +39,45 @@ impl Piece {
         pieces
     }
 
+    /// Signs of relations: a formula that is too long goes on before one of them.
+    pub const RELATIONS: [char; 7] = ['=', '≈', '≠', '<', '>', '≤', '≥'];
+
+    /// A formula in steps, each but the first beginning with its relation.
+    #[must_use]
+    pub fn steps(formula: &[Self]) -> Vec<Vec<Self>> {
+        let mut steps = vec![Vec::new()];
+        for piece in formula {
+            let Self::Text(text) = piece else {
+                steps
+                    .last_mut()
+                    .into_iter()
+                    .for_each(|step| step.push(piece.clone()));
+                continue;
+            };
+            let starts = text.match_indices(Self::RELATIONS).map(|(at, _)| at);
+            let mut from = 0;
+            for at in starts {
+                push(&mut steps, &text[from..at]);
+                steps.push(Vec::new());
+                from = at;
+            }
+            push(&mut steps, &text[from..]);
+        }
+        steps
+    }
+
     /// The same as a line of plain text: `1/4`, `(a − b) / c`, `u_min`.
     #[must_use]
     pub fn plain(pieces: &[Self]) -> String {
         let mut text = String::new();
         write_plain(pieces, &mut text);
         text
+    }
+}
+
+fn push(steps: &mut [Vec<Piece>], text: &str) {
+    if let Some(step) = steps.last_mut().filter(|_| !text.is_empty()) {
+        step.push(Piece::Text(text.to_owned()));
     }
 }
 
@@ -102,5 +135,26 @@ mod tests {
             assert_eq!(found, subs, "{text}");
             assert_eq!(Piece::plain(&pieces), text);
         }
+    }
+
+    #[test]
+    fn a_formula_has_a_step_for_each_relation() {
+        let text = |text: &str| Piece::Text(text.to_owned());
+        let over = Piece::Over {
+            num: vec![text("q")],
+            den: vec![text("p")],
+        };
+        let formula = [
+            text("t = "),
+            over,
+            text(" = (1 + 2)"),
+            text(" "),
+            text("≈ 3"),
+        ];
+        let steps: Vec<String> = Piece::steps(&formula)
+            .iter()
+            .map(|step| Piece::plain(step))
+            .collect();
+        assert_eq!(steps, ["t ", "= qp ", "= (1 + 2) ", "≈ 3"]);
     }
 }

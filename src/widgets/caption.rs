@@ -1,104 +1,181 @@
 //! A step's sentence: the decision semibold, the arithmetic after it.
 
-use egui::{
-    Align, Color32, Label, Rect, TextFormat, TextStyle, Ui, UiBuilder,
-    text::{LayoutJob, TextWrapping},
-    vec2,
-};
+use egui::{Align2, Label, Painter, Pos2, Rect, TextStyle, Ui, UiBuilder, pos2, vec2};
 
 use crate::{
     figure::Caption,
-    paint::{Theme, theme},
-    text::Catalog,
+    paint::{Span, Theme, Typeset, theme},
+    text::{Catalog, Piece},
 };
 
 use super::Look;
 
+/// Room for a line with a stacked quotient, whether or not it has one.
+const ROW_PTS: f32 = 32.0;
+/// White space above and below.
+const MARGIN_PTS: f32 = 8.0;
+
 /// Height of the bar that holds a caption of up to `n_rows`: the same at every step, so that nothing moves.
 #[must_use]
 pub fn caption_height(theme: &Theme, n_rows: usize) -> f32 {
-    (24.0 + 20.0 * n_rows as f32 * theme.text_scale).ceil()
+    (2.0 * MARGIN_PTS + ROW_PTS * n_rows as f32 * theme.text_scale).ceil()
 }
 
 /// The caption as plain text, for screen readers and tooltips.
 #[must_use]
 pub fn caption_text(catalog: &Catalog, caption: &Caption) -> String {
-    let mut text = catalog.message(&caption.decision);
-    for (i, formula) in caption.arithmetic.iter().enumerate() {
-        text.push_str(if i == 0 { "  " } else { ",  " });
-        text.push_str(&catalog.formula(formula));
-    }
-    text
+    let formulas = caption.arithmetic.iter();
+    let arithmetic = in_a_row(formulas.map(|f| catalog.formula_pieces(f)).collect());
+    catalog.message(&caption.decision) + &Piece::plain(&arithmetic)
 }
 
-/// Draws the caption in `rect`, in the middle of its height, on as many lines as it takes, `n_rows` at most.
+/// Draws the caption in `rect` on as many lines as it takes, `n_rows` at most. Its first line stands where it stands at
+/// every other step.
 pub fn caption(ui: &mut Ui, look: Look<'_>, rect: Rect, n_rows: usize, shown: &Caption) {
-    let inner = rect.shrink2(vec2(24.0, 8.0).min(rect.size() * 0.1));
-    let job = caption_job(ui, look, shown, inner.width(), n_rows);
-    let height = ui.fonts_mut(|fonts| fonts.layout_job(job.clone())).size().y;
+    let inner = rect.shrink2(vec2(24.0, MARGIN_PTS).min(rect.size() * 0.1));
+    let layout = CaptionLayout::new(ui.painter(), look, shown, inner.width(), n_rows);
+    let top = layout.top(inner, look.theme);
     let place = Rect::from_min_size(
-        egui::pos2(inner.left(), (inner.center().y - 0.5 * height).round()),
-        vec2(inner.width(), height),
+        pos2(inner.left(), top),
+        vec2(inner.width(), layout.height()),
     );
     ui.scope_builder(UiBuilder::new().max_rect(place), |ui| {
         ui.set_clip_rect(rect.intersect(ui.clip_rect()));
-        ui.add(Label::new(job).selectable(true))
+        ui.add(Label::new(layout.0.galley()).selectable(true))
             .on_hover_text(caption_text(look.catalog, shown));
     });
 }
 
-/// The caption to be laid out in lines of at most `width` points; what does not fit into `max_rows` of them
-/// ends in an ellipsis.
-#[must_use]
-pub fn caption_job(
-    ui: &Ui,
-    look: Look<'_>,
-    caption: &Caption,
-    width: f32,
-    max_rows: usize,
-) -> LayoutJob {
-    let format = |style: TextStyle, color: Color32| TextFormat {
-        font_id: style.resolve(ui.style()),
-        color,
-        valign: Align::BOTTOM,
-        ..TextFormat::default()
-    };
-    let strong = format(theme::caption_strong(), look.theme.ink);
-    let soft = format(theme::caption(), look.theme.soft);
-    let mut job = LayoutJob {
-        wrap: TextWrapping {
-            max_width: width,
-            max_rows,
-            ..TextWrapping::default()
-        },
-        ..LayoutJob::default()
-    };
-    job.append(&look.catalog.message(&caption.decision), 0.0, strong);
-    let last = caption.arithmetic.len().saturating_sub(1);
-    for (i, formula) in caption.arithmetic.iter().enumerate() {
-        let mut text = unbroken(&look.catalog.formula(formula));
-        if width_of(ui, &text, &soft) > width {
-            // Too long for any line: it goes on before a relation, not within a number.
-            for relation in ['=', '≈'] {
-                text = text.replace(&format!("\u{a0}{relation}"), &format!(" {relation}"));
-            }
-        }
-        if i < last {
-            text.push(',');
-        }
-        job.append(" ", 8.0, soft.clone());
-        job.append(&text, 0.0, soft.clone());
+/// A caption set in lines.
+pub struct CaptionLayout(Typeset);
+
+impl CaptionLayout {
+    /// Sets a caption in lines of at most `width` points. Where it does not fit into `max_rows` of them, steps are left
+    /// out from the middle of its arithmetic; the decision is always whole.
+    #[must_use]
+    pub fn new(
+        painter: &Painter,
+        look: Look<'_>,
+        caption: &Caption,
+        width: f32,
+        max_rows: usize,
+    ) -> Self {
+        let style = painter.ctx().global_style();
+        let font = |of: TextStyle| of.resolve(&style);
+        let decision = Span::message(
+            look.catalog,
+            &caption.decision,
+            font(theme::caption_strong()),
+            look.theme.ink,
+        );
+        let set = |formulas: Vec<Vec<Piece>>| {
+            let arithmetic = Span {
+                pieces: in_a_row(formulas),
+                font: font(theme::caption()),
+                colour: look.theme.soft,
+            };
+            Typeset::wrapped(painter, &[decision.clone(), arithmetic], width)
+        };
+        let fitting = shorter_and_shorter(look.catalog, caption)
+            .map(set)
+            .find(|typeset| typeset.n_rows() <= max_rows);
+        Self(fitting.unwrap_or_else(|| set(Vec::new())))
     }
-    job
+
+    /// Of all its lines.
+    #[must_use]
+    pub fn height(&self) -> f32 {
+        self.0.size().y
+    }
+
+    /// Paints it with its left top corner here.
+    pub fn paint(&self, painter: &Painter, at: Pos2) {
+        self.0.paint(painter, at, Align2::LEFT_TOP);
+    }
+
+    /// Where its top goes so that its first line stands in the middle of the room that a line has; higher up if it would
+    /// not fit below that.
+    fn top(&self, inner: Rect, theme: &Theme) -> f32 {
+        let middle = inner.top() + 0.5 * ROW_PTS * theme.text_scale;
+        let first = self.0.galley().rows.first().map_or(0.0, |row| row.size.y);
+        let top = middle - 0.5 * first;
+        top.min(inner.bottom() - self.height()).round()
+    }
 }
 
-/// A formula that does not break across lines as long as it fits on one.
-fn unbroken(formula: &str) -> String {
-    formula.replace(' ', "\u{a0}")
+/// All of a caption's formulas, then fewer: those in the middle are left out first, then the steps in the middle of the
+/// one that is left, and that one last.
+fn shorter_and_shorter(
+    catalog: &Catalog,
+    caption: &Caption,
+) -> impl Iterator<Item = Vec<Vec<Piece>>> {
+    let left_out = |text: &str| vec![Piece::Text(text.to_owned())];
+    let formulas = caption.arithmetic.iter();
+    let formulas: Vec<Vec<Piece>> = formulas.map(|f| catalog.formula_pieces(f)).collect();
+    let steps = formulas
+        .first()
+        .map_or_else(Vec::new, |first| Piece::steps(first));
+    let fewer = (1..=formulas.len())
+        .rev()
+        .map(move |n| without_middle(&formulas, n, left_out("…")));
+    let shorter = (2..steps.len())
+        .rev()
+        .map(move |n| vec![without_middle(&steps, n, left_out("… ")).concat()]);
+    fewer.chain(shorter).chain([Vec::new()])
 }
 
-fn width_of(ui: &Ui, text: &str, format: &TextFormat) -> f32 {
-    let font = format.font_id.clone();
-    let galley = ui.fonts_mut(|fonts| fonts.layout_no_wrap(text.to_owned(), font, format.color));
-    galley.size().x
+/// The first and the last of these, `n` in all, and between them what stands for the others.
+fn without_middle<T: Clone>(all: &[T], n: usize, left_out: T) -> Vec<T> {
+    if n >= all.len() {
+        return all.to_vec();
+    }
+    let (head, tail) = (&all[..n.div_ceil(2)], &all[all.len() - n / 2..]);
+    head.iter()
+        .cloned()
+        .chain([left_out])
+        .chain(tail.iter().cloned())
+        .collect()
+}
+
+/// Formulas after each other, and after the decision.
+fn in_a_row(formulas: Vec<Vec<Piece>>) -> Vec<Piece> {
+    let mut pieces = Vec::new();
+    for (i, formula) in formulas.into_iter().enumerate() {
+        pieces.push(Piece::Text(if i == 0 { "  " } else { ",  " }.to_owned()));
+        pieces.push(Piece::Kept(formula));
+    }
+    pieces
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::text::{Formula, Lang};
+
+    #[test]
+    fn what_is_too_long_is_left_out_from_the_middle() {
+        let formula = |symbol: &'static str| {
+            Formula::default()
+                .sym(symbol)
+                .sym(" = 1 + 1 + 1")
+                .equals(3.0)
+        };
+        let caption = Caption::new(crate::text::Message::new("transport-step"))
+            .so(formula("x"))
+            .so(formula("y"))
+            .so(formula("z"));
+        let said: Vec<String> = shorter_and_shorter(Catalog::of(Lang::En), &caption)
+            .map(|formulas| Piece::plain(&in_a_row(formulas)))
+            .collect();
+        assert_eq!(
+            said,
+            [
+                "  x = 1 + 1 + 1 = 3,  y = 1 + 1 + 1 = 3,  z = 1 + 1 + 1 = 3",
+                "  x = 1 + 1 + 1 = 3,  …,  z = 1 + 1 + 1 = 3",
+                "  x = 1 + 1 + 1 = 3,  …",
+                "  x … = 3",
+                "",
+            ]
+        );
+    }
 }

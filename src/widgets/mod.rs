@@ -21,8 +21,8 @@ mod views;
 mod watch;
 
 pub use canvas::{Canvas, CanvasShown, Click, place_at};
-pub use caption::{caption, caption_height, caption_job, caption_text};
-pub use cost::{Cost, cost};
+pub use caption::{CaptionLayout, caption, caption_height, caption_text};
+pub use cost::{Bars, Cost, cost, most_of_a_kind};
 pub use handles::{Gesture, Moved, Snap, Spot, gripped};
 pub use hit::{distance_to_segment, link_at};
 pub use icon::{Icon, icon_button};

@@ -1,10 +1,10 @@
 //! A method's pseudocode, with the line of this step.
 
-use crate::lesson::CodeView;
-use egui::{
-    FontId, Rect, RichText, Role, Sense, TextStyle, Ui, WidgetInfo, pos2,
-    text::{LayoutJob, TextFormat},
-    vec2,
+use egui::{Align2, FontId, Rect, RichText, Role, Sense, TextStyle, Ui, WidgetInfo, pos2, vec2};
+
+use crate::{
+    lesson::CodeView,
+    paint::{Span, Typeset},
 };
 
 use super::Look;
@@ -83,11 +83,10 @@ fn row(ui: &mut Ui, look: Look<'_>, line: &CodeLine, font: &FontId, is_current: 
     let indent = 4.0 + 14.0 * line.depth as f32;
     let width = ui.available_width();
     // A line that is too long goes on under its own start.
-    let mut job =
-        LayoutJob::single_section(line.text.clone(), TextFormat::simple(font.clone(), colour));
-    job.wrap.max_width = (width - indent - 4.0).max(48.0);
-    let galley = ui.fonts_mut(|fonts| fonts.layout_job(job));
-    let height = galley.size().y.max(font.size * 1.2) + 4.0;
+    let room = (width - indent - 4.0).max(48.0);
+    let text = Span::text(&line.text, font.clone(), colour);
+    let set = Typeset::wrapped(ui.painter(), &[text], room);
+    let height = set.size().y.max(font.size * 1.2) + 4.0;
     let (rect, response) = ui.allocate_exact_size(vec2(width, height.round()), Sense::hover());
     response.widget_info(|| WidgetInfo::selected(Role::Label, true, is_current, &line.text));
     if is_current {
@@ -96,10 +95,7 @@ fn row(ui: &mut Ui, look: Look<'_>, line: &CodeLine, font: &FontId, is_current: 
         let bar = Rect::from_min_size(wash.min, vec2(3.0, wash.height()));
         ui.painter().rect_filled(bar, 0.0, theme.accent);
     }
-    let at = pos2(
-        rect.left() + indent,
-        rect.center().y - 0.5 * galley.size().y,
-    );
-    ui.painter().galley(at, galley, colour);
+    let at = pos2(rect.left() + indent, rect.center().y);
+    set.paint(ui.painter(), at, Align2::LEFT_CENTER);
     is_current && response.hovered()
 }

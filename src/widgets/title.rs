@@ -2,16 +2,21 @@
 
 use egui::{Align2, FontId, Painter, Pos2, vec2};
 
-use crate::paint::fonts::semibold;
+use crate::paint::{Span, Typeset, fonts::semibold};
 
 use super::Look;
 
 /// Between a method's name and the note on it.
 const GAP_PTS: f32 = 12.0;
+/// Of the text, and the least that it is made smaller to so that a strip has room for all of it.
+const SIZE_PTS: f32 = 13.0;
+const LEAST_PTS: f32 = 10.0;
+/// Lines that a strip has room for.
+const MAX_ROWS: usize = 2;
 
 /// Writes a method's name at a place, and beside it a note where it is wrong on purpose: in the colour of what
 /// happens, and after a sign, so that it does not hang on the colour. Where both do not fit, the note goes
-/// below.
+/// below, and where that makes too many lines, all is written smaller: it is never cut.
 pub fn column_title(
     painter: &Painter,
     look: Look<'_>,
@@ -21,28 +26,39 @@ pub fn column_title(
     note: Option<&str>,
 ) {
     let theme = look.theme;
-    let size = 13.0 * theme.text_scale;
-    let strong = FontId::new(size, semibold());
+    let mut size = SIZE_PTS;
+    let (name, note, is_beside) = loop {
+        let [strong, plain] = [
+            FontId::new(size * theme.text_scale, semibold()),
+            FontId::proportional(size * theme.text_scale),
+        ];
+        let name = Span::text(name, strong, theme.ink);
+        let name = Typeset::wrapped(painter, &[name], width);
+        let note = note.map(|note| Span::text(&format!("≠ {note}"), plain, theme.signal));
+        let note = note.map(|note| Typeset::wrapped(painter, &[note], width));
+        let note_width = note.as_ref().map_or(0.0, |note| GAP_PTS + note.size().x);
+        let is_beside = name.size().x + note_width <= width;
+        let n_note = note.as_ref().map_or(0, Typeset::n_rows);
+        size -= 1.0;
+        if is_beside || name.n_rows() + n_note <= MAX_ROWS || size < LEAST_PTS {
+            break (name, note, is_beside);
+        }
+    };
     let Some(note) = note else {
-        painter.text(at, align, name, strong, theme.ink);
+        name.paint(
+            painter,
+            align.anchor_size(at, name.size()).min,
+            Align2::LEFT_TOP,
+        );
         return;
     };
-    let note = format!("≠ {note}");
-    let name = painter.layout_no_wrap(name.to_owned(), strong, theme.ink);
-    let plain = FontId::proportional(size);
-    let note = painter.layout_no_wrap(note, plain, theme.signal);
-    let is_beside = name.size().x + GAP_PTS + note.size().x <= width;
     let offset = if is_beside {
-        vec2(name.size().x + GAP_PTS, name.size().y - note.size().y)
+        vec2(name.size().x + GAP_PTS, name.baseline() - note.baseline())
     } else {
         vec2(0.0, name.size().y)
     };
-    let height = if is_beside {
-        name.size().y
-    } else {
-        name.size().y + note.size().y
-    };
+    let height = name.size().y.max(offset.y + note.size().y);
     let top = align.anchor_size(at, vec2(width, height)).min;
-    painter.galley(top, name, theme.ink);
-    painter.galley(top + offset, note, theme.signal);
+    name.paint(painter, top, Align2::LEFT_TOP);
+    note.paint(painter, top + offset, Align2::LEFT_TOP);
 }

@@ -4,7 +4,8 @@ use egui::{Align2, Color32, FontId, Rect, Role, Sense, TextStyle, Ui, WidgetInfo
 
 use crate::{
     figure::{Link, Watch, WatchRow, WatchSection},
-    text::{Catalog, Value},
+    paint::Typeset,
+    text::Value,
 };
 
 use super::Look;
@@ -15,6 +16,8 @@ const DOT_ROOM: f32 = 8.0;
 const NAME_WIDTH: f32 = 60.0;
 /// Between columns, at least.
 const GAP: f32 = 12.0;
+/// Height of a row in sizes of its text: room for a stacked quotient, so that nothing moves when one comes.
+const ROW_SIZE: f32 = 2.0;
 /// How far a table that is too wide is drawn smaller.
 const SMALLEST: f32 = 0.7;
 
@@ -59,43 +62,36 @@ impl<'a> Table<'a> {
             look,
             lit,
             small: TextStyle::Small.resolve(ui.style()),
-            height: (mono.size * 1.7).round(),
+            height: (mono.size * ROW_SIZE).round(),
             mono,
         }
     }
 
-    fn words(&self, value: &Value) -> String {
-        words(self.look.catalog, value)
+    fn set(&self, ui: &Ui, value: &Value, colour: Color32) -> Typeset {
+        let font = self.mono.clone();
+        Typeset::value(ui.painter(), self.look.catalog, value, font, colour)
     }
 
-    fn width(&self, ui: &Ui, text: &str) -> f32 {
-        let colour = Color32::PLACEHOLDER;
-        ui.fonts_mut(|fonts| {
-            fonts
-                .layout_no_wrap(text.to_owned(), self.mono.clone(), colour)
-                .size()
-                .x
-        })
+    fn width(&self, ui: &Ui, value: &Value) -> f32 {
+        self.set(ui, value, Color32::PLACEHOLDER).size().x
     }
 
     /// The width of the names, and of each column of values.
     fn widths(&self, ui: &Ui, section: &WatchSection) -> (f32, Vec<f32>) {
         let names = section.rows.iter();
-        let names = names.map(|row| self.width(ui, &self.words(&row.name)));
+        let names = names.map(|row| self.width(ui, &row.name));
         let n_columns = section.rows.iter().map(|row| row.cells.len()).max();
         let mut columns = vec![0.0_f32; n_columns.unwrap_or(1)];
         for row in &section.rows {
             for (width, cell) in columns.iter_mut().zip(&row.cells) {
-                let cell = cell
-                    .as_ref()
-                    .map(|value| self.width(ui, &self.words(value)));
+                let cell = cell.as_ref().map(|value| self.width(ui, value));
                 *width = width.max(cell.unwrap_or_default());
             }
         }
         // A title counts as well: that of the names comes first where they have one.
         let skip = section.header.len().saturating_sub(columns.len());
         for (width, title) in columns.iter_mut().zip(section.header.iter().skip(skip)) {
-            *width = width.max(self.width(ui, &self.words(title)));
+            *width = width.max(self.width(ui, title));
         }
         (names.fold(NAME_WIDTH - GAP, f32::max), columns)
     }
@@ -131,26 +127,14 @@ impl<'a> Table<'a> {
         let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
         // A header may name the column of names too.
         let skip = section.header.len().saturating_sub(columns.len());
-        if skip == 1 {
-            let at = pos2(rect.left() + DOT_ROOM, rect.center().y);
-            self.text(
-                ui,
-                at,
-                Align2::LEFT_CENTER,
-                &self.words(&section.header[0]),
-                self.look.theme.faint,
-            );
-        }
-        for (title, x) in section.header[skip..].iter().zip(columns) {
+        let colour = self.look.theme.soft;
+        let titles = section.header[skip..].iter().zip(columns.iter().copied());
+        let names = section.header[..skip].iter().zip([DOT_ROOM]);
+        for (title, x) in names.chain(titles) {
             let at = pos2(rect.left() + x, rect.center().y);
-            let title = self.words(title);
-            self.text(ui, at, Align2::LEFT_CENTER, &title, self.look.theme.faint);
+            let title = self.set(ui, title, colour);
+            title.paint(ui.painter(), at, Align2::LEFT_CENTER);
         }
-    }
-
-    fn text(&self, ui: &Ui, at: egui::Pos2, align: Align2, text: &str, colour: Color32) -> Rect {
-        ui.painter()
-            .text(at, align, text, self.mono.clone(), colour)
     }
 
     fn row(&self, ui: &mut Ui, row: &WatchRow, columns: &[f32], is_table: bool) -> Option<Link> {
@@ -169,41 +153,29 @@ impl<'a> Table<'a> {
                 .circle_filled(pos2(rect.left() + 1.0, y), 2.5, theme.signal);
         }
         let at = |x: f32| pos2(rect.left() + x, y);
-        self.text(
-            ui,
-            at(DOT_ROOM),
-            Align2::LEFT_CENTER,
-            &self.words(&row.name),
-            theme.soft,
-        );
+        let name = self.set(ui, &row.name, theme.soft);
+        name.paint(ui.painter(), at(DOT_ROOM), Align2::LEFT_CENTER);
         let mut end = rect.left();
+        let nothing = Value::Name(if is_table { "" } else { "–" }.to_owned());
         for (cell, x) in row.cells.iter().zip(columns) {
-            let (text, colour) = match cell {
-                Some(value) => (self.words(value), value_colour),
-                None if is_table => (String::new(), theme.faint),
-                None => ("–".to_owned(), theme.faint),
+            let set = match cell {
+                Some(value) => self.set(ui, value, value_colour),
+                None => self.set(ui, &nothing, theme.soft),
             };
-            end = self
-                .text(ui, at(*x), Align2::LEFT_CENTER, &text, colour)
-                .right();
+            end = set.paint(ui.painter(), at(*x), Align2::LEFT_CENTER).right();
         }
         if let Some(note) = &row.note {
-            self.note(ui, rect, end, &self.words(note));
+            self.note(ui, rect, end, note);
         }
         row.link.filter(|_| response.hovered())
     }
 
     /// At the right end of a row, where there is room; else left out, as it only explains.
-    fn note(&self, ui: &Ui, rect: Rect, end: f32, note: &str) {
-        let colour = self.look.theme.soft;
-        let galley =
-            ui.fonts_mut(|fonts| fonts.layout_no_wrap(note.to_owned(), self.small.clone(), colour));
-        let at = pos2(
-            rect.right() - galley.size().x,
-            rect.center().y - 0.5 * galley.size().y,
-        );
-        if at.x >= end + 8.0 {
-            ui.painter().galley(at, galley, colour);
+    fn note(&self, ui: &Ui, rect: Rect, end: f32, note: &Value) {
+        let Look { catalog, theme } = self.look;
+        let set = Typeset::value(ui.painter(), catalog, note, self.small.clone(), theme.soft);
+        if rect.right() - set.size().x >= end + 8.0 {
+            set.paint(ui.painter(), rect.right_center(), Align2::RIGHT_CENTER);
         }
     }
 
@@ -211,12 +183,8 @@ impl<'a> Table<'a> {
         let cells = row.cells.iter().flatten().chain(&row.note);
         let words: Vec<String> = std::iter::once(&row.name)
             .chain(cells)
-            .map(|value| self.words(value))
+            .map(|value| self.look.catalog.value(value))
             .collect();
         words.join(" ")
     }
-}
-
-fn words(catalog: &Catalog, value: &Value) -> String {
-    catalog.value(value)
 }

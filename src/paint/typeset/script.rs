@@ -127,12 +127,11 @@ fn gap(before: &Char, char: &Char) -> Gap {
     }
     match before.depth.min(char.depth) {
         0 => Gap::Words,
-        1 if RELATIONS.contains(char.c) => Gap::Relation,
+        1 if Piece::RELATIONS.contains(&char.c) => Gap::Relation,
         _ => Gap::Any,
     }
 }
 
-const RELATIONS: &str = "=≈≠<>≤≥";
 /// No line begins with these,
 const CLOSING: &str = "，。、；：！？）》」』”’…";
 /// and none ends with these.
