@@ -117,6 +117,10 @@ fn said_in(body: &Body, catalog: &Catalog) -> Vec<String> {
             let labels = marks.iter().filter_map(|mark| mark.label.as_ref());
             labels.map(|label| value(&label.text)).collect()
         }
+        Body::Space(space) => {
+            let labels = space.marks.iter().filter_map(|mark| mark.label.as_ref());
+            labels.map(|label| value(&label.text)).collect()
+        }
         Body::Bits(bits) => {
             let rows = bits.rows.iter().chain(&bits.result);
             let names = bits.columns.iter().chain(rows.map(|row| &row.name));

@@ -4,5 +4,5 @@
 //! and reports small events on the way (see [`crate::trace`]).
 
 pub mod line;
-mod parameter;
+pub mod parameter;
 pub mod polygon;

@@ -72,6 +72,8 @@ pub enum Shape {
     Ray([[f64; 2]; 2]),
     /// Closed outlines of any shape, filled where an odd number of them goes round.
     Area(Vec<Vec<[f64; 2]>>),
+    /// The same without the outlines.
+    Fill(Vec<Vec<[f64; 2]>>),
     /// A closed outline of any shape, not filled.
     Outline(Vec<[f64; 2]>),
     /// From point to point, not closed.

@@ -7,7 +7,9 @@ mod lists;
 mod mark;
 mod moment;
 mod products;
+mod project;
 mod run;
+mod space;
 mod table;
 mod view;
 mod watch;
@@ -19,7 +21,9 @@ pub use lists::{List, ListEntry, ListLink, Lists, Marker};
 pub use mark::{Label, Link, Mark, Role, Shape, Texel};
 pub use moment::{Moment, MomentError};
 pub use products::{Measured, Product, Products, Vector};
+pub use project::project;
 pub use run::{Run, Tick};
+pub use space::{Facet, Mark3, Shape3, Space};
 pub use table::{Cell, Table, TableNote, TableRow};
 pub use view::{
     Body, Clipper, ClipperRow, Fate, LineTick, NumberLine, Side, Traveller, View, ViewId,

@@ -3,7 +3,7 @@
 
 use crate::text::{Formula, Value};
 
-use super::{Bits, Link, Lists, Mark, Products, Table};
+use super::{Bits, Link, Lists, Mark, Products, Space, Table};
 
 /// A name that a view keeps from step to step, and from one method to the one beside it: pan, zoom and orbit are
 /// remembered under it.
@@ -47,6 +47,8 @@ impl View {
 pub enum Body {
     /// Marks in the coordinates of a plane.
     Plane(Vec<Mark>),
+    /// Solids and marks in space.
+    Space(Space),
     /// Codes over each other, bit by bit.
     Bits(Bits),
     /// Rows and columns of values.

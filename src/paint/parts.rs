@@ -78,6 +78,7 @@ pub fn parts<'a>(viewport: &Viewport, shape: &'a Shape) -> Vec<Part<'a>> {
             let rings = outlines.iter().map(|outline| Part::Ring(all(outline)));
             std::iter::once(Part::Fill(outlines)).chain(rings).collect()
         }
+        Shape::Fill(outlines) => vec![Part::Fill(outlines)],
         Shape::Outline(outline) => vec![Part::Ring(all(outline))],
         Shape::Path(points) => vec![Part::Stroke(all(points))],
         Shape::HalfPlane([a, b]) => {

@@ -125,6 +125,7 @@ fn width(mark: &Mark) -> f32 {
         | Shape::Line(_)
         | Shape::Ray(_)
         | Shape::Area(_)
+        | Shape::Fill(_)
         | Shape::Outline(_)
         | Shape::HalfPlane(_)
         | Shape::Wash(_)

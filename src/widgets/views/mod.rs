@@ -9,6 +9,7 @@ mod number_line;
 mod on_slate;
 mod products;
 mod slate;
+mod space;
 mod table;
 #[cfg(test)]
 mod tests;
@@ -32,9 +33,12 @@ pub fn strip_height(theme: &Theme, width: f32, shown: &View) -> Option<f32> {
     match shown.body {
         Body::NumberLine(_) => Some(number_line_height(theme)),
         Body::Clippers(_) => Some(clipper_row_height(theme, width)),
-        Body::Plane(_) | Body::Bits(_) | Body::Table(_) | Body::Lists(_) | Body::Products(_) => {
-            None
-        }
+        Body::Plane(_)
+        | Body::Space(_)
+        | Body::Bits(_)
+        | Body::Table(_)
+        | Body::Lists(_)
+        | Body::Products(_) => None,
     }
 }
 
@@ -42,6 +46,9 @@ pub fn strip_height(theme: &Theme, width: f32, shown: &View) -> Option<f32> {
 pub fn view(ui: &Ui, look: Look<'_>, rect: Rect, shown: &View, lit: Option<Link>) -> Option<Link> {
     let body: &dyn OnSlate = match &shown.body {
         Body::Plane(_) => return None,
+        Body::Space(body) => {
+            return space::space(ui, look, rect, (shown.id, body, &body.eye), lit);
+        }
         Body::Bits(body) => body,
         Body::Table(body) => body,
         Body::Lists(body) => body,

@@ -1,0 +1,170 @@
+//! Where an eye stands that goes round what it looks at.
+
+use glam::DVec3;
+
+/// An eye on a sphere around its target: right-handed, y up, looking along −z of its own axes.
+///
+/// ```
+/// use clipscope::geom::Orbit;
+/// let eye = Orbit::new([0.0; 3], [0.0, 0.0], 5.0, 30.0);
+/// assert_eq!(eye.view_from_world([1.0, 2.0, 0.0]), [1.0, 2.0, -5.0]);
+/// ```
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Orbit {
+    target: DVec3,
+    yaw_deg: f64,
+    pitch_deg: f64,
+    distance: f64,
+    fov_y_deg: f64,
+}
+
+/// Straight above and below there is no telling which way is up.
+const MAX_PITCH_DEG: f64 = 89.0;
+/// As near, and as far, as numbers of a scene are told apart.
+const DISTANCES: [f64; 2] = [1e-6, 1e6];
+/// A long lens and a wide one.
+const FOVS_DEG: [f64; 2] = [1.0, 120.0];
+/// What is nearer than this part of the distance is not seen.
+const NEAR: f64 = 0.01;
+
+impl Orbit {
+    /// Around `target`, turned by yaw (to the right) and pitch (upwards) in degrees, at a distance and with a field of
+    /// view from bottom to top in degrees. Each is kept within what can be seen; what is no number becomes the least.
+    #[must_use]
+    pub fn new(
+        target: [f64; 3],
+        [yaw_deg, pitch_deg]: [f64; 2],
+        distance: f64,
+        fov_y_deg: f64,
+    ) -> Self {
+        let within = |x: f64, [low, high]: [f64; 2]| x.max(low).min(high);
+        let finite = |x: f64| if x.is_finite() { x } else { 0.0 };
+        Self {
+            target: DVec3::from(target.map(finite)),
+            yaw_deg: finite(yaw_deg) % 360.0,
+            pitch_deg: within(pitch_deg, [-MAX_PITCH_DEG, MAX_PITCH_DEG]),
+            distance: within(distance, DISTANCES),
+            fov_y_deg: within(fov_y_deg, FOVS_DEG),
+        }
+    }
+
+    /// Gone round by these angles, in degrees: what is seen turns with the pointer.
+    #[must_use]
+    pub fn turned(self, [yaw_deg, pitch_deg]: [f64; 2]) -> Self {
+        let angles = [self.yaw_deg + yaw_deg, self.pitch_deg + pitch_deg];
+        Self::new(self.target.into(), angles, self.distance, self.fov_y_deg)
+    }
+
+    /// Nearer by this factor.
+    #[must_use]
+    pub fn zoomed(self, factor: f64) -> Self {
+        let angles = [self.yaw_deg, self.pitch_deg];
+        let distance = self.distance / factor;
+        Self::new(self.target.into(), angles, distance, self.fov_y_deg)
+    }
+
+    /// Where the eye is, in world coordinates.
+    #[must_use]
+    pub fn position(&self) -> [f64; 3] {
+        let [_, _, back] = self.axes();
+        (self.target + back * self.distance).into()
+    }
+
+    /// A world point in the eye's own axes: x to the right, y up, what is seen at negative z.
+    #[must_use]
+    pub fn view_from_world(&self, at: [f64; 3]) -> [f64; 3] {
+        let from_target = DVec3::from(at) - self.target;
+        let [x, y, z] = self.axes().map(|axis| axis.dot(from_target));
+        [x, y, z - self.distance]
+    }
+
+    /// The world point of one in the eye's own axes.
+    #[must_use]
+    pub fn world_from_view(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
+        let [right, up, back] = self.axes();
+        let at = self.target + right * x + up * y + back * (z + self.distance);
+        at.into()
+    }
+
+    /// On the picture, whose lower edge is at −1 and upper at 1: of a point in the eye's own axes that is farther
+    /// away than [`Orbit::near`].
+    #[must_use]
+    pub fn picture_from_view(&self, [x, y, z]: [f64; 3]) -> [f64; 2] {
+        let scale = -z * self.tan_half_fov();
+        [x / scale, y / scale]
+    }
+
+    /// The point in the eye's own axes at this depth that is seen at a place of the picture.
+    #[must_use]
+    pub fn view_from_picture(&self, [x, y]: [f64; 2], z: f64) -> [f64; 3] {
+        let scale = -z * self.tan_half_fov();
+        [x * scale, y * scale, z]
+    }
+
+    /// What is nearer is not seen.
+    #[must_use]
+    pub fn near(&self) -> f64 {
+        NEAR * self.distance
+    }
+
+    fn tan_half_fov(&self) -> f64 {
+        libm::tan(0.5 * self.fov_y_deg.to_radians())
+    }
+
+    /// To the right, upwards, and back from what is seen: of length 1.
+    fn axes(&self) -> [DVec3; 3] {
+        let (sin_yaw, cos_yaw) = libm::sincos(self.yaw_deg.to_radians());
+        let (sin_pitch, cos_pitch) = libm::sincos(self.pitch_deg.to_radians());
+        let back = DVec3::new(cos_pitch * sin_yaw, sin_pitch, cos_pitch * cos_yaw);
+        let right = DVec3::new(cos_yaw, 0.0, -sin_yaw);
+        [right, back.cross(right), back]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn eyes() -> impl Iterator<Item = Orbit> {
+        let angles = [[0.0, 0.0], [30.0, 20.0], [-135.0, -80.0], [400.0, 95.0]];
+        angles
+            .into_iter()
+            .map(|angles| Orbit::new([1.0, -2.0, 3.0], angles, 7.0, 24.0))
+    }
+
+    #[test]
+    fn world_and_picture_lead_back_to_each_other() {
+        let at = [0.5, -1.0, 2.5];
+        for eye in eyes() {
+            let view = eye.view_from_world(at);
+            let back = eye.world_from_view(view);
+            let again = eye.view_from_picture(eye.picture_from_view(view), view[2]);
+            for i in 0..3 {
+                assert!((back[i] - at[i]).abs() < 1e-12, "{eye:?}: {back:?}");
+                assert!((again[i] - view[i]).abs() < 1e-12, "{eye:?}: {again:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_target_is_in_the_middle_and_up_is_up() {
+        for eye in eyes() {
+            let middle = eye.picture_from_view(eye.view_from_world([1.0, -2.0, 3.0]));
+            let above = eye.picture_from_view(eye.view_from_world([1.0, -1.0, 3.0]));
+            assert!(
+                middle[0].abs() < 1e-12 && middle[1].abs() < 1e-12,
+                "{eye:?}"
+            );
+            assert!(above[1] > middle[1], "{eye:?}: {above:?}");
+        }
+    }
+
+    #[test]
+    fn nothing_that_is_asked_for_makes_an_eye_that_cannot_see() {
+        let odd = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.0, -1.0];
+        for x in odd {
+            let eye = Orbit::new([x; 3], [x; 2], x, x).turned([x; 2]).zoomed(x);
+            assert!(eye.position().iter().all(|c| c.is_finite()), "{x}: {eye:?}");
+        }
+    }
+}
