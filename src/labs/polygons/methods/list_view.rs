@@ -248,3 +248,105 @@ fn places<V: Corner>(vertex: &V) -> Vec<Option<Value>> {
     let place = Some(Value::Point(vertex.at().to_array()));
     std::iter::once(place).chain(texture).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        algo::polygon::SutherlandHodgman,
+        figure::{Body, Run},
+        geom::{GeomError, Polygon, Window},
+        labs::record,
+    };
+
+    fn run(outline: &[[f64; 2]]) -> Result<Box<dyn Run>, GeomError> {
+        let region = Window::new(-4.0, -3.0, 4.0, 3.0)?.into();
+        let input = Input::new(region, &Polygon::new(outline)?);
+        Ok(record::<SutherlandHodgman>(input))
+    }
+
+    /// At the `nth` step, from 1, with an event of this name.
+    fn at(run: &dyn Run, event: &str, nth: usize) -> Lists {
+        let mut steps = (1..=run.n_steps()).filter(|&step| run.event_json(step)["event"] == event);
+        let step = steps.nth(nth - 1).expect("such an event");
+        let bodies = run.frame(step).views.into_iter().map(|view| view.body);
+        let lists = bodies.filter_map(|body| match body {
+            Body::Lists(lists) => Some(lists),
+            _ => None,
+        });
+        lists.last().expect("two lists")
+    }
+
+    fn taken(lists: &Lists) -> Vec<[usize; 2]> {
+        let taken = lists.links.iter().filter(|link| link.role == Role::Signal);
+        taken.map(|link| [link.from[1], link.to[1]]).collect()
+    }
+
+    const CUT_LEFT: [[f64; 2]; 5] = [
+        [3.0, -1.0],
+        [2.0, 2.0],
+        [-6.0, 1.0],
+        [-6.0, -1.0],
+        [-2.0, -2.0],
+    ];
+
+    #[test]
+    fn a_crossing_comes_from_both_ends_of_its_edge_and_a_vertex_from_itself()
+    -> Result<(), GeomError> {
+        let run = run(&CUT_LEFT)?;
+        let found = at(&*run, "cross", 1);
+        let [input, output] = &found.lists[..] else {
+            panic!("two lists")
+        };
+        let roles: Vec<Role> = input.entries.iter().map(|entry| entry.role).collect();
+        let expected = [
+            Role::Ink,
+            Role::Signal,
+            Role::Signal,
+            Role::Soft,
+            Role::Soft,
+        ];
+        assert_eq!(roles, expected, "S and P are this step's, two are to come");
+        assert_eq!(input.entries[2].marker, Some(Marker::Ring), "P is outside");
+        assert_eq!(
+            input.entries[2].details[1],
+            Some(Value::Number(-2.0)),
+            "by 2"
+        );
+        let last = output.entries.last().expect("I");
+        assert_eq!((&last.name, last.role), (&name("I"), Role::Signal));
+        assert_eq!(taken(&found), [[1, 2], [2, 2]], "from S and from P");
+        let put_out = at(&*run, "output", 5);
+        assert_eq!(taken(&put_out), [[4, 4]], "V₅ is V₅′");
+        Ok(())
+    }
+
+    #[test]
+    fn a_pass_keeps_what_is_linked() -> Result<(), GeomError> {
+        let passed = at(&*run(&CUT_LEFT)?, "pass", 1);
+        let links: Vec<[usize; 2]> = passed.links.iter().map(|l| [l.from[1], l.to[1]]).collect();
+        let expected = [[0, 0], [1, 1], [1, 2], [2, 2], [3, 3], [4, 3], [4, 4]];
+        assert_eq!(links, expected);
+        let markers = passed.lists[0].entries.iter().map(|entry| entry.marker);
+        let n_outside = markers
+            .filter(|&marker| marker == Some(Marker::Ring))
+            .count();
+        assert_eq!(n_outside, 2);
+        Ok(())
+    }
+
+    #[test]
+    fn a_long_list_is_given_about_the_step() -> Result<(), GeomError> {
+        let n = 1000;
+        let tooth = |i: usize| [i as f64 / 100.0 - 5.0, (i % 2) as f64];
+        let outline: Vec<[f64; 2]> = (0..n).map(tooth).collect();
+        let lists = at(&*run(&outline)?, "test", 700);
+        for list in &lists.lists {
+            assert!(list.entries.len() <= 40);
+            assert!(list.focus.is_some_and(|focus| focus < list.entries.len()));
+        }
+        let input = &lists.lists[0];
+        assert_eq!(input.n_before + input.entries.len() + input.n_after, n);
+        Ok(())
+    }
+}
