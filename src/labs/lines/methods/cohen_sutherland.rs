@@ -200,7 +200,12 @@ fn marks(step: &Step<'_, CohenSutherland>) -> Vec<Mark> {
     if let Some(edge) = deciding_edge(step) {
         marks.extend(outside_marks(&window, edge));
     }
-    marks.extend(segment_marks(&segment, step.state.ends, step.state.verdict));
+    // A bit in common rejects as soon as it is seen.
+    let verdict = match step.event {
+        Some(Event::And { and }) if !and.is_inside() => Some(None),
+        _ => step.state.verdict,
+    };
+    marks.extend(segment_marks(&segment, step.state.ends, verdict));
     match step.event {
         Some(Event::Code { end, at, .. }) => marks.push(signal_ring(end, at)),
         Some(Event::Cut { end, u, to, .. }) => {

@@ -50,7 +50,7 @@ pub fn edge_in_hand(state: &State, event: Option<Event>) -> Option<usize> {
 
 /// What is left of t in a state; `event` tells which edge is the step's.
 pub fn interval(state: &State, event: Option<Event>) -> Interval {
-    let current = current_edge(event);
+    let current = edge_in_hand(state, event).or(current_edge(event));
     let crossings = state.rows.iter().enumerate().filter_map(|(i, row)| {
         Some(Crossing {
             at: row.t?,
@@ -71,7 +71,10 @@ pub fn interval(state: &State, event: Option<Event>) -> Interval {
         crossing_symbol: "t",
         bounds: state.interval,
         crossings: crossings.collect(),
-        verdict: state.verdict,
+        verdict: match event {
+            Some(Event::Parallel { inside: false, .. }) => Some(None),
+            _ => state.verdict,
+        },
         vector: edge_in_hand(state, event).map(|_| "D"),
     }
 }

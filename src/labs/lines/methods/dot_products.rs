@@ -177,7 +177,7 @@ fn vector_marks(edge: [[f64; 2]; 2], row: &Row, segment: &Segment) -> Vec<Mark> 
         let along = Mark::new(Role::Ink, Shape::Segment(ends));
         marks.push(along.labelled(name("P₁ − E")).strong());
     }
-    let from = foot(edge, row, segment);
+    let (from, is_crossing) = foot(edge, row, segment);
     let [nx, ny] = row.normal;
     let tip = [from[0] + nx, from[1] + ny];
     let normal = Mark::new(Role::Signal, Shape::Arrow([from, tip]));
@@ -186,7 +186,7 @@ fn vector_marks(edge: [[f64; 2]; 2], row: &Row, segment: &Segment) -> Vec<Mark> 
         Role::Signal,
         Shape::RightAngle([from, edge[0], tip]),
     ));
-    if row.slope != 0.0 && from != edge[0] {
+    if is_crossing && from != edge[0] {
         let along = [from[0] + p2[0] - p1[0], from[1] + p2[1] - p1[1]];
         marks.push(Mark::new(Role::Ink, Shape::Angle([from, tip, along])));
     }
@@ -199,14 +199,14 @@ fn vector_marks(edge: [[f64; 2]; 2], row: &Row, segment: &Segment) -> Vec<Mark> 
 }
 
 /// Where n is drawn from: from the crossing, so that its angle to D is seen, or from the middle of an edge that the
-/// segment's line does not meet.
-fn foot([a, b]: [[f64; 2]; 2], row: &Row, segment: &Segment) -> [f64; 2] {
+/// segment's line does not meet; is it the crossing?
+fn foot([a, b]: [[f64; 2]; 2], row: &Row, segment: &Segment) -> ([f64; 2], bool) {
     let (a, b) = (DVec2::from(a), DVec2::from(b));
     if row.slope != 0.0 {
         let at = DVec2::from(on_line(segment, -row.d1 / row.slope));
         if (at - a).dot(at - b) <= 0.0 {
-            return at.to_array();
+            return (at.to_array(), true);
         }
     }
-    a.midpoint(b).to_array()
+    (a.midpoint(b).to_array(), false)
 }

@@ -16,7 +16,7 @@ use crate::{
 
 use super::{
     parametric::{moved_ends_rows, quotient_formula, stays_caption},
-    rows::{current_edge, direction, interval, ratio, reach, row_values, rows_table},
+    rows::{direction, edge_in_hand, interval, ratio, reach, row_values, rows_table},
     shared::{accepted, end_name, opening, outside_marks},
 };
 
@@ -172,7 +172,7 @@ fn marks(step: &Step<'_, LiangBarsky>) -> Vec<Mark> {
         Role::Faint,
         Shape::Line([segment.p1.to_array(), segment.p2.to_array()]),
     )];
-    if let Some(edge) = current_edge(step.event) {
+    if let Some(edge) = edge_in_hand(step.state, step.event) {
         marks.extend(outside_marks(window, edge));
     }
     marks.extend(interval(step.state, step.event).marks(segment));

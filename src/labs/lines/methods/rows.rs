@@ -2,7 +2,8 @@
 
 use crate::{
     algo::line::{
-        LiangBarsky, LiangBarskyEvent as Event, LiangBarskyState as State, Ratio, Row, WindowInput,
+        LiangBarsky, LiangBarskyEvent as Event, LiangBarskyState as State, Ratio, Row, Visible,
+        WindowInput,
     },
     figure::{Cell, Role, Side, Table, TableNote, TableRow, WatchRow},
     geom::Edge,
@@ -20,7 +21,7 @@ use super::{
 
 /// What is left of u in a state; `event` tells which side is the step's.
 pub fn interval(state: &State, event: Option<Event>) -> Interval {
-    let current = current_edge(event);
+    let current = edge_in_hand(state, event);
     let crossings = state.rows.into_iter().flatten().filter_map(|row| {
         let at = row.r?;
         Some(Crossing {
@@ -42,7 +43,7 @@ pub fn interval(state: &State, event: Option<Event>) -> Interval {
         crossing_symbol: "r",
         bounds: state.interval,
         crossings: crossings.collect(),
-        verdict: state.verdict,
+        verdict: verdict(state, event),
         vector: None,
     }
 }
@@ -53,17 +54,24 @@ pub fn ratio(state: &State, edge: Edge, r: f64) -> Ratio {
     row.map_or(Ratio { num: r, den: 1.0 }, |row| quotient(row.q, row.p, r))
 }
 
-/// The side that the step is about.
-pub const fn current_edge(event: Option<Event>) -> Option<Edge> {
+/// The side that the step is about; while the interval is looked at, the last one.
+pub fn edge_in_hand(state: &State, event: Option<Event>) -> Option<Edge> {
+    match event? {
+        Event::Row { edge, .. }
+        | Event::Parallel { edge, .. }
+        | Event::Enter { edge, .. }
+        | Event::Leave { edge, .. }
+        | Event::Reject { edge } => Some(edge),
+        Event::Interval { .. } => state.rows.iter().flatten().last().map(|row| row.edge),
+        Event::Delta { .. } | Event::Put { .. } | Event::Accept { .. } => None,
+    }
+}
+
+/// The answer that a step shows: what lies outside a parallel side is rejected as soon as that is seen.
+fn verdict(state: &State, event: Option<Event>) -> Option<Visible> {
     match event {
-        Some(
-            Event::Row { edge, .. }
-            | Event::Parallel { edge, .. }
-            | Event::Enter { edge, .. }
-            | Event::Leave { edge, .. }
-            | Event::Reject { edge },
-        ) => Some(edge),
-        _ => None,
+        Some(Event::Parallel { inside: false, .. }) => Some(None),
+        _ => state.verdict,
     }
 }
 
@@ -150,10 +158,14 @@ fn start_row() -> TableRow {
 
 fn side_row(edge: Edge, step: &Step<'_, LiangBarsky>, above: [f64; 2]) -> TableRow {
     let row = step.state.rows[edge as usize];
-    let is_current = current_edge(step.event) == Some(edge);
+    let is_current = edge_in_hand(step.state, step.event) == Some(edge);
     let now = Now {
         p_and_q: is_current && matches!(step.event, Some(Event::Row { .. })),
-        r: is_current && matches!(step.event, Some(Event::Enter { .. } | Event::Leave { .. })),
+        r: is_current
+            && matches!(
+                step.event,
+                Some(Event::Enter { .. } | Event::Leave { .. } | Event::Interval { .. })
+            ),
     };
     let role = |is_now: bool| if is_now { Role::Signal } else { Role::Ink };
     let r = row.and_then(|row| Some(value_of(quotient(row.q, row.p, row.r?))));
@@ -187,7 +199,7 @@ fn bound_cell(i: usize, row: Option<Row>, state: &State, above: [f64; 2], is_now
 /// The rules that make the bounds; that of the parallel only where the segment is parallel to two sides.
 fn notes(step: &Step<'_, LiangBarsky>) -> Vec<TableNote> {
     let segment = &step.input.segment;
-    let p = current_edge(step.event)
+    let p = edge_in_hand(step.state, step.event)
         .and_then(|edge| step.state.rows[edge as usize])
         .map(|row| row.p);
     let note = |key, symbol: &str, applies| TableNote {
