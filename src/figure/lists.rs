@@ -75,8 +75,9 @@ pub struct ListEntry {
     pub details: Vec<Option<Value>>,
     /// The mark that the same thing has in the drawing.
     pub marker: Option<Marker>,
-    /// [`Role::Signal`] for this step's, [`Role::Accent`] for what has been walked or kept, [`Role::Discarded`] for
-    /// what is dropped, [`Role::Ink`] for what counts, [`Role::Faint`] for what is still to come, else [`Role::Soft`].
+    /// [`Role::Signal`] for this step's, [`Role::Accent`] for what has been walked or kept so far, [`Role::Accepted`]
+    /// for what is in the answer, [`Role::Discarded`] for what is dropped, [`Role::Ink`] for what counts,
+    /// [`Role::Faint`] for what is still to come, else [`Role::Soft`].
     pub role: Role,
     /// What it is about.
     pub link: Option<Link>,

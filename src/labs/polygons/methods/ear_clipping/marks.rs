@@ -47,10 +47,10 @@ fn event_marks(step: &Step<'_, EarClipping>) -> Vec<Mark> {
         }) => turn([prev_idx, vertex_idx, next_idx].map(|i| state.cut_off.at(i))),
         Some(Event::Candidate { .. } | Event::Last { .. }) => candidate(Role::Signal),
         Some(Event::Blocked { by_idx, .. }) => {
-            let mut marks = candidate(Role::Discarded);
+            let mut marks: Vec<Mark> = candidate(Role::Signal);
             marks.extend(state.candidate.into_iter().flatten().map(|corner| {
                 let ends = [by_idx, corner].map(|i| state.cut_off.at(i).to_array());
-                Mark::new(Role::Signal, Shape::Segment(ends)).dashed()
+                Mark::new(Role::Soft, Shape::Segment(ends)).dashed()
             }));
             marks
         }

@@ -187,7 +187,7 @@ fn triangles(step: &Step<'_, EarClipping>) -> List {
         },
         None => ListEntry {
             role: Role::Faint,
-            ..ListEntry::new(name(""))
+            ..ListEntry::new(name("·"))
         },
     };
     List {

@@ -68,9 +68,10 @@ fn headings(step: &Step<'_, WeilerAtherton>) -> Vec<Mark> {
     let of = |list: List| {
         let passed = state.passed.iter().filter(|passed| passed.list == list);
         let walked: Vec<usize> = passed.filter_map(|at| edge_of(list, at.place)).collect();
-        let role = match list {
-            List::Subject => Role::Soft,
-            List::Clip => Role::Ink,
+        let role = match (step.event, list) {
+            (Some(Event::Whole { list: whole, .. }), list) if whole == list => Role::Signal,
+            (_, List::Subject) => Role::Soft,
+            (_, List::Clip) => Role::Ink,
         };
         let border = names::border(step.input, list);
         let edges = (0..border.points().len()).filter(|edge_idx| !walked.contains(edge_idx));
