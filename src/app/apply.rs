@@ -301,7 +301,10 @@ impl App {
     }
 
     fn export(&mut self, path: &str, now: f64) -> Notice {
+        let is_lessons = self.is_untouched() && !self.stage.is_foreign;
+        let title = self.place.title(self.settings.lang);
         let picture = Picture {
+            title: title.filter(|_| is_lessons),
             scene: self.document.now(),
             position: self.playback.transport().position(),
             theme: self.settings.theme,

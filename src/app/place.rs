@@ -1,6 +1,9 @@
 //! Where in the course the reader stands.
 
-use crate::lesson::{Course, Lesson, Step};
+use crate::{
+    lesson::{Course, Lesson, Step},
+    text::Lang,
+};
 
 /// A course, and an open step of it where it has one.
 #[derive(Clone, Debug, Default)]
@@ -37,6 +40,12 @@ impl Place {
     #[must_use]
     pub fn step(&self) -> Option<&Step> {
         self.lesson()?.steps.get(self.step_idx)
+    }
+
+    /// The open step's title.
+    #[must_use]
+    pub fn title(&self, lang: Lang) -> Option<&str> {
+        self.lesson()?.step_title(&self.step()?.id, lang)
     }
 
     /// Indices of the open lesson and step.

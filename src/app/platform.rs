@@ -7,6 +7,8 @@ use crate::{labs::Scene, paint::ThemeKind, text::Lang};
 /// A figure to be exported: what the stage shows.
 #[derive(Clone, Copy, Debug)]
 pub struct Picture<'a> {
+    /// The idea in words, where the scene is a lesson's.
+    pub title: Option<&'a str>,
     /// What is clipped.
     pub scene: &'a Scene,
     /// Where its run stands.
@@ -81,6 +83,7 @@ impl Platform for Desktop {
     fn draw(&mut self, picture: Picture<'_>) -> Result<Vec<u8>, String> {
         let mut table = Headless::new(picture.theme);
         let figure = export::Picture {
+            title: picture.title,
             scene: picture.scene,
             step: picture.position,
             lang: picture.lang,

@@ -1,7 +1,7 @@
 //! The recorded runs on stage, and the cursor that walks them together.
 
 use crate::{
-    figure::{Frame, Run, Tick},
+    figure::{Frame, Need, Run, Tick, needs},
     labs::{Difference, MethodCard, Scene},
     trace::{Counts, Transport},
 };
@@ -22,6 +22,8 @@ pub struct Playback {
     /// Frames of the step they were made for.
     frames: Vec<Frame>,
     framed_at: Option<usize>,
+    /// What the views of each run want; empty until a frame of it is made.
+    needs: Vec<Vec<Need>>,
     /// How many of the last recordings one after the other took too long for a drag.
     n_slow: usize,
     /// The scene has changed since: what is recorded is of an earlier one.
@@ -53,6 +55,7 @@ impl Playback {
             baseline: scene.document().baseline(),
             frames: Vec::new(),
             framed_at: None,
+            needs: Vec::new(),
             n_slow: 0,
             is_late: false,
             clock: None,
@@ -75,6 +78,7 @@ impl Playback {
         (self.main, self.other, self.difference) = (main, other, difference);
         self.baseline = scene.document().baseline();
         self.framed_at = None;
+        self.needs.clear();
     }
 
     /// The same while a handle is dragged: a large scene whose run takes too long waits until it is let go.
@@ -149,6 +153,16 @@ impl Playback {
             .chain(self.other.as_deref().map(beside))
             .collect();
         self.framed_at = Some(position);
+        if self.needs.is_empty() {
+            let runs = std::iter::once(&*self.main).chain(self.other.as_deref());
+            self.needs = runs.map(needs).collect();
+        }
+    }
+
+    /// What the views of each run want, at all its steps.
+    #[must_use]
+    pub fn needs(&self) -> &[Vec<Need>] {
+        &self.needs
     }
 
     /// The present step's, the scene's method first; empty before [`Playback::prepare`].

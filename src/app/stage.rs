@@ -1,24 +1,21 @@
-//! The stage: the figure, a second view below it where the method has one, and the caption. Two of each
-//! where two methods stand side by side.
+//! The stage: the drawing with its handles, and what else the figure's layout has. Two of each where two methods stand
+//! side by side.
 
-use egui::{Align2, Id, Rect, Stroke, Ui, UiBuilder, pos2, vec2};
+use egui::{Align2, Id, Rect, Stroke, Ui, UiBuilder, pos2};
 
 use crate::{
-    figure::{Caption, Frame, ViewId},
+    figure::{Caption, ColumnLayout, Frame, Sheet, ViewId},
     labs::{Handle, Lock, MethodCard, Sketch},
-    paint::Viewport,
+    paint::{Typeset, Viewport},
     panels::{Reach, spots},
     text::Message,
     widgets::{
-        Canvas, CanvasShown, Spot, caption, caption_height, caption_text, column_title, gripped,
-        strip_height, view,
+        Canvas, CanvasShown, Spot, TEXT_PTS, Words, beside_the_drawing, caption_height,
+        caption_text, gripped, headline, rect_of, slot_of,
     },
 };
 
 use super::{Command, clicks, model::Model, sketch, stage_state::StageState};
-
-/// The least height that a stage keeps when a second view wants room.
-const LEAST_STAGE: f32 = 140.0;
 
 /// What can be taken hold of.
 struct Hands<'a> {
@@ -26,6 +23,48 @@ struct Hands<'a> {
     locks: &'a [Lock],
     /// The handle that had the focus in the last frame.
     focused: Option<Handle>,
+}
+
+/// White space beside words, and around what stands beside the drawing.
+const INDENT: f32 = 24.0;
+
+/// The step's title, where nothing else on the screen says it.
+fn title(model: &Model<'_>, ui: &Ui, rect: Rect) -> Option<Typeset> {
+    let is_said = model.settings.course && !model.is_presenting && !model.is_narrow;
+    let title = model.place.title(model.settings.lang)?;
+    let is_shown = !is_said && model.is_untouched && !model.is_low;
+    let width = rect.width() - 2.0 * INDENT;
+    is_shown.then(|| headline(ui.painter(), model.look.theme, title, width))
+}
+
+/// What the stage is laid out on.
+fn sheet(model: &Model<'_>, rect: Rect, title: Option<&Typeset>) -> Sheet {
+    let theme = model.look.theme;
+    let n_columns = model.playback.frames().len().max(1);
+    let n_rows = caption_rows(model, rect.width() / n_columns as f32);
+    let is_comparison = n_columns > 1;
+    Sheet {
+        area: slot_of(rect),
+        em: TEXT_PTS * theme.text_scale,
+        margin: 0.0,
+        inset: INDENT,
+        gutter: 0.0,
+        title: title.map_or(0.0, |title| title.size().y + INDENT),
+        name: if is_comparison {
+            36.0 * theme.text_scale
+        } else {
+            0.0
+        },
+        over_caption: 0.0,
+        caption: caption_height(theme, n_rows),
+        cost: 0.0,
+    }
+}
+
+/// A caption that has little width gets another line.
+fn caption_rows(model: &Model<'_>, width: f32) -> usize {
+    let wide = 560.0 * model.look.theme.text_scale;
+    if width < wide && !model.is_low { 3 } else { 2 }
 }
 
 /// Draws the stage into all the room there is.
@@ -49,29 +88,27 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
     };
     state.canvas_ids.clear();
     state.handle_ids.clear();
-    let width = rect.width() / frames.len().max(1) as f32;
-    // As much room under both stages, so that they show the same place.
-    let beside = frames.iter().flat_map(|frame| frame.views.iter().skip(1));
-    let second_height = beside
-        .filter_map(|view| strip_height(model.look.theme, width, view))
-        .reduce(f32::max);
-    for (i, (frame, method)) in frames.iter().zip(methods).enumerate() {
-        let left = (rect.left() + i as f32 * width).round();
-        let right = (rect.left() + (i + 1) as f32 * width).round();
-        let column = Rect::from_x_y_ranges(left..=right, rect.y_range());
+    let look = model.look;
+    let title = title(model, ui, rect);
+    let sheet = sheet(model, rect, title.as_ref());
+    let layout = sheet.lay_out(model.playback.needs());
+    ui.painter().rect_filled(rect, 0.0, look.theme.background);
+    if let Some(title) = title {
+        let at = pos2(rect.left() + INDENT, rect.top() + 0.5 * INDENT);
+        title.paint(ui.painter(), at, Align2::LEFT_TOP);
+    }
+    let columns = frames.iter().zip(methods).zip(&layout.columns);
+    for (i, ((frame, method), places)) in columns.enumerate() {
+        let whole = rect_of(places.whole);
         let column = Column {
             index: i,
-            is_one_of_two: frames.len() > 1,
-            second_height,
-            rect: column,
+            places,
             method,
             hands: &hands,
         };
-        let inner = UiBuilder::new()
-            .max_rect(column.rect)
-            .id_salt(("column", i));
+        let inner = UiBuilder::new().max_rect(whole).id_salt(("column", i));
         ui.scope_builder(inner, |ui| {
-            ui.set_clip_rect(column.rect.intersect(ui.clip_rect()));
+            ui.set_clip_rect(whole.intersect(ui.clip_rect()));
             let shown = column.show(model, ui, state, frame);
             state.focused = state
                 .focused
@@ -89,8 +126,8 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
             }
         });
         if i > 0 {
-            let line = Stroke::new(1.0, model.look.theme.hairline);
-            ui.painter().vline(left, rect.y_range(), line);
+            let line = Stroke::new(1.0, look.theme.hairline);
+            ui.painter().vline(whole.left(), whole.y_range(), line);
         }
     }
 }
@@ -98,10 +135,7 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
 /// One method's part of the stage.
 struct Column<'a> {
     index: usize,
-    is_one_of_two: bool,
-    /// Height of the second view, if any column has one.
-    second_height: Option<f32>,
-    rect: Rect,
+    places: &'a ColumnLayout,
     method: &'static MethodCard,
     hands: &'a Hands<'a>,
 }
@@ -119,70 +153,24 @@ impl Column<'_> {
         let late = || (model.playback.is_late()).then(|| Message::new("run-later"));
         let hint = hint.or_else(late).map(Caption::new);
         let said = hint.as_ref().unwrap_or(&frame.caption);
-        let n_rows = self.caption_rows(model);
-        let whole = if self.is_one_of_two {
-            self.title(model, ui)
-        } else {
-            self.rect
-        };
-        let (stage, rest) = split(
-            whole,
-            caption_height(look.theme, n_rows).min(0.4 * self.rect.height()),
-        );
-        let height = self.second_height.unwrap_or(0.0);
-        let (stage, below) = if height > 0.0 && stage.height() - height >= LEAST_STAGE {
-            let (stage, below) = split(stage, height);
-            (stage, Some(below))
-        } else {
-            (stage, None)
-        };
-        let shown = self.canvas(model, ui, state, frame, said, stage);
-        match (frame.views.get(1), below) {
-            (Some(second), Some(below)) => {
-                let pointed = view(ui, look, below, second, state.lit);
-                state.pointed_on_stage = state.pointed_on_stage.or(pointed);
-            }
-            (None, Some(blank)) => {
-                ui.painter().rect_filled(blank, 0.0, look.theme.background);
-            }
-            (_, None) => {}
-        }
-        ui.painter().rect_filled(rest, 0.0, look.theme.background);
-        let line = Stroke::new(1.0, look.theme.hairline);
-        ui.painter().hline(rest.x_range(), rest.top() + 0.5, line);
-        caption(ui, look, rest, n_rows, said);
-        shown
-    }
-
-    /// The method's name above its stage; the room below.
-    fn title(&self, model: &Model<'_>, ui: &mut Ui) -> Rect {
-        let look = model.look;
-        let height = (36.0 * look.theme.text_scale).round();
-        let strip = self.rect.with_max_y(self.rect.top() + height);
-        ui.painter().rect_filled(strip, 0.0, look.theme.background);
+        let drawing = self.places.slot(ViewId::PLANE).unwrap_or_default();
+        let shown = self.canvas(model, ui, state, frame, said, rect_of(drawing));
+        let is_one_of_two = model.playback.frames().len() > 1;
+        let name = is_one_of_two.then(|| look.say(self.method.name_key));
         let difference = model.playback.difference();
         let note = difference
             .filter(|difference| difference.column == self.index)
             .map(|difference| look.catalog.message(&difference.message()));
-        column_title(
-            &ui.painter_at(strip),
-            look,
-            (strip.left_center() + vec2(24.0, 0.0), Align2::LEFT_CENTER),
-            strip.width() - 32.0,
-            &look.say(self.method.name_key),
-            note.as_deref(),
-        );
-        self.rect.with_min_y(strip.bottom())
-    }
-
-    /// A caption that has little width gets another line.
-    fn caption_rows(&self, model: &Model<'_>) -> usize {
-        let wide = 560.0 * model.look.theme.text_scale;
-        if self.rect.width() < wide && !model.is_low {
-            3
-        } else {
-            2
-        }
+        let words = Words {
+            name: name.as_deref(),
+            note: note.as_deref(),
+            said,
+            n_rows: caption_rows(model, self.places.caption.size()[0]),
+            indent: INDENT,
+        };
+        let pointed = beside_the_drawing(ui, look, self.places, &frame.views, &words, state.lit);
+        state.pointed_on_stage = state.pointed_on_stage.or(pointed);
+        shown
     }
 
     fn spots(
@@ -245,13 +233,4 @@ impl Column<'_> {
         state.saw(ViewId::PLANE, shown.viewport);
         shown
     }
-}
-
-/// The upper part, and the lower one of this height.
-fn split(rect: Rect, height: f32) -> (Rect, Rect) {
-    let y = (rect.bottom() - height).round();
-    (
-        Rect::from_min_max(rect.min, pos2(rect.right(), y)),
-        Rect::from_min_max(pos2(rect.left(), y), rect.max),
-    )
 }

@@ -1,28 +1,44 @@
-//! One figure: what the stage shows, and the caption under it.
+//! One figure: the step's title, what the stage shows, and the run's sentence under it.
 
-use egui::{Align2, Rect, Ui, pos2, vec2};
+use egui::{Align2, Rect, Ui, vec2};
 
 use crate::{
-    figure::{Frame, Run},
+    figure::{Caption, ColumnLayout, Frame, Need, Run, Sheet, ViewId, needs},
     labs::{Difference, MethodCard, Scene},
     paint::{Headless, Image, Theme, ThemeKind, Viewport, stage},
     text::{Catalog, Lang},
-    widgets::{Bars, CaptionLayout, Cost, Look, column_title, most_of_a_kind, strip_height, view},
+    widgets::{
+        Bars, Cost, Look, TEXT_PTS, Words, beside_the_drawing, headline, height_for_all,
+        most_of_a_kind, rect_of, slot_of,
+    },
 };
 
 /// A figure is laid out on a page of this size in points, or larger along one side as its shape asks, and
-/// then enlarged to its size in pixels: text keeps its proportion to the picture.
+/// then enlarged to its size in pixels: text keeps its proportion to the picture. At 1280 × 720 pixels the title is 26
+/// high, the text 17, the caption 19, the margin 64.
 const PAGE_PTS: [f32; 2] = [960.0, 540.0];
-/// White space beside the caption, and above and below it.
-const MARGIN_PTS: [f32; 2] = [24.0, 16.0];
-/// Height of the strip that names the method, where two stand side by side.
-const TITLE_PTS: f32 = 36.0;
-/// A caption may take this many lines: more than any needs on a page of this width.
-const MAX_ROWS: usize = 6;
+/// White space around all: at the sides, above and below.
+const MARGIN_PTS: [f32; 2] = [48.0, 26.0];
+/// Under the title.
+const UNDER_TITLE_PTS: f32 = 20.0;
+/// Between the methods that stand side by side.
+const GUTTER_PTS: f32 = 40.0;
+/// Height of the strip that names a method.
+const NAME_PTS: f32 = 36.0;
+/// Over a method's cost.
+const OVER_COST_PTS: f32 = 8.0;
+/// Over the hairline.
+const OVER_CAPTION_PTS: f32 = 18.0;
+/// A sentence may take this many lines: more than any needs.
+const MAX_ROWS: usize = 8;
+/// Of a longer run's sentences so many are asked how much room they want.
+const MOST_ASKED: usize = 200;
 
 /// What to draw, and how.
 #[derive(Clone, Copy, Debug)]
 pub struct Picture<'a> {
+    /// The idea in words, over everything.
+    pub title: Option<&'a str>,
     /// The document.
     pub scene: &'a Scene,
     /// Events folded so far.
@@ -41,58 +57,30 @@ pub fn draw(table: &mut Headless, picture: &Picture<'_>) -> Image {
     table.set_theme(picture.theme);
     let size = vec2(picture.size_px[0] as f32, picture.size_px[1] as f32);
     let pixels_per_point = (size.x / PAGE_PTS[0]).min(size.y / PAGE_PTS[1]);
-    let scene = picture.scene;
-    let runs = scene.document().record();
+    let runs = picture.scene.document().record();
     let all: Vec<&dyn Run> = runs.iter().map(|run| &**run).collect();
-    let columns: Vec<Column> = scene
-        .document()
-        .methods()
-        .into_iter()
-        .zip(&runs)
-        .enumerate()
-        .map(|(i, (method, run))| match i {
-            0 => Column::new(method, &**run, picture.step),
-            _ => Column::new(method, &**run, run.beside(&*runs[0], picture.step)),
-        })
-        .collect();
-    let theme = Theme::of(picture.theme);
-    let column_width = size.x / pixels_per_point / columns.len() as f32;
+    let methods = picture.scene.document().methods();
     let page = Page {
-        scene,
+        picture,
         look: Look {
-            theme,
+            theme: Theme::of(picture.theme),
             catalog: Catalog::of(picture.lang),
         },
-        is_comparison: columns.len() > 1,
-        most: most_of_a_kind(&columns.iter().map(|c| c.frame.counts).collect::<Vec<_>>()),
-        difference: Difference::between(&scene.document().methods(), &all),
-        second_height: columns
-            .iter()
-            .flat_map(|column| column.frame.views.iter().skip(1))
-            .filter_map(|view| strip_height(theme, column_width, view))
-            .fold(0.0, f32::max),
+        runs: &all,
+        needs: all.iter().map(|&run| needs(run)).collect(),
+        difference: Difference::between(&methods, &all),
     };
+    let columns: Vec<Column> = methods
+        .into_iter()
+        .zip(&all)
+        .enumerate()
+        .map(|(i, (method, &run))| match i {
+            0 => Column::new(method, run, picture.step),
+            _ => Column::new(method, run, run.beside(all[0], picture.step)),
+        })
+        .collect();
     table.draw(size / pixels_per_point, pixels_per_point, |ui| {
-        let whole = ui.max_rect();
-        let width = whole.width() / columns.len() as f32;
-        let captions: Vec<_> = columns
-            .iter()
-            .map(|column| page.caption(ui, width, &column.frame))
-            .collect();
-        // As much room under both stages, so that they show the same place at the same size.
-        let room = captions
-            .iter()
-            .map(CaptionLayout::height)
-            .fold(0.0, f32::max);
-        for (i, (column, caption)) in columns.iter().zip(captions).enumerate() {
-            let left = whole.left() + width * i as f32;
-            let rect = Rect::from_min_size(pos2(left, whole.top()), vec2(width, whole.height()));
-            page.column(ui, rect, i, column, (caption, room));
-            if i > 0 {
-                let hairline = page.look.theme.stroke(1.0, page.look.theme.hairline);
-                ui.painter().vline(left, whole.y_range(), hairline);
-            }
-        }
+        page.show(ui, &columns);
     })
 }
 
@@ -117,102 +105,110 @@ impl Column {
 }
 
 struct Page<'a> {
-    scene: &'a Scene,
+    picture: &'a Picture<'a>,
     look: Look<'static>,
-    is_comparison: bool,
-    /// Operations at full length of a bar.
-    most: u32,
+    runs: &'a [&'a dyn Run],
+    needs: Vec<Vec<Need>>,
     difference: Option<Difference>,
-    /// Height of the second view: the same under both stages, so that they show the same place.
-    second_height: f32,
 }
 
 impl Page<'_> {
-    fn caption(&self, ui: &Ui, width: f32, frame: &Frame) -> CaptionLayout {
-        let width = width - 2.0 * MARGIN_PTS[0];
-        CaptionLayout::new(ui.painter(), self.look, &frame.caption, width, MAX_ROWS)
+    fn show(&self, ui: &mut Ui, columns: &[Column]) {
+        let theme = self.look.theme;
+        let area = ui.max_rect().shrink2(vec2(0.0, MARGIN_PTS[1]));
+        let width = area.width() - 2.0 * MARGIN_PTS[0];
+        let title = self.picture.title;
+        let title = title.map(|title| headline(ui.painter(), theme, title, width));
+        let n = columns.len().max(1) as f32;
+        let column_width = (width - (n - 1.0) * GUTTER_PTS) / n;
+        let costs = self.costs(columns);
+        let bars: Vec<_> = costs
+            .iter()
+            .map(|cost| Bars::new(ui.painter(), self.look, cost, column_width))
+            .collect();
+        let sheet = Sheet {
+            area: slot_of(area),
+            em: TEXT_PTS * theme.text_scale,
+            margin: MARGIN_PTS[0],
+            inset: 0.0,
+            gutter: GUTTER_PTS,
+            title: title
+                .as_ref()
+                .map_or(0.0, |title| title.size().y + UNDER_TITLE_PTS),
+            name: bars.first().map_or(0.0, |_| NAME_PTS * theme.text_scale),
+            over_caption: OVER_CAPTION_PTS,
+            caption: height_for_all(ui.painter(), self.look, self.captions(), column_width),
+            cost: bars
+                .first()
+                .map_or(0.0, |bars| bars.height() + OVER_COST_PTS),
+        };
+        let layout = sheet.lay_out(&self.needs);
+        if let Some(title) = title {
+            title.paint(ui.painter(), rect_of(layout.title).min, Align2::LEFT_TOP);
+        }
+        for (i, (column, places)) in columns.iter().zip(&layout.columns).enumerate() {
+            self.column(ui, i, column, places);
+            if let Some(bars) = bars.get(i).filter(|_| column.has_run) {
+                let mut rect = rect_of(places.cost);
+                rect.min.y += OVER_COST_PTS;
+                bars.paint(ui.painter(), rect);
+            }
+        }
     }
 
-    fn column(
-        &self,
-        ui: &mut Ui,
-        rect: Rect,
-        index: usize,
-        column: &Column,
-        (caption, caption_height): (CaptionLayout, f32),
-    ) {
-        let frame = &column.frame;
-        let [margin_x, margin_y] = MARGIN_PTS;
-        let cost = Cost {
-            now: frame.counts,
+    /// What each method has done, where two are compared.
+    fn costs(&self, columns: &[Column]) -> Vec<Cost<'static>> {
+        if columns.len() < 2 {
+            return Vec::new();
+        }
+        let counts: Vec<_> = columns.iter().map(|column| column.frame.counts).collect();
+        let most = most_of_a_kind(&counts);
+        let cost = |&now: &_| Cost {
+            now,
             compared: None,
-            most: self.most,
+            most,
         };
-        let width = rect.width() - 2.0 * margin_x;
-        let bars = self
-            .is_comparison
-            .then(|| Bars::new(ui.painter(), self.look, &cost, width));
-        let cost_height = bars.as_ref().map_or(0.0, |bars| bars.height() + 8.0);
-        let bottom = rect.bottom() - margin_y;
-        let caption_top = bottom - cost_height - caption_height;
-        let strip_top = caption_top - margin_y;
-        let title_height = if self.is_comparison {
-            TITLE_PTS * self.look.theme.text_scale
-        } else {
-            0.0
-        };
-        let stage_rect = rect
-            .with_min_y(rect.top() + title_height)
-            .with_max_y(strip_top - self.second_height);
-        if self.is_comparison {
-            self.title(ui, rect, index, column.method);
-        }
-        self.stage(ui, stage_rect, index, column);
-        if let Some(second) = frame.views.get(1) {
-            let rect = rect
-                .with_min_y(strip_top - self.second_height)
-                .with_max_y(strip_top);
-            view(ui, self.look, rect, second, None);
-        }
-        let hairline = self.look.theme.stroke(1.0, self.look.theme.hairline);
-        ui.painter().hline(rect.x_range(), strip_top, hairline);
-        let at = pos2(rect.left() + margin_x, caption_top);
-        caption.paint(ui.painter(), at);
-        if let Some(bars) = bars.filter(|_| column.has_run) {
-            let top = bottom - bars.height();
-            bars.paint(ui.painter(), rect.with_min_x(at.x).with_min_y(top));
-        }
+        counts.iter().map(cost).collect()
     }
 
-    fn stage(&self, ui: &Ui, rect: Rect, index: usize, column: &Column) {
-        let Column { frame, at_end, .. } = column;
-        let viewport = Viewport::fit(rect, self.scene.document().bounds());
-        let painter = ui.painter().with_clip_rect(rect);
-        let mut marks = self.scene.document().backdrop(index, *at_end);
-        marks.extend(frame.marks().iter().cloned());
-        stage(
-            &painter,
-            &viewport,
-            self.look.theme,
-            self.look.catalog,
-            &marks,
-            None,
-        );
+    /// The sentences of the runs, so that each has the room of the highest.
+    fn captions(&self) -> impl Iterator<Item = Caption> {
+        self.runs.iter().flat_map(|run| {
+            let stride = run.n_steps().div_ceil(MOST_ASKED).max(1);
+            let steps = (0..run.n_steps()).step_by(stride).chain([run.n_steps()]);
+            steps.map(|step| run.caption(step))
+        })
     }
 
-    fn title(&self, ui: &Ui, rect: Rect, index: usize, method: &MethodCard) {
+    fn column(&self, ui: &mut Ui, index: usize, column: &Column, places: &ColumnLayout) {
+        let Look { catalog, .. } = self.look;
+        if let Some(slot) = places.slot(ViewId::PLANE) {
+            self.drawing(ui, rect_of(slot), index, column);
+        }
+        let is_comparison = self.needs.len() > 1;
+        let name = is_comparison.then(|| catalog.term(column.method.name_key));
         let note = self
             .difference
             .filter(|difference| difference.column == index)
-            .map(|difference| self.look.catalog.message(&difference.message()));
-        let [margin_x, margin_y] = MARGIN_PTS;
-        column_title(
-            ui.painter(),
-            self.look,
-            (rect.min + vec2(margin_x, margin_y), Align2::LEFT_TOP),
-            rect.width() - 2.0 * margin_x,
-            &self.look.catalog.term(method.name_key),
-            note.as_deref(),
-        );
+            .map(|difference| catalog.message(&difference.message()));
+        let words = Words {
+            name: name.as_deref(),
+            note: note.as_deref(),
+            said: &column.frame.caption,
+            n_rows: MAX_ROWS,
+            indent: 0.0,
+        };
+        beside_the_drawing(ui, self.look, places, &column.frame.views, &words, None);
+    }
+
+    fn drawing(&self, ui: &Ui, rect: Rect, index: usize, column: &Column) {
+        let Column { frame, at_end, .. } = column;
+        let scene = self.picture.scene.document();
+        let viewport = Viewport::fit(rect, scene.bounds());
+        let painter = ui.painter().with_clip_rect(rect);
+        let mut marks = scene.backdrop(index, *at_end);
+        marks.extend(frame.marks().iter().cloned());
+        let Look { theme, catalog } = self.look;
+        stage(&painter, &viewport, theme, catalog, &marks, None);
     }
 }

@@ -87,6 +87,7 @@ impl Job<'_> {
     #[must_use]
     pub fn png(&self, table: &mut Headless, options: &Options) -> Vec<u8> {
         let picture = Picture {
+            title: self.lesson.step_title(&self.step.id, options.lang),
             scene: &self.step.scene,
             step: self.position,
             lang: options.lang,

@@ -2,7 +2,9 @@
 //! colours, no pixels, no language: those are chosen when it is drawn.
 
 mod bits;
+mod extent;
 mod frame;
+mod layout;
 mod lists;
 mod mark;
 mod moment;
@@ -16,7 +18,9 @@ mod watch;
 mod words;
 
 pub use bits::{BitRow, Bits};
+pub use extent::{Need, Stand, needs};
 pub use frame::{Caption, Frame};
+pub use layout::{ColumnLayout, Layout, Sheet, Slot};
 pub use lists::{List, ListEntry, ListLink, Lists, Marker};
 pub use mark::{Label, Link, Mark, Role, Shape, Texel};
 pub use moment::{Moment, MomentError};

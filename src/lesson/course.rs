@@ -141,6 +141,13 @@ impl Lesson {
     pub fn step_index(&self, id: &str) -> Option<usize> {
         self.steps.iter().position(|step| step.id == id)
     }
+
+    /// The title of the step with this id, in this language or in English.
+    #[must_use]
+    pub fn step_title(&self, id: &str, lang: Lang) -> Option<&str> {
+        let step = self.text(lang).steps.get(self.step_index(id)?)?;
+        Some(&step.title)
+    }
 }
 
 impl Course {

@@ -1,6 +1,6 @@
 //! A step's sentence: the decision semibold, the arithmetic after it.
 
-use egui::{Align2, Label, Painter, Pos2, Rect, TextStyle, Ui, UiBuilder, pos2, vec2};
+use egui::{Label, Painter, Rect, TextStyle, Ui, UiBuilder, pos2, vec2};
 
 use crate::{
     figure::Caption,
@@ -15,10 +15,36 @@ const ROW_PTS: f32 = 32.0;
 /// White space above and below.
 const MARGIN_PTS: f32 = 8.0;
 
+/// Of many captions so many are set to see how high they are.
+const MOST_MEASURED: usize = 4;
+
 /// Height of the bar that holds a caption of up to `n_rows`: the same at every step, so that nothing moves.
 #[must_use]
 pub fn caption_height(theme: &Theme, n_rows: usize) -> f32 {
     (2.0 * MARGIN_PTS + ROW_PTS * n_rows as f32 * theme.text_scale).ceil()
+}
+
+/// Height of the bar that has room for each of these captions, whole, in lines of at most `width` points.
+#[must_use]
+pub fn height_for_all(
+    painter: &Painter,
+    look: Look<'_>,
+    captions: impl IntoIterator<Item = Caption>,
+    width: f32,
+) -> f32 {
+    let captions = captions.into_iter();
+    let mut by_length: Vec<(usize, Caption)> = captions
+        .map(|caption| (caption_text(look.catalog, &caption).len(), caption))
+        .collect();
+    by_length.sort_by_key(|(length, _)| std::cmp::Reverse(*length));
+    // The highest is one of the longest.
+    by_length.truncate(MOST_MEASURED);
+    let height = |(_, caption): &(usize, Caption)| {
+        CaptionLayout::new(painter, look, caption, width, usize::MAX).height()
+    };
+    let one = ROW_PTS * look.theme.text_scale;
+    let most = by_length.iter().map(height).fold(one, f32::max);
+    (2.0 * MARGIN_PTS + most).ceil()
 }
 
 /// The caption as plain text, for screen readers and tooltips.
@@ -32,7 +58,7 @@ pub fn caption_text(catalog: &Catalog, caption: &Caption) -> String {
 /// Draws the caption in `rect` on as many lines as it takes, `n_rows` at most. Its first line stands where it stands at
 /// every other step.
 pub fn caption(ui: &mut Ui, look: Look<'_>, rect: Rect, n_rows: usize, shown: &Caption) {
-    let inner = rect.shrink2(vec2(24.0, MARGIN_PTS).min(rect.size() * 0.1));
+    let inner = rect.shrink2(vec2(0.0, MARGIN_PTS).min(rect.size() * 0.1));
     let layout = CaptionLayout::new(ui.painter(), look, shown, inner.width(), n_rows);
     let top = layout.top(inner, look.theme);
     let place = Rect::from_min_size(
@@ -86,11 +112,6 @@ impl CaptionLayout {
     #[must_use]
     pub fn height(&self) -> f32 {
         self.0.size().y
-    }
-
-    /// Paints it with its left top corner here.
-    pub fn paint(&self, painter: &Painter, at: Pos2) {
-        self.0.paint(painter, at, Align2::LEFT_TOP);
     }
 
     /// Where its top goes so that its first line stands in the middle of the room that a line has; higher up if it would

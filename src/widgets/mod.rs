@@ -3,6 +3,7 @@
 
 mod canvas;
 mod caption;
+mod composed;
 mod cost;
 mod grid;
 mod handles;
@@ -21,7 +22,8 @@ mod views;
 mod watch;
 
 pub use canvas::{Canvas, CanvasShown, Click, place_at};
-pub use caption::{CaptionLayout, caption, caption_height, caption_text};
+pub use caption::{caption, caption_height, caption_text, height_for_all};
+pub use composed::{TEXT_PTS, Words, beside_the_drawing, headline, rect_of, slot_of};
 pub use cost::{Bars, Cost, cost, most_of_a_kind};
 pub use handles::{Gesture, Moved, Snap, Spot, gripped};
 pub use hit::{distance_to_segment, link_at};
@@ -34,7 +36,7 @@ pub use section::{rule, section};
 pub use timeline::Timeline;
 pub use title::column_title;
 pub use transport::{Press, speed_menu, transport_buttons, transport_width};
-pub use views::{strip_height, view};
+pub use views::view;
 pub use watch::watch;
 
 use crate::{paint::Theme, text::Catalog};

@@ -2,12 +2,12 @@
 
 use egui::{Key, Modifiers, vec2};
 
-use super::{Bench, SIZE, ctrl};
+use super::{Bench, ROOMY, ctrl};
 use crate::{app::Command, labs::lines};
 
 #[test]
 fn an_end_is_dragged_and_one_undo_takes_the_whole_drag_back() {
-    let mut bench = Bench::new(SIZE);
+    let mut bench = Bench::new(ROOMY);
     bench.app.apply(&bench.ctx.clone(), Command::Seek(6));
     bench.settle();
     let before = bench.app.scene().clone();
@@ -55,7 +55,7 @@ fn an_end_is_dragged_and_one_undo_takes_the_whole_drag_back() {
 
 #[test]
 fn a_drag_keeps_to_the_grid_and_the_background_pans() {
-    let mut bench = Bench::new(SIZE);
+    let mut bench = Bench::new(ROOMY);
     let p1 = bench
         .app
         .scene()
@@ -86,7 +86,7 @@ fn a_drag_keeps_to_the_grid_and_the_background_pans() {
 
 #[test]
 fn a_handle_with_the_focus_takes_the_arrows_until_escape() {
-    let mut bench = Bench::new(SIZE);
+    let mut bench = Bench::new(ROOMY);
     let p1 = bench.app.stage.handle_ids[0];
     bench.ctx.memory_mut(|memory| memory.request_focus(p1));
     bench.frame(0.1, Vec::new());

@@ -18,6 +18,8 @@ use crate::{lesson::Course, paint::fonts};
 use super::{App, Settings};
 
 const SIZE: Vec2 = vec2(1280.0, 720.0);
+/// The drawing has room for a grid of halves, beside what the algorithm holds.
+const ROOMY: Vec2 = vec2(1600.0, 900.0);
 
 /// An app on a bare context, with a clock of its own.
 struct Bench {

@@ -2,7 +2,7 @@
 
 use egui::{Event, Key, Modifiers, PointerButton, Pos2};
 
-use super::{Bench, SIZE, ctrl};
+use super::{Bench, ROOMY, SIZE, ctrl};
 use crate::{
     app::{App, Command, Settings},
     labs::{
@@ -16,7 +16,7 @@ use crate::{
 impl Bench {
     /// The polygons lab on its first scene.
     pub(super) fn polygons() -> Self {
-        let mut bench = Self::new(SIZE);
+        let mut bench = Self::new(ROOMY);
         bench.command(Command::Lab(LAB.id()));
         bench
     }

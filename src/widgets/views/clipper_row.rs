@@ -30,8 +30,6 @@ use super::{
 };
 use plan::{LETTER, LINE, NAME_SIZE, PAD, Plan};
 
-pub use plan::clipper_row_height;
-
 const COORDINATE_SIZE: f32 = 12.5;
 
 impl OnSlate for ClipperRow {

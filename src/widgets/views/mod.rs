@@ -16,31 +16,11 @@ mod tests;
 
 use egui::{Rect, Role, Sense, Ui, WidgetInfo};
 
-use crate::{
-    figure::{Body, Link, View},
-    paint::Theme,
-};
+use crate::figure::{Body, Link, View};
 
 use super::Look;
-use clipper_row::clipper_row_height;
 use links::Links;
-use number_line::number_line_height;
 use on_slate::OnSlate;
-
-/// Height of a view that stands under the drawing, in a column of this width; `None` of one that stands beside it.
-#[must_use]
-pub fn strip_height(theme: &Theme, width: f32, shown: &View) -> Option<f32> {
-    match shown.body {
-        Body::NumberLine(_) => Some(number_line_height(theme)),
-        Body::Clippers(_) => Some(clipper_row_height(theme, width)),
-        Body::Plane(_)
-        | Body::Space(_)
-        | Body::Bits(_)
-        | Body::Table(_)
-        | Body::Lists(_)
-        | Body::Products(_) => None,
-    }
-}
 
 /// Draws a view of any kind but the drawing in `rect`, from its top; what it shows under the pointer.
 pub fn view(ui: &Ui, look: Look<'_>, rect: Rect, shown: &View, lit: Option<Link>) -> Option<Link> {

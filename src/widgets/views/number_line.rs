@@ -14,22 +14,13 @@ mod names;
 
 use egui::{Painter, Rect, vec2};
 
-use crate::{
-    figure::{LineTick, NumberLine, Side},
-    paint::Theme,
-};
+use crate::figure::{LineTick, NumberLine, Side};
 
 use super::{super::Look, links::Links, on_slate::OnSlate, slate::Slate};
 use axis::{ABOVE, Axis};
 
 /// Below it: 0 and 1, and a bound with a stacked fraction.
 const BELOW: f32 = 48.0;
-
-/// Height of the view.
-#[must_use]
-pub fn number_line_height(theme: &Theme) -> f32 {
-    ((ABOVE + BELOW) * theme.text_scale).round()
-}
 
 impl OnSlate for NumberLine {
     fn slate<'a>(&self, painter: &'a Painter, look: Look<'a>, rect: Rect) -> Slate<'a> {

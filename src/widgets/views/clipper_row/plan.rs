@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use egui::{Pos2, Rect, Vec2, pos2, vec2};
 
-use crate::{figure::ClipperRow, paint::Theme};
+use crate::figure::ClipperRow;
 
 use super::super::slate::Slate;
 
@@ -48,13 +48,6 @@ fn natural(is_stacked: bool) -> Vec2 {
     let size = box_size(is_stacked);
     let ends = ENDS[0] + ENDS[1] + (n + 1.0) * LEAST_ARROW;
     2.0 * MARGIN + vec2(n * size.x + ends, NAME + size.y)
-}
-
-/// Height of the view in a column of this width.
-#[must_use]
-pub fn clipper_row_height(theme: &Theme, width: f32) -> f32 {
-    let is_stacked = width < theme.text_scale * natural(false).x;
-    (theme.text_scale * natural(is_stacked).y).round()
 }
 
 /// A coordinate stands below the other where they have no room beside each other.

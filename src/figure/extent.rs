@@ -1,0 +1,117 @@
+//! How much room views want, from their data alone: so that it is settled for a whole run before anything is drawn.
+
+use super::{Body, Run, View, ViewId};
+
+/// Of a run's steps so many are asked what they show, the first and the last among them: a view that comes or grows is
+/// there at one of them, or has had its room from the start.
+const MOST_ASKED: usize = 24;
+/// A run of more steps is asked at its ends alone: its frames are large, and a drag has no time for them.
+const LONG: usize = 1024;
+/// Entries of a list beyond these are folded wherever it stands.
+const MOST_ENTRIES: usize = 16;
+
+/// Where a view stands in its column.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Stand {
+    /// On its left: takes whatever the others leave. A second drawing stands beside it.
+    Drawing,
+    /// A strip under the drawing, at its width: it measures what is drawn above it.
+    Under,
+    /// Beside the drawing, from the same height.
+    Beside,
+}
+
+/// A view's wants: widths and heights, in ems of the text.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Need {
+    /// Whose.
+    pub id: ViewId,
+    /// Where it stands.
+    pub stand: Stand,
+    /// Less than this is not worth drawing.
+    pub least: [f32; 2],
+    /// More than this does it no good.
+    pub natural: [f32; 2],
+}
+
+impl View {
+    /// What this view wants at this step.
+    #[must_use]
+    pub fn need(&self) -> Need {
+        let (stand, least, natural) = match &self.body {
+            Body::Plane(_) | Body::Space(_) => (Stand::Drawing, [22.0, 11.0], [30.0, 24.0]),
+            Body::NumberLine(_) => (Stand::Under, [14.0, 6.0], [f32::MAX, 8.0]),
+            Body::Clippers(_) => (Stand::Under, [14.0, 8.6], [f32::MAX, 8.6]),
+            Body::Bits(bits) => {
+                let columns = bits.columns.len() as f32;
+                // The result has its room before it is asked for.
+                let rows = bits.rows.len() as f32 + 1.0;
+                let least = [4.0 + 2.3 * columns, 4.0 + 2.0 * rows];
+                (
+                    Stand::Beside,
+                    least,
+                    [5.5 + 5.0 * columns, 7.0 + 5.0 * rows],
+                )
+            }
+            Body::Table(table) => {
+                let columns = table.header.len().saturating_sub(1) as f32;
+                let (rows, notes) = (table.rows.len() as f32, table.notes.len() as f32);
+                let least = [4.5 + 2.8 * columns, 3.0 + 1.8 * rows + 1.5 * notes];
+                let natural = [6.0 + 4.0 * columns, 4.5 + 3.8 * rows + 2.0 * notes];
+                (Stand::Beside, least, natural)
+            }
+            Body::Lists(lists) => {
+                let n = lists.lists.len() as f32;
+                let entries = lists.lists.iter().map(|list| list.entries.len());
+                let rows = entries.max().unwrap_or(0).min(MOST_ENTRIES) as f32;
+                let least = [5.0 * n + 2.5 * (n - 1.0) + 2.0, 3.0 + 1.7 * rows.min(6.0)];
+                let natural = [8.0 * n + 7.0 * (n - 1.0) + 4.0, 3.5 + 2.4 * rows];
+                (Stand::Beside, least, natural)
+            }
+            Body::Products(products) => {
+                let rows = products.products.len() as f32;
+                let [low, high] = match products.measured {
+                    Some(_) => [8.0, 11.5],
+                    None => [0.0, 0.0],
+                };
+                let least = [19.0, 5.5 * rows + low];
+                (Stand::Beside, least, [28.0, 9.5 * rows + high])
+            }
+        };
+        let id = self.id;
+        Need {
+            id,
+            stand,
+            least,
+            natural,
+        }
+    }
+}
+
+/// What the views of a run want, in the order in which a step shows them: enough for every step, so that nothing moves
+/// from one to the next.
+#[must_use]
+pub fn needs(run: &dyn Run) -> Vec<Need> {
+    let n_steps = run.n_steps();
+    let n_asked = if n_steps > LONG { 1 } else { MOST_ASKED };
+    let stride = n_steps.div_ceil(n_asked).max(1);
+    let mut needs: Vec<Need> = Vec::new();
+    for step in (0..n_steps).step_by(stride).chain([n_steps]) {
+        for view in &run.frame(step).views {
+            let more = view.need();
+            match needs.iter_mut().find(|need| need.id == more.id) {
+                Some(need) => need.widen(&more),
+                None => needs.push(more),
+            }
+        }
+    }
+    needs
+}
+
+impl Need {
+    fn widen(&mut self, more: &Self) {
+        let larger = |a: [f32; 2], b: [f32; 2]| [a[0].max(b[0]), a[1].max(b[1])];
+        self.least = larger(self.least, more.least);
+        self.natural = larger(self.natural, more.natural);
+    }
+}
