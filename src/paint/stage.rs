@@ -13,7 +13,7 @@ use super::{
     checker::textured,
     crowd::crowd,
     fill_cache::{LARGE, filled_large},
-    labels::Labels,
+    labels::{Labels, Obstacle, Placed},
     layers::{Layer, Piece, pieces},
     line::Line,
     parts::{Marker, Part},
@@ -47,8 +47,21 @@ pub fn stage(
             | Layer::Marker => stage.part(piece),
         }
     }
-    let labels = Labels::new(viewport, theme, &pieces);
-    labels.draw(painter, viewport, theme, catalog, marks);
+    Labels::new(painter, viewport, theme, catalog, (marks, &pieces)).draw(painter, theme);
+}
+
+/// Where the labels of these marks would stand, and what they keep off.
+#[must_use]
+pub fn arrange(
+    painter: &Painter,
+    viewport: &Viewport,
+    theme: &Theme,
+    catalog: &Catalog,
+    marks: &[Mark],
+) -> (Vec<Placed>, Vec<Obstacle>) {
+    let pieces = pieces(viewport, theme, marks, None);
+    let labels = Labels::new(painter, viewport, theme, catalog, (marks, &pieces));
+    (labels.placed, labels.obstacles)
 }
 
 struct Stage<'a> {

@@ -1,0 +1,100 @@
+//! What a label belongs to, on the screen.
+
+use egui::{Pos2, Rect};
+
+use crate::{
+    figure::{Mark, Shape},
+    paint::{
+        Theme, Viewport,
+        cut::cut_to,
+        parts::{Part, parts, visible},
+        pen::radius,
+    },
+};
+
+/// Of an outline's edges the longest have room for its label.
+const MOST_EDGES: usize = 8;
+
+/// What a label belongs to.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Anchor {
+    /// Beside a point mark of this radius.
+    Point(Pos2, f32),
+    /// Along one of these edges; a line's only one is as long as it is seen.
+    Along(Vec<[Pos2; 2]>),
+    /// Anywhere in a rectangle, best in its middle.
+    Inside(Rect),
+    /// Anywhere that an odd number of outlines goes round.
+    Within(Vec<Vec<Pos2>>),
+}
+
+impl Anchor {
+    /// Of a mark's label; none where nothing of it is on the stage.
+    pub fn of(viewport: &Viewport, theme: &Theme, mark: &Mark) -> Option<Self> {
+        let stage = viewport.rect;
+        let parts = parts(viewport, &mark.shape);
+        match &mark.shape {
+            Shape::Region(corners) => Some(Self::Inside(visible(viewport, *corners))),
+            Shape::Segment(_)
+            | Shape::Border(..)
+            | Shape::Line(_)
+            | Shape::Ray(_)
+            | Shape::HalfPlane(_)
+            | Shape::Outline(_)
+            | Shape::Path(_) => Self::along(&parts, stage),
+            Shape::Area(_) | Shape::Wash(_) => {
+                let outlines = parts.into_iter().filter_map(|part| match part {
+                    Part::Ring(points) | Part::Wash(points) => Some(points),
+                    _ => None,
+                });
+                Some(Self::Within(outlines.collect()))
+            }
+            Shape::Arrow(_)
+            | Shape::Heading(_)
+            | Shape::Dot(_)
+            | Shape::Ring(_)
+            | Shape::Cross(_)
+            | Shape::Bound(_)
+            | Shape::Angle(_)
+            | Shape::RightAngle(_) => parts
+                .iter()
+                .find_map(|part| match part {
+                    Part::Marker(marker, at) => Some((*at, radius(theme, *marker, mark.role))),
+                    Part::Arrow([_, tip]) | Part::Head([_, tip]) => Some((*tip, 2.0)),
+                    Part::Stroke(points) => points.get(points.len() / 2).map(|&at| (at, 2.0)),
+                    _ => None,
+                })
+                .filter(|(at, _)| stage.expand(1.0).contains(*at))
+                .map(|(at, radius)| Self::Point(at, radius)),
+            // Too many things for one label.
+            Shape::Textured(_) | Shape::Crowd(_) => None,
+        }
+    }
+
+    fn along(parts: &[Part<'_>], stage: Rect) -> Option<Self> {
+        let edges = parts.iter().flat_map(edges_of);
+        let mut seen: Vec<[Pos2; 2]> = edges.filter_map(|ends| cut_to(ends, stage)).collect();
+        let length = |[a, b]: &[Pos2; 2]| a.distance(*b);
+        seen.sort_by(|a, b| length(b).total_cmp(&length(a)));
+        seen.truncate(MOST_EDGES);
+        (!seen.is_empty()).then_some(Self::Along(seen))
+    }
+}
+
+/// The edges of a part that is a line, on the stage or off it.
+pub fn edges_of(part: &Part<'_>) -> Vec<[Pos2; 2]> {
+    match part {
+        Part::Stroke(points) => points.windows(2).map(|ends| [ends[0], ends[1]]).collect(),
+        Part::Ring(points) => {
+            let next = points.iter().cycle().skip(1);
+            points.iter().zip(next).map(|(&a, &b)| [a, b]).collect()
+        }
+        Part::Arrow(ends) => vec![*ends],
+        Part::Wash(_)
+        | Part::Fill(_)
+        | Part::Texture(_)
+        | Part::Crowd(_)
+        | Part::Head(_)
+        | Part::Marker(..) => Vec::new(),
+    }
+}

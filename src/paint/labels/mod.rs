@@ -1,0 +1,294 @@
+//! Finding places for labels: near their anchor, on nothing else, inside the stage.
+//!
+//! Each label has candidate places. Labels are placed one by one, this step's first, and then each again, now that the
+//! others stand: it takes the place where distance and what it covers cost least. The same marks give the same places,
+//! with no memory of the step before.
+
+mod anchor;
+mod obstacles;
+mod places;
+mod text;
+
+use egui::{Painter, Pos2, Rect, Vec2, vec2};
+
+use crate::{
+    figure::{Label, Mark, Role, Shape},
+    text::Catalog,
+};
+
+use super::{Theme, Viewport, layers::Piece};
+
+use self::{
+    anchor::Anchor,
+    obstacles::{length_in, obstacles},
+    places::{Place, places},
+    text::{Setter, Text},
+};
+
+pub use self::obstacles::Obstacle;
+
+/// More labels than this would cover the figure, and finding places for them would take longer than a frame.
+const MOST_LABELS: usize = 160;
+/// Each label looks again this often, once the others stand.
+const ROUNDS: usize = 3;
+/// Space that two labels keep between them, in points.
+const APART: Vec2 = vec2(5.0, 2.0);
+/// Points nearer than this are one, and its names one label.
+const SAME_POINT: f32 = 0.5;
+
+/// A label in its place.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Placed {
+    /// What it says.
+    pub text: String,
+    /// The box around its letters.
+    pub rect: Rect,
+    /// A stroke or a marker runs under it: it has a halo, so that it can be read.
+    pub has_halo: bool,
+    /// A thin line that leads from its mark to it.
+    pub leader: Option<[Pos2; 2]>,
+}
+
+/// All labels of a stage in their places.
+pub struct Labels {
+    texts: Vec<Text>,
+    /// In the order of placing.
+    pub placed: Vec<Placed>,
+    /// What they keep off.
+    pub obstacles: Vec<Obstacle>,
+}
+
+/// A label that waits for its place.
+struct Waiting {
+    text: Text,
+    anchor: Anchor,
+    toward: Option<Vec2>,
+    rank: u8,
+}
+
+impl Labels {
+    /// Finds places for the labels of these marks.
+    pub fn new(
+        painter: &Painter,
+        viewport: &Viewport,
+        theme: &Theme,
+        catalog: &Catalog,
+        (marks, pieces): (&[Mark], &[Piece<'_>]),
+    ) -> Self {
+        let setter = Setter {
+            painter,
+            theme,
+            catalog,
+        };
+        let mut waiting = waiting(setter, viewport, marks);
+        waiting.sort_by_key(|label| label.rank);
+        waiting.truncate(MOST_LABELS);
+        let obstacles = obstacles(viewport, theme, pieces);
+        let mut table = Table {
+            stage: viewport.rect,
+            places: waiting
+                .iter()
+                .map(|label| candidates(label, viewport.rect, &obstacles))
+                .collect(),
+            taken: Vec::new(),
+        };
+        table.fill();
+        let placed = waiting.iter().zip(&table.taken).map(|(label, place)| {
+            let rect = place.rect;
+            Placed {
+                text: label.text.plain.clone(),
+                rect,
+                has_halo: obstacles.iter().any(|obstacle| obstacle.covers(rect)),
+                leader: place.leader,
+            }
+        });
+        Self {
+            placed: placed.collect(),
+            texts: waiting.into_iter().map(|label| label.text).collect(),
+            obstacles,
+        }
+    }
+
+    /// Draws them.
+    pub fn draw(&self, painter: &Painter, theme: &Theme) {
+        for Placed { leader, .. } in &self.placed {
+            if let Some(ends) = leader {
+                painter.line_segment(*ends, theme.stroke(1.0, theme.discarded));
+            }
+        }
+        let labels = || self.texts.iter().zip(&self.placed);
+        // No halo covers another label.
+        for (text, placed) in labels().filter(|(_, placed)| placed.has_halo) {
+            text.paint_halo(painter, placed.rect, theme.stroke_scale.sqrt());
+        }
+        for (text, placed) in labels() {
+            text.paint(painter, placed.rect);
+        }
+    }
+}
+
+/// The labels of all marks. Those of one point are one label: `C₁ = I₁`.
+fn waiting(setter: Setter<'_>, viewport: &Viewport, marks: &[Mark]) -> Vec<Waiting> {
+    let mut waiting: Vec<Waiting> = Vec::new();
+    for mark in marks {
+        let Some(label) = &mark.label else { continue };
+        let Some(anchor) = Anchor::of(viewport, setter.theme, mark) else {
+            continue;
+        };
+        let text = setter.set(label, mark.role);
+        let rank = rank(label, &anchor, mark.role);
+        let same = waiting
+            .iter_mut()
+            .find(|other| is_same_point(&other.anchor, &anchor) && can_join(&other.text, &text));
+        match same {
+            Some(other) if other.text.plain == text.plain => {
+                // The later mark lies over the one before.
+                (other.text, other.rank) = (text, other.rank.min(rank));
+            }
+            Some(other) => {
+                let first = std::mem::replace(&mut other.text, setter.set(label, mark.role));
+                other.text = setter.join(first, text);
+                other.rank = other.rank.min(rank);
+            }
+            None => waiting.push(Waiting {
+                text,
+                anchor,
+                toward: toward(viewport, mark, label),
+                rank,
+            }),
+        }
+    }
+    waiting
+}
+
+/// This step's labels choose first, those that can stand anywhere choose last.
+const fn rank(label: &Label, anchor: &Anchor, role: Role) -> u8 {
+    match anchor {
+        Anchor::Inside(_) | Anchor::Within(_) => 3,
+        Anchor::Point(..) | Anchor::Along(_) if matches!(role, Role::Signal) => 0,
+        Anchor::Point(..) | Anchor::Along(_) if label.strong => 1,
+        Anchor::Point(..) | Anchor::Along(_) => 2,
+    }
+}
+
+fn is_same_point(a: &Anchor, b: &Anchor) -> bool {
+    matches!((a, b), (Anchor::Point(a, _), Anchor::Point(b, _)) if a.distance(*b) < SAME_POINT)
+}
+
+/// Names can be said to be of one thing; an equation cannot.
+fn can_join(a: &Text, b: &Text) -> bool {
+    let is_name = |text: &Text| !text.plain.contains([':', '<', '>']);
+    a.plain == b.plain || (is_name(a) && is_name(b) && !b.plain.contains('='))
+}
+
+/// On the screen, where y points down.
+fn toward(viewport: &Viewport, mark: &Mark, label: &Label) -> Option<Vec2> {
+    let on_screen = |[x, y]: [f64; 2]| vec2(x as f32, -y as f32);
+    let unshaded = match mark.shape {
+        Shape::HalfPlane([a, b]) => {
+            let along = viewport.to_screen(b) - viewport.to_screen(a);
+            Some(vec2(-along.y, along.x))
+        }
+        _ => None,
+    };
+    label.toward.map(on_screen).or(unshaded)
+}
+
+/// A candidate, and what it costs whatever the other labels do.
+#[derive(Clone, Copy)]
+struct Candidate {
+    rect: Rect,
+    leader: Option<[Pos2; 2]>,
+    cost: f32,
+}
+
+/// The places of a label, the least costly first.
+fn candidates(label: &Waiting, stage: Rect, obstacles: &[Obstacle]) -> Vec<Candidate> {
+    let size = label.text.size();
+    let places = places(&label.anchor, size, stage, label.toward);
+    let centres: Vec<Pos2> = places.iter().map(|place| place.centre).collect();
+    let reach = Rect::from_points(&centres).expand2(size);
+    let nearby: Vec<&Obstacle> = obstacles
+        .iter()
+        .filter(|obstacle| obstacle.bounds().intersects(reach))
+        .collect();
+    let of_place = |place: Place| {
+        let rect = Rect::from_center_size(place.centre, size);
+        // Whole pixels keep the text crisp.
+        let rect = rect.translate(rect.min.round() - rect.min);
+        let near = rect.expand2(APART);
+        let touching = nearby.iter().filter(|it| it.bounds().intersects(near));
+        let covered: f32 = touching.map(|obstacle| obstacle.cost(rect)).sum();
+        let is_seen = stage.shrink(3.0).contains_rect(rect);
+        let leader = place.leader.map(|from| [from, rect.clamp(from)]);
+        Candidate {
+            rect,
+            leader,
+            cost: place.dislike + covered + if is_seen { 0.0 } else { 1_000.0 },
+        }
+    };
+    let mut candidates: Vec<Candidate> = places.into_iter().map(of_place).collect();
+    candidates.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+    candidates
+}
+
+/// Labels that take their places.
+struct Table {
+    stage: Rect,
+    places: Vec<Vec<Candidate>>,
+    taken: Vec<Candidate>,
+}
+
+impl Table {
+    fn fill(&mut self) {
+        for i in 0..self.places.len() {
+            let place = self.best(i);
+            self.taken.push(place);
+        }
+        for _ in 0..ROUNDS {
+            for i in 0..self.places.len() {
+                self.taken[i] = self.best(i);
+            }
+        }
+    }
+
+    /// The least costly place, given those that the others have.
+    fn best(&self, label: usize) -> Candidate {
+        let middle = Rect::from_center_size(self.stage.center(), Vec2::ZERO);
+        let mut best = Candidate {
+            rect: middle,
+            leader: None,
+            cost: f32::INFINITY,
+        };
+        for candidate in &self.places[label] {
+            // All that follow cost more by themselves.
+            if candidate.cost >= best.cost {
+                break;
+            }
+            let others = self.taken.iter().enumerate().filter(|(i, _)| *i != label);
+            let cost: f32 = others.map(|(_, other)| between(candidate, other)).sum();
+            if candidate.cost + cost < best.cost {
+                best = Candidate {
+                    cost: candidate.cost + cost,
+                    ..*candidate
+                };
+            }
+        }
+        best
+    }
+}
+
+/// What two labels in these places cost each other.
+fn between(a: &Candidate, b: &Candidate) -> f32 {
+    let apart = a.rect.expand2(APART);
+    let overlap = if apart.intersects(b.rect) {
+        400.0 + apart.intersect(b.rect).area()
+    } else {
+        0.0
+    };
+    let struck = |leader: Option<[Pos2; 2]>, rect: Rect| {
+        leader.is_some_and(|ends| length_in(ends, rect.expand(2.0)) > 0.0)
+    };
+    let is_struck = struck(a.leader, b.rect) || struck(b.leader, a.rect);
+    overlap + if is_struck { 200.0 } else { 0.0 }
+}

@@ -1,0 +1,130 @@
+//! What labels keep off: every stroke, head and marker.
+
+use egui::{Pos2, Rect};
+
+use crate::paint::{
+    Theme, Viewport,
+    layers::{Layer, Piece},
+    parts::Part,
+    pen::{HEAD, Pen, radius},
+};
+
+use super::anchor::edges_of;
+
+/// Of more than this on a stage there is no keeping off.
+const MOST: usize = 2_000;
+/// A crowd of more segments than this is a texture behind the figure.
+const MOST_OF_A_CROWD: usize = 50;
+/// White space that a label likes to have around it, in points.
+const CLEAR: f32 = 3.0;
+
+/// Something that a label does not cover.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Obstacle {
+    /// A line and half its width.
+    Stroke([Pos2; 2], f32),
+    /// A marker or a head: its middle and its radius.
+    Disc(Pos2, f32),
+}
+
+impl Obstacle {
+    /// Is some of it in this rectangle?
+    #[must_use]
+    pub fn covers(&self, rect: Rect) -> bool {
+        match *self {
+            Self::Stroke(ends, half) => length_in(ends, rect.expand(half)) > 0.0,
+            Self::Disc(at, radius) => rect.distance_to_pos(at) < radius,
+        }
+    }
+
+    /// How bad it is to stand here, in points of distance that a label would rather go.
+    pub(super) fn cost(&self, rect: Rect) -> f32 {
+        match *self {
+            Self::Stroke(ends, half) => {
+                let within = length_in(ends, rect.expand(half));
+                if within > 0.0 {
+                    80.0 + 2.0 * within
+                } else if length_in(ends, rect.expand(half + CLEAR)) > 0.0 {
+                    4.0
+                } else {
+                    0.0
+                }
+            }
+            Self::Disc(at, radius) => match rect.distance_to_pos(at) - radius {
+                ..0.0 => 250.0,
+                ..CLEAR => 4.0,
+                _ => 0.0,
+            },
+        }
+    }
+
+    /// The rectangle that it is in.
+    pub(super) fn bounds(&self) -> Rect {
+        match *self {
+            Self::Stroke([a, b], half) => Rect::from_two_pos(a, b).expand(half),
+            Self::Disc(at, radius) => Rect::from_center_size(at, egui::Vec2::splat(2.0 * radius)),
+        }
+    }
+}
+
+/// All of them on the stage.
+pub fn obstacles(viewport: &Viewport, theme: &Theme, pieces: &[Piece<'_>]) -> Vec<Obstacle> {
+    let pieces = pieces.iter().filter(|piece| piece.layer != Layer::Glow);
+    pieces
+        .flat_map(|piece| of_piece(viewport, theme, piece))
+        .filter(|obstacle| obstacle.bounds().intersects(viewport.rect))
+        .take(MOST)
+        .collect()
+}
+
+fn of_piece(viewport: &Viewport, theme: &Theme, piece: &Piece<'_>) -> Vec<Obstacle> {
+    let Piece { mark, part, .. } = piece;
+    let half = 0.5 * Pen::of(theme, mark).stroke.width;
+    let strokes = edges_of(part).into_iter();
+    let mut obstacles: Vec<Obstacle> = strokes.map(|ends| Obstacle::Stroke(ends, half)).collect();
+    match part {
+        Part::Arrow([from, tip]) | Part::Head([from, tip]) => {
+            let middle = *tip - (*tip - *from).normalized() * 0.5 * HEAD * theme.stroke_scale;
+            obstacles.push(Obstacle::Disc(middle, 0.5 * HEAD * theme.stroke_scale));
+        }
+        Part::Marker(marker, at) => {
+            let radius = radius(theme, *marker, mark.role);
+            obstacles.push(Obstacle::Disc(*at, radius));
+        }
+        Part::Crowd(segments) if segments.len() <= MOST_OF_A_CROWD => {
+            let half = 0.5 * Pen::of_crowd(theme, mark, segments.len()).stroke.width;
+            let ends = segments
+                .iter()
+                .map(|ends| ends.map(|p| viewport.to_screen(p)));
+            obstacles.extend(ends.map(|ends| Obstacle::Stroke(ends, half)));
+        }
+        Part::Crowd(_)
+        | Part::Wash(_)
+        | Part::Fill(_)
+        | Part::Texture(_)
+        | Part::Stroke(_)
+        | Part::Ring(_) => {}
+    }
+    obstacles
+}
+
+/// Length of the part of a line that lies in a rectangle: the parameter interval of the slab method.
+pub fn length_in([a, b]: [Pos2; 2], rect: Rect) -> f32 {
+    let d = b - a;
+    let (mut from, mut to) = (0.0f32, 1.0f32);
+    for (origin, d, min, max) in [
+        (a.x, d.x, rect.left(), rect.right()),
+        (a.y, d.y, rect.top(), rect.bottom()),
+    ] {
+        if d == 0.0 {
+            if origin < min || origin > max {
+                return 0.0;
+            }
+            continue;
+        }
+        let (t0, t1) = ((min - origin) / d, (max - origin) / d);
+        from = from.max(t0.min(t1));
+        to = to.min(t0.max(t1));
+    }
+    (to - from).max(0.0) * d.length()
+}

@@ -1,0 +1,190 @@
+//! The places that a label may take, each with how little it is liked: near its anchor is best, on a preferred side,
+//! and for labels of one kind always the same.
+
+use egui::{Pos2, Rect, Vec2, pos2};
+
+use super::anchor::Anchor;
+
+/// A place for a label.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Place {
+    /// Of its box.
+    pub centre: Pos2,
+    /// In points of distance that it would rather go.
+    pub dislike: f32,
+    /// So far off that a thin line has to lead there, from here.
+    pub leader: Option<Pos2>,
+}
+
+/// Directions around a point: to the right, as one reads, is best, then the corners, then what is in between.
+const DIRECTIONS: [(f32, f32); 16] = [
+    (0.0, 0.0),
+    (-45.0, 1.0),
+    (45.0, 1.5),
+    (180.0, 2.0),
+    (-90.0, 2.5),
+    (90.0, 3.0),
+    (-135.0, 3.5),
+    (135.0, 4.0),
+    (-22.5, 4.5),
+    (22.5, 4.5),
+    (-67.5, 5.0),
+    (67.5, 5.0),
+    (-157.5, 5.0),
+    (157.5, 5.0),
+    (-112.5, 5.5),
+    (112.5, 5.5),
+];
+/// White space between a marker and its label, in points; from the last two a leader comes.
+const GAPS: [f32; 7] = [5.0, 8.0, 12.0, 18.0, 25.0, 36.0, 50.0];
+const LED: f32 = 30.0;
+/// Places along an edge, the nicest first: near its ends it is the least crossed.
+const ALONG: [f32; 15] = [
+    0.12, 0.88, 0.25, 0.75, 0.5, 0.06, 0.94, 0.37, 0.63, 0.19, 0.81, 0.31, 0.69, 0.44, 0.56,
+];
+/// White space between an edge and its label.
+const ASIDE: [f32; 3] = [5.0, 9.0, 15.0];
+/// Places across an area, the middle first.
+const ACROSS: [f32; 9] = [0.5, 0.38, 0.62, 0.26, 0.74, 0.14, 0.86, 0.02, 0.98];
+/// On the wrong side of a line, a label says what is not true.
+const WRONG_SIDE: f32 = 400.0;
+
+/// Where a label of this size can stand on a stage; `toward` is the side that it has to keep, on the screen.
+pub fn places(anchor: &Anchor, size: Vec2, stage: Rect, toward: Option<Vec2>) -> Vec<Place> {
+    let half = 0.5 * size;
+    match anchor {
+        Anchor::Point(at, radius) => around(*at, *radius, half, toward),
+        Anchor::Along(edges) => edges
+            .iter()
+            .enumerate()
+            .flat_map(|(i, &ends)| beside(ends, half, stage, toward, 4.0 * i as f32))
+            .collect(),
+        Anchor::Inside(rect) => {
+            let seen = stage.shrink2((half + Vec2::splat(4.0)).min(stage.size() * 0.5));
+            let mut places = inside(*rect, half);
+            for place in &mut places {
+                place.centre = seen.clamp(place.centre);
+            }
+            places.extend(near(seen.clamp(rect.center()), half));
+            places
+        }
+        Anchor::Within(outlines) => {
+            let points = outlines.iter().flatten().copied().collect::<Vec<_>>();
+            let bounds = Rect::from_points(&points).intersect(stage);
+            let mut places = inside(bounds, half);
+            places.retain(|place| {
+                let place = Rect::from_center_size(place.centre, size);
+                let corners = [
+                    place.left_top(),
+                    place.right_top(),
+                    place.left_bottom(),
+                    place.right_bottom(),
+                    place.center(),
+                ];
+                corners.iter().all(|&at| goes_round(outlines, at))
+            });
+            if places.is_empty() {
+                places = near(bounds.center(), half);
+            }
+            places
+        }
+    }
+}
+
+fn around(at: Pos2, radius: f32, half: Vec2, toward: Option<Vec2>) -> Vec<Place> {
+    let mut places = Vec::new();
+    for gap in GAPS {
+        for (degrees, dislike) in DIRECTIONS {
+            let direction = Vec2::angled(degrees.to_radians());
+            // The box touches the circle with its edge where the direction is along an axis, else with its corner.
+            let corner = (direction * 1.42).clamp(Vec2::splat(-1.0), Vec2::splat(1.0));
+            let is_wrong = toward.is_some_and(|toward| toward.normalized().dot(direction) < 0.3);
+            places.push(Place {
+                centre: at + half * corner + direction * (radius + gap),
+                dislike: dislike + 1.5 * (gap - GAPS[0]) + if is_wrong { WRONG_SIDE } else { 0.0 },
+                leader: (gap > LED).then(|| at + direction * radius),
+            });
+        }
+    }
+    places
+}
+
+fn beside(
+    [a, b]: [Pos2; 2],
+    half: Vec2,
+    stage: Rect,
+    toward: Option<Vec2>,
+    dislike: f32,
+) -> Vec<Place> {
+    let normal = (b - a).normalized().rot90();
+    let support = normal.x.abs() * half.x + normal.y.abs() * half.y;
+    let seen = stage.shrink2((half + Vec2::splat(4.0)).min(stage.size() * 0.5));
+    let mut places = Vec::new();
+    for (i, t) in ALONG.into_iter().enumerate() {
+        for (k, side) in [normal, -normal].into_iter().enumerate() {
+            for gap in ASIDE {
+                let is_wrong = toward.is_some_and(|toward| toward.dot(side) < 0.0);
+                let at = a + (b - a) * t + side * (support + gap);
+                // Along the edge it moves into the stage, not across it.
+                let moved = seen.clamp(at) - at;
+                let along = (b - a).normalized();
+                let centre = at + along * moved.dot(along);
+                places.push(Place {
+                    centre,
+                    dislike: dislike
+                        + 1.2 * i as f32
+                        + k as f32
+                        + 0.8 * (gap - ASIDE[0])
+                        + if is_wrong { WRONG_SIDE } else { 0.0 },
+                    leader: None,
+                });
+            }
+        }
+    }
+    places
+}
+
+fn inside(rect: Rect, half: Vec2) -> Vec<Place> {
+    let inner = rect.shrink2((half + Vec2::splat(5.0)).min(rect.size() * 0.5));
+    let mut places = Vec::new();
+    // Sideways first: labels of neighbouring regions keep one height.
+    for (row, y) in ACROSS.into_iter().enumerate() {
+        for (column, x) in ACROSS.into_iter().enumerate() {
+            places.push(Place {
+                centre: pos2(
+                    inner.left() + x * inner.width(),
+                    inner.top() + y * inner.height(),
+                ),
+                dislike: 3.0 * row as f32 + column as f32,
+                leader: None,
+            });
+        }
+    }
+    places
+}
+
+/// Where a rectangle has no free place: around its middle.
+fn near(middle: Pos2, half: Vec2) -> Vec<Place> {
+    let mut places = around(middle, 0.0, half, None);
+    places.push(Place {
+        centre: middle,
+        dislike: 0.0,
+        leader: None,
+    });
+    for place in &mut places {
+        place.dislike += 36.0;
+        place.leader = None;
+    }
+    places
+}
+
+/// Does an odd number of outlines go round a place?
+fn goes_round(outlines: &[Vec<Pos2>], at: Pos2) -> bool {
+    let crossed = outlines.iter().flat_map(|outline| {
+        let next = outline.iter().cycle().skip(1);
+        outline.iter().zip(next).filter(|(a, b)| {
+            (a.y > at.y) != (b.y > at.y) && at.x < a.x + (b.x - a.x) * (at.y - a.y) / (b.y - a.y)
+        })
+    });
+    crossed.count() % 2 == 1
+}

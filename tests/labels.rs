@@ -1,0 +1,114 @@
+//! Every label of every lesson figure against every other label, and against every stroke and marker. The placer is
+//! asked, not the pixels.
+#![cfg(feature = "gui")]
+
+use clipscope::{
+    figure::Mark,
+    labs::Scene,
+    lesson::Course,
+    paint::{Headless, Obstacle, Placed, ThemeKind, Viewport, arrange},
+    text::{Catalog, Lang},
+};
+use egui::{Pos2, Rect, Vec2, vec2};
+
+/// A page, and the stage of a window of 1280 by 720.
+const STAGES: [Vec2; 2] = [vec2(960.0, 540.0), vec2(768.0, 460.0)];
+/// Of the labels of the course so many, in percent, may have no place that is free, and stand in a halo.
+const MOST_HALOS_PERCENT: f64 = 2.0;
+
+/// The marks of each of a scene's drawings at a step.
+fn drawings(scene: &Scene, step: usize) -> Vec<Vec<Mark>> {
+    let runs = scene.record();
+    let drawing = |i: usize| {
+        let step = match i {
+            0 => step,
+            _ => runs[i].beside(&*runs[0], step),
+        };
+        let run = &runs[i];
+        let mut marks = scene.backdrop(i, step >= run.n_steps());
+        marks.extend_from_slice(run.frame(step.min(run.n_steps())).marks());
+        marks
+    };
+    (0..runs.len()).map(drawing).collect()
+}
+
+#[test]
+fn no_label_covers_another_or_stands_on_a_stroke_without_a_halo() {
+    let course = Course::embedded();
+    let (mut n_labels, mut halos, mut faults) = (0, Vec::new(), Vec::new());
+    for theme in [ThemeKind::Light, ThemeKind::Projector] {
+        let mut table = Headless::new(theme);
+        for lesson in &course.lessons {
+            for step in &lesson.steps {
+                let Some(figure) = &step.figure else { continue };
+                for marks in drawings(&step.scene, step.position) {
+                    for size in STAGES {
+                        let (placed, obstacles) =
+                            place(&mut table, size, step.scene.bounds(), &marks);
+                        let whole = Rect::from_min_size(Pos2::ZERO, size);
+                        let place = format!("{figure}, {theme}, {} wide", size.x);
+                        n_labels += placed.len();
+                        let with_halo = placed.iter().filter(|label| label.has_halo);
+                        halos.extend(with_halo.map(|l| format!("{place}: {}", l.text)));
+                        let wrong = faults_of(&placed, &obstacles, whole);
+                        faults.extend(wrong.into_iter().map(|fault| format!("{place}: {fault}")));
+                    }
+                }
+            }
+        }
+    }
+    println!("{n_labels} labels, {} with a halo: {halos:#?}", halos.len());
+    assert!(faults.is_empty(), "{} faults: {faults:#?}", faults.len());
+    let percent = 100.0 * halos.len() as f64 / f64::from(u32::try_from(n_labels).unwrap_or(1));
+    assert!(
+        percent <= MOST_HALOS_PERCENT,
+        "{percent:.1} % in halos: {halos:#?}"
+    );
+}
+
+fn place(
+    table: &mut Headless,
+    size: Vec2,
+    bounds: [[f64; 2]; 2],
+    marks: &[Mark],
+) -> (Vec<Placed>, Vec<Obstacle>) {
+    let theme = table.theme();
+    let viewport = Viewport::fit(Rect::from_min_size(Pos2::ZERO, size), bounds);
+    let mut found = (Vec::new(), Vec::new());
+    table.draw(size, 1.0, |ui| {
+        let catalog = Catalog::of(Lang::En);
+        found = arrange(ui.painter(), &viewport, theme, catalog, marks);
+    });
+    found
+}
+
+fn faults_of(placed: &[Placed], obstacles: &[Obstacle], stage: Rect) -> Vec<String> {
+    let mut faults = Vec::new();
+    for (i, label) in placed.iter().enumerate() {
+        let Placed {
+            text,
+            rect,
+            has_halo,
+            ..
+        } = label;
+        for other in &placed[..i] {
+            if rect.intersects(other.rect) {
+                faults.push(format!("`{text}` over `{}`", other.text));
+            }
+            let leaders = [(label.leader, other.rect), (other.leader, *rect)];
+            let is_struck = |(leader, rect): (Option<[Pos2; 2]>, Rect)| {
+                leader.is_some_and(|ends| Obstacle::Stroke(ends, 0.5).covers(rect))
+            };
+            if leaders.into_iter().any(is_struck) {
+                faults.push(format!("a leader between `{text}` and `{}`", other.text));
+            }
+        }
+        if !has_halo && obstacles.iter().any(|obstacle| obstacle.covers(*rect)) {
+            faults.push(format!("`{text}` is crossed, and has no halo"));
+        }
+        if !stage.contains_rect(*rect) {
+            faults.push(format!("`{text}` is cut off"));
+        }
+    }
+    faults
+}
