@@ -18,14 +18,14 @@ const MOST_HALOS_PERCENT: f64 = 2.0;
 
 /// The marks of each of a scene's drawings at a step.
 fn drawings(scene: &Scene, step: usize) -> Vec<Vec<Mark>> {
-    let runs = scene.record();
+    let runs = scene.document().record();
     let drawing = |i: usize| {
         let step = match i {
             0 => step,
             _ => runs[i].beside(&*runs[0], step),
         };
         let run = &runs[i];
-        let mut marks = scene.backdrop(i, step >= run.n_steps());
+        let mut marks = scene.document().backdrop(i, step >= run.n_steps());
         marks.extend_from_slice(run.frame(step.min(run.n_steps())).marks());
         marks
     };
@@ -44,7 +44,7 @@ fn no_label_covers_another_or_stands_on_a_stroke_without_a_halo() {
                 for marks in drawings(&step.scene, step.position) {
                     for size in STAGES {
                         let (placed, obstacles) =
-                            place(&mut table, size, step.scene.bounds(), &marks);
+                            place(&mut table, size, step.scene.document().bounds(), &marks);
                         let whole = Rect::from_min_size(Pos2::ZERO, size);
                         let place = format!("{figure}, {theme}, {} wide", size.x);
                         n_labels += placed.len();

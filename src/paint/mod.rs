@@ -21,6 +21,9 @@ mod triangle;
 mod typeset;
 mod viewport;
 
+#[cfg(test)]
+mod tests;
+
 pub use cpu::CpuPainter;
 pub use headless::Headless;
 pub use image::Image;

@@ -89,7 +89,7 @@ pub const fn text_colour(theme: &Theme, role: Role) -> Color32 {
         Role::Ink => theme.ink,
         Role::Accent => theme.accent,
         Role::Signal => theme.signal_text,
-        Role::Accepted => theme.accepted_text,
+        Role::Accepted => theme.accepted,
         Role::Soft | Role::Faint | Role::Discarded => theme.soft,
     }
 }

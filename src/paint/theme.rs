@@ -101,10 +101,8 @@ pub struct Theme {
     pub signal: Color32,
     /// The signal as text, whose strokes are thinner.
     pub signal_text: Color32,
-    /// What has been accepted.
+    /// What has been accepted: darker than Okabe and Ito's green, which is as light as the grey of what is discarded.
     pub accepted: Color32,
-    /// The same as text.
-    pub accepted_text: Color32,
     /// What has been discarded (always dashed, too).
     pub discarded: Color32,
     /// Factor on the strokes of a figure.
@@ -130,8 +128,7 @@ const LIGHT: Theme = Theme {
     accent_wash: rgb(0xE6_F1F8),
     signal: rgb(0xD5_5E00),
     signal_text: rgb(0xAE_4B00),
-    accepted: rgb(0x00_8A64),
-    accepted_text: rgb(0x00_795A),
+    accepted: rgb(0x00_795A),
     discarded: rgb(0x7B_848E),
     stroke_scale: 1.0,
     text_scale: 1.0,
@@ -151,7 +148,6 @@ const DARK: Theme = Theme {
     signal: rgb(0xF0_8A3C),
     signal_text: rgb(0xF0_8A3C),
     accepted: rgb(0x2B_C79A),
-    accepted_text: rgb(0x2B_C79A),
     discarded: rgb(0x77_818C),
     stroke_scale: 1.0,
     text_scale: 1.0,
@@ -164,7 +160,9 @@ const PROJECTOR: Theme = Theme {
     ink: rgb(0x00_0000),
     soft: rgb(0x3F_4750),
     faint: rgb(0x7A_838D),
+    accent: rgb(0x00_69A5),
     accent_wash: rgb(0xDB_EBF5),
+    accepted: rgb(0x00_6B4F),
     discarded: rgb(0x6F_7882),
     stroke_scale: 1.6,
     text_scale: 1.4,
@@ -322,62 +320,6 @@ pub fn install(ctx: &egui::Context, kind: ThemeKind) {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// Relative luminance, as WCAG 2.2 defines it.
-    fn luminance(color: Color32) -> f64 {
-        let [r, g, b, _] = color.to_array().map(|byte| {
-            let c = f64::from(byte) / 255.0;
-            if c <= 0.04045 {
-                c / 12.92
-            } else {
-                ((c + 0.055) / 1.055).powf(2.4)
-            }
-        });
-        0.2126 * r + 0.7152 * g + 0.0722 * b
-    }
-
-    fn contrast(a: Color32, b: Color32) -> f64 {
-        let (a, b) = (luminance(a), luminance(b));
-        (a.max(b) + 0.05) / (a.min(b) + 0.05)
-    }
-
-    #[test]
-    fn contrast_is_that_of_wcag() {
-        assert!((contrast(Color32::WHITE, Color32::BLACK) - 21.0).abs() < 1e-9);
-    }
-
-    #[test]
-    fn text_stands_out_on_every_surface() {
-        for kind in ThemeKind::ALL {
-            let theme = Theme::of(kind);
-            for surface in [
-                theme.background,
-                theme.panel,
-                theme.hover,
-                theme.accent_wash,
-            ] {
-                for text in [theme.ink, theme.soft] {
-                    let ratio = contrast(text, surface);
-                    assert!(
-                        ratio >= 4.5,
-                        "{kind}: {text:?} on {surface:?} is {ratio:.2}"
-                    );
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn marks_stand_out_on_the_stage() {
-        for kind in ThemeKind::ALL {
-            let theme = Theme::of(kind);
-            let marks = [theme.accent, theme.signal, theme.accepted, theme.discarded];
-            for mark in marks {
-                let ratio = contrast(mark, theme.background);
-                assert!(ratio >= 3.0, "{kind}: {mark:?} is {ratio:.2}");
-            }
-        }
-    }
 
     #[test]
     fn ids_read_back() {

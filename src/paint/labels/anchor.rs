@@ -52,6 +52,7 @@ impl Anchor {
             Shape::Arrow(_)
             | Shape::Heading(_)
             | Shape::Dot(_)
+            | Shape::Vertex(_)
             | Shape::Ring(_)
             | Shape::Cross(_)
             | Shape::Bound(_)

@@ -21,7 +21,7 @@ use super::{Theme, Viewport, layers::Piece};
 use self::{
     anchor::Anchor,
     obstacles::{length_in, obstacles},
-    places::{Place, places},
+    places::{Lean, Place, places},
     text::{Setter, Text},
 };
 
@@ -119,7 +119,7 @@ impl Labels {
         let labels = || self.texts.iter().zip(&self.placed);
         // No halo covers another label.
         for (text, placed) in labels().filter(|(_, placed)| placed.has_halo) {
-            text.paint_halo(painter, placed.rect, theme.stroke_scale.sqrt());
+            text.paint_halo(painter, theme, placed.rect);
         }
         for (text, placed) in labels() {
             text.paint(painter, placed.rect);
@@ -146,8 +146,7 @@ fn waiting(setter: Setter<'_>, viewport: &Viewport, marks: &[Mark]) -> Vec<Waiti
                 (other.text, other.rank) = (text, other.rank.min(rank));
             }
             Some(other) => {
-                let first = std::mem::replace(&mut other.text, setter.set(label, mark.role));
-                other.text = setter.join(first, text);
+                other.text = setter.join(&other.text, &text);
                 other.rank = other.rank.min(rank);
             }
             None => waiting.push(Waiting {
@@ -205,7 +204,11 @@ struct Candidate {
 /// The places of a label, the least costly first.
 fn candidates(label: &Waiting, stage: Rect, obstacles: &[Obstacle]) -> Vec<Candidate> {
     let size = label.text.size();
-    let places = places(&label.anchor, size, stage, label.toward);
+    let lean = Lean {
+        toward: label.toward,
+        away: away(&label.anchor, obstacles),
+    };
+    let places = places(&label.anchor, size, stage, lean);
     let centres: Vec<Pos2> = places.iter().map(|place| place.centre).collect();
     let reach = Rect::from_points(&centres).expand2(size);
     let nearby: Vec<&Obstacle> = obstacles
@@ -230,6 +233,20 @@ fn candidates(label: &Waiting, stage: Rect, obstacles: &[Obstacle]) -> Vec<Candi
     let mut candidates: Vec<Candidate> = places.into_iter().map(of_place).collect();
     candidates.sort_by(|a, b| a.cost.total_cmp(&b.cost));
     candidates
+}
+
+/// The direction that strokes which end in a point leave free: at a corner, out of it.
+fn away(anchor: &Anchor, obstacles: &[Obstacle]) -> Option<Vec2> {
+    let Anchor::Point(at, _) = anchor else {
+        return None;
+    };
+    let ending = obstacles.iter().filter_map(|obstacle| match *obstacle {
+        Obstacle::Stroke([a, b], _) if a.distance(*at) < SAME_POINT => Some(b - *at),
+        Obstacle::Stroke([a, b], _) if b.distance(*at) < SAME_POINT => Some(a - *at),
+        Obstacle::Stroke(..) | Obstacle::Disc(..) | Obstacle::Picture(_) => None,
+    });
+    let towards: Vec2 = ending.fold(Vec2::ZERO, |sum, d| sum + d.normalized());
+    (towards.length() > 0.3).then(|| -towards.normalized())
 }
 
 /// Labels that take their places.

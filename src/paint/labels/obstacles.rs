@@ -16,7 +16,7 @@ const MOST: usize = 2_000;
 /// A crowd of more segments than this is a texture behind the figure.
 const MOST_OF_A_CROWD: usize = 50;
 /// White space that a label likes to have around it, in points.
-const CLEAR: f32 = 3.0;
+const CLEAR: f32 = 4.0;
 
 /// Something that a label does not cover.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -25,6 +25,8 @@ pub enum Obstacle {
     Stroke([Pos2; 2], f32),
     /// A marker or a head: its middle and its radius.
     Disc(Pos2, f32),
+    /// A triangle of a texture: no ground for text.
+    Picture([Pos2; 3]),
 }
 
 impl Obstacle {
@@ -34,6 +36,7 @@ impl Obstacle {
         match *self {
             Self::Stroke(ends, half) => length_in(ends, rect.expand(half)) > 0.0,
             Self::Disc(at, radius) => rect.distance_to_pos(at) < radius,
+            Self::Picture(corners) => meets(corners, rect),
         }
     }
 
@@ -45,16 +48,18 @@ impl Obstacle {
                 if within > 0.0 {
                     80.0 + 2.0 * within
                 } else if length_in(ends, rect.expand(half + CLEAR)) > 0.0 {
-                    4.0
+                    6.0
                 } else {
                     0.0
                 }
             }
             Self::Disc(at, radius) => match rect.distance_to_pos(at) - radius {
                 ..0.0 => 250.0,
-                ..CLEAR => 4.0,
+                ..CLEAR => 8.0,
                 _ => 0.0,
             },
+            Self::Picture(corners) if meets(corners, rect) => 30.0,
+            Self::Picture(_) => 0.0,
         }
     }
 
@@ -63,6 +68,7 @@ impl Obstacle {
         match *self {
             Self::Stroke([a, b], half) => Rect::from_two_pos(a, b).expand(half),
             Self::Disc(at, radius) => Rect::from_center_size(at, egui::Vec2::splat(2.0 * radius)),
+            Self::Picture(corners) => Rect::from_points(&corners),
         }
     }
 }
@@ -98,14 +104,31 @@ fn of_piece(viewport: &Viewport, theme: &Theme, piece: &Piece<'_>) -> Vec<Obstac
                 .map(|ends| ends.map(|p| viewport.to_screen(p)));
             obstacles.extend(ends.map(|ends| Obstacle::Stroke(ends, half)));
         }
-        Part::Crowd(_)
-        | Part::Wash(_)
-        | Part::Fill(_)
-        | Part::Texture(_)
-        | Part::Stroke(_)
-        | Part::Ring(_) => {}
+        Part::Texture(triangles) => {
+            let corners = triangles.iter().take(MOST_OF_A_CROWD);
+            let on_screen = corners.map(|corners| corners.map(|(at, _)| viewport.to_screen(at)));
+            obstacles.extend(on_screen.map(Obstacle::Picture));
+        }
+        Part::Crowd(_) | Part::Wash(_) | Part::Fill(_) | Part::Stroke(_) | Part::Ring(_) => {}
     }
     obstacles
+}
+
+/// Have a triangle and a rectangle something in common? None of the sides of either parts them.
+fn meets([a, b, c]: [Pos2; 3], rect: Rect) -> bool {
+    let turn = (b - a).rot90().dot(c - a).signum();
+    let corners = [
+        rect.left_top(),
+        rect.right_top(),
+        rect.left_bottom(),
+        rect.right_bottom(),
+    ];
+    let is_parted = |[p, q]: [Pos2; 2]| {
+        let is_beyond = |at: &Pos2| turn * (q - p).rot90().dot(*at - p) <= 0.0;
+        corners.iter().all(is_beyond)
+    };
+    Rect::from_points(&[a, b, c]).intersects(rect)
+        && ![[a, b], [b, c], [c, a]].map(is_parted).contains(&true)
 }
 
 /// Length of the part of a line that lies in a rectangle: the parameter interval of the slab method.

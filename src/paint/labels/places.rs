@@ -36,7 +36,7 @@ const DIRECTIONS: [(f32, f32); 16] = [
     (112.5, 5.5),
 ];
 /// White space between a marker and its label, in points; from the last two a leader comes.
-const GAPS: [f32; 7] = [5.0, 8.0, 12.0, 18.0, 25.0, 36.0, 50.0];
+const GAPS: [f32; 7] = [6.0, 9.0, 13.0, 18.0, 25.0, 36.0, 50.0];
 const LED: f32 = 30.0;
 /// Places along an edge, the nicest first: near its ends it is the least crossed.
 const ALONG: [f32; 15] = [
@@ -46,18 +46,29 @@ const ALONG: [f32; 15] = [
 const ASIDE: [f32; 3] = [5.0, 9.0, 15.0];
 /// Places across an area, the middle first.
 const ACROSS: [f32; 9] = [0.5, 0.38, 0.62, 0.26, 0.74, 0.14, 0.86, 0.02, 0.98];
+/// Half of what it costs a corner's label to stand in the corner and not outside.
+const TURNED: f32 = 5.0;
 /// On the wrong side of a line, a label says what is not true.
 const WRONG_SIDE: f32 = 400.0;
 
-/// Where a label of this size can stand on a stage; `toward` is the side that it has to keep, on the screen.
-pub fn places(anchor: &Anchor, size: Vec2, stage: Rect, toward: Option<Vec2>) -> Vec<Place> {
+/// To which side of its anchor a label goes, on the screen.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub struct Lean {
+    /// It has to.
+    pub toward: Option<Vec2>,
+    /// It would rather.
+    pub away: Option<Vec2>,
+}
+
+/// Where a label of this size can stand on a stage.
+pub fn places(anchor: &Anchor, size: Vec2, stage: Rect, lean: Lean) -> Vec<Place> {
     let half = 0.5 * size;
     match anchor {
-        Anchor::Point(at, radius) => around(*at, *radius, half, toward),
+        Anchor::Point(at, radius) => around(*at, *radius, half, lean),
         Anchor::Along(edges) => edges
             .iter()
             .enumerate()
-            .flat_map(|(i, &ends)| beside(ends, half, stage, toward, 4.0 * i as f32))
+            .flat_map(|(i, &ends)| beside(ends, half, stage, lean.toward, 4.0 * i as f32))
             .collect(),
         Anchor::Inside(rect) => {
             let seen = stage.shrink2((half + Vec2::splat(4.0)).min(stage.size() * 0.5));
@@ -91,17 +102,21 @@ pub fn places(anchor: &Anchor, size: Vec2, stage: Rect, toward: Option<Vec2>) ->
     }
 }
 
-fn around(at: Pos2, radius: f32, half: Vec2, toward: Option<Vec2>) -> Vec<Place> {
+fn around(at: Pos2, radius: f32, half: Vec2, lean: Lean) -> Vec<Place> {
     let mut places = Vec::new();
     for gap in GAPS {
         for (degrees, dislike) in DIRECTIONS {
             let direction = Vec2::angled(degrees.to_radians());
             // The box touches the circle with its edge where the direction is along an axis, else with its corner.
             let corner = (direction * 1.42).clamp(Vec2::splat(-1.0), Vec2::splat(1.0));
-            let is_wrong = toward.is_some_and(|toward| toward.normalized().dot(direction) < 0.3);
+            let is_wrong = (lean.toward).is_some_and(|to| to.normalized().dot(direction) < 0.3);
+            let turned = lean.away.map_or(0.0, |away| 1.0 - away.dot(direction));
             places.push(Place {
                 centre: at + half * corner + direction * (radius + gap),
-                dislike: dislike + 1.5 * (gap - GAPS[0]) + if is_wrong { WRONG_SIDE } else { 0.0 },
+                dislike: dislike
+                    + TURNED * turned
+                    + 1.5 * (gap - GAPS[0])
+                    + if is_wrong { WRONG_SIDE } else { 0.0 },
                 leader: (gap > LED).then(|| at + direction * radius),
             });
         }
@@ -165,7 +180,7 @@ fn inside(rect: Rect, half: Vec2) -> Vec<Place> {
 
 /// Where a rectangle has no free place: around its middle.
 fn near(middle: Pos2, half: Vec2) -> Vec<Place> {
-    let mut places = around(middle, 0.0, half, None);
+    let mut places = around(middle, 0.0, half, Lean::default());
     places.push(Place {
         centre: middle,
         dislike: 0.0,

@@ -1,16 +1,20 @@
-//! The text of a label, set; in pieces where it names several things or has one character lit.
+//! The text of a label: what it says, in which face and colours.
 
-use egui::{Align2, Color32, FontFamily, FontId, Painter, Rect, Vec2, pos2, vec2};
+use egui::{Align2, Color32, FontFamily, FontId, Painter, Rect, Vec2, vec2};
 
 use crate::{
     figure::{Label, Role},
-    paint::{Theme, Typeset, fonts::semibold, pen::text_colour},
+    paint::{
+        Theme,
+        fonts::semibold,
+        pen::text_colour,
+        typeset::{Span, Typeset},
+    },
     text::Catalog,
 };
 
-/// Space above capitals and below the baseline that belongs to the line, not to the letters, as a part of the
-/// letters' size.
-const LEADING: f32 = 0.15;
+/// Space above and below that belongs to the line, not to its letters, as a part of the letters' size.
+const LEADING: f32 = 0.08;
 /// Reach of a halo, in points, and the rings of copies that it is made of.
 const HALO: f32 = 4.0;
 const HALO_RINGS: [(f32, usize); 2] = [(0.5, 8), (0.9, 16)];
@@ -30,97 +34,81 @@ pub struct Setter<'a> {
 pub struct Text {
     /// As it reads.
     pub plain: String,
-    /// Each also in the background's colour, for a halo.
-    pieces: Vec<[Typeset; 2]>,
-    leading: f32,
+    spans: Vec<Span>,
+    set: Typeset,
 }
 
 impl Setter<'_> {
     /// A mark's label.
     pub fn set(&self, label: &Label, role: Role) -> Text {
         let plain = self.catalog.value(&label.text);
-        let font = font(label, self.theme);
-        let leading = LEADING * font.size;
-        let colour = text_colour(self.theme, role);
-        let pieces = match label.lit {
-            Some(lit) => {
-                let part = |from: usize, to: usize| -> String {
-                    plain.chars().skip(from).take(to - from).collect()
-                };
-                let signal = text_colour(self.theme, Role::Signal);
-                [
-                    (part(0, lit), colour),
-                    (part(lit, lit + 1), signal),
-                    (part(lit + 1, plain.len().max(lit + 1)), colour),
-                ]
-                .into_iter()
-                .filter(|(text, _)| !text.is_empty())
-                .map(|(text, colour)| self.words(&text, &font, colour))
-                .collect()
-            }
-            None => vec![[colour, self.theme.background].map(|colour| {
-                let (painter, catalog) = (self.painter, self.catalog);
-                Typeset::value(painter, catalog, &label.text, font.clone(), colour)
-            })],
+        let (font, colour) = (font(label, self.theme), text_colour(self.theme, role));
+        let spans = match label.lit {
+            Some(lit) => self.spans_lit(&plain, lit, &font, colour),
+            None => vec![Span::value(self.catalog, &label.text, font, colour)],
         };
-        Text {
-            plain,
-            pieces,
-            leading,
-        }
+        self.of_spans(plain, spans)
     }
 
     /// Two names of one thing: `C₁ = I₁`.
-    pub fn join(&self, first: Text, second: Text) -> Text {
+    pub fn join(&self, first: &Text, second: &Text) -> Text {
         let font = FontId::proportional(13.0 * self.theme.text_scale);
-        let equals = self.words(" = ", &font, self.theme.soft);
-        let mut pieces = first.pieces;
-        pieces.push(equals);
-        pieces.extend(second.pieces);
-        Text {
-            plain: format!("{} = {}", first.plain, second.plain),
-            pieces,
-            leading: first.leading,
-        }
+        let mut spans = first.spans.clone();
+        spans.push(Span::text(" = ", font, self.theme.soft));
+        spans.extend(second.spans.iter().cloned());
+        self.of_spans(format!("{} = {}", first.plain, second.plain), spans)
     }
 
-    fn words(&self, text: &str, font: &FontId, colour: Color32) -> [Typeset; 2] {
-        [colour, self.theme.background]
-            .map(|colour| Typeset::text(self.painter, text.to_owned(), font.clone(), colour))
+    fn of_spans(&self, plain: String, spans: Vec<Span>) -> Text {
+        let set = Typeset::line(self.painter, &spans);
+        Text { plain, spans, set }
+    }
+
+    /// With one character in the signal's colour.
+    fn spans_lit(&self, plain: &str, lit: usize, font: &FontId, colour: Color32) -> Vec<Span> {
+        let signal = text_colour(self.theme, Role::Signal);
+        let mut chars = plain.char_indices().map(|(at, _)| at).skip(lit);
+        let from = chars.next().unwrap_or(plain.len());
+        let to = chars.next().unwrap_or(plain.len());
+        [
+            (&plain[..from], colour),
+            (&plain[from..to], signal),
+            (&plain[to..], colour),
+        ]
+        .into_iter()
+        .filter(|(text, _)| !text.is_empty())
+        .map(|(text, colour)| Span::text(text, font.clone(), colour))
+        .collect()
     }
 }
 
 impl Text {
     /// Of the box around its letters.
     pub fn size(&self) -> Vec2 {
-        let sizes = self.pieces.iter().map(|[piece, _]| piece.size());
-        let whole = sizes.fold(Vec2::ZERO, |all, size| {
-            vec2(all.x + size.x, all.y.max(size.y))
-        });
-        whole - vec2(0.0, 2.0 * self.leading)
+        let leading = self.spans.first().map_or(0.0, |span| span.font.size) * LEADING;
+        self.set.size() - vec2(0.0, 2.0 * leading)
     }
 
     /// Into its box.
     pub fn paint(&self, painter: &Painter, place: Rect) {
-        self.paint_row(painter, place, 0);
+        self.set
+            .paint(painter, place.left_center(), Align2::LEFT_CENTER);
     }
 
     /// What sets it off from what runs under it.
-    pub fn paint_halo(&self, painter: &Painter, place: Rect, scale: f32) {
-        for (reach, n) in HALO_RINGS {
+    pub fn paint_halo(&self, painter: &Painter, theme: &Theme, place: Rect) {
+        let mut spans = self.spans.clone();
+        for span in &mut spans {
+            span.colour = theme.background;
+        }
+        let set = Typeset::line(painter, &spans);
+        let reach = HALO * theme.stroke_scale.sqrt();
+        for (part, n) in HALO_RINGS {
             for i in 0..n {
                 let direction = Vec2::angled(std::f32::consts::TAU * i as f32 / n as f32);
-                let place = place.translate(direction * reach * HALO * scale);
-                self.paint_row(painter, place, 1);
+                let at = place.left_center() + direction * part * reach;
+                set.paint(painter, at, Align2::LEFT_CENTER);
             }
-        }
-    }
-
-    fn paint_row(&self, painter: &Painter, place: Rect, which: usize) {
-        let mut x = place.left();
-        for piece in &self.pieces {
-            let at = pos2(x, place.center().y);
-            x = piece[which].paint(painter, at, Align2::LEFT_CENTER).right();
         }
     }
 }
