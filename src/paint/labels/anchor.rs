@@ -42,12 +42,18 @@ impl Anchor {
             | Shape::HalfPlane(_)
             | Shape::Outline(_)
             | Shape::Path(_) => Self::along(&parts, stage),
-            Shape::Area(_) | Shape::Wash(_) => {
-                let outlines = parts.into_iter().filter_map(|part| match part {
-                    Part::Ring(points) | Part::Wash(points) => Some(points),
+            Shape::Area(outlines) | Shape::Fill(outlines) => {
+                let on_screen = |outline: &Vec<[f64; 2]>| -> Vec<Pos2> {
+                    outline.iter().map(|&p| viewport.to_screen(p)).collect()
+                };
+                Some(Self::Within(outlines.iter().map(on_screen).collect()))
+            }
+            Shape::Wash(_) => {
+                let corners = parts.into_iter().filter_map(|part| match part {
+                    Part::Wash(corners) => Some(corners),
                     _ => None,
                 });
-                Some(Self::Within(outlines.collect()))
+                Some(Self::Within(corners.collect()))
             }
             Shape::Arrow(_)
             | Shape::Heading(_)

@@ -48,7 +48,7 @@ impl Obstacle {
                 if within > 0.0 {
                     80.0 + 2.0 * within
                 } else if length_in(ends, rect.expand(half + CLEAR)) > 0.0 {
-                    6.0
+                    8.0
                 } else {
                     0.0
                 }

@@ -175,6 +175,17 @@ fn inside(rect: Rect, half: Vec2) -> Vec<Place> {
             });
         }
     }
+    // Where the label hardly fits between two lines, a little to one side is better than on either.
+    for i in 0..ACROSS.len() {
+        let place = places[i * ACROSS.len()];
+        for by in [-10.0, -5.0, 5.0, 10.0] {
+            places.push(Place {
+                centre: place.centre + by * Vec2::X,
+                dislike: place.dislike + 2.0,
+                leader: None,
+            });
+        }
+    }
     places
 }
 

@@ -218,7 +218,7 @@ pub const fn colour(theme: &Theme, role: Role) -> Color32 {
 pub const fn text_colour(theme: &Theme, role: Role) -> Color32 {
     match role {
         Role::Signal => theme.signal_text,
-        Role::Accepted => theme.accepted_text,
+        Role::Accepted => theme.accepted,
         Role::Faint | Role::Discarded => theme.soft,
         Role::Ink | Role::Soft | Role::Accent => colour(theme, role),
     }
