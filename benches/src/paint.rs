@@ -25,7 +25,7 @@ pub fn run() {
         let (secs, mut table) = timed(|| Headless::new(ThemeKind::Light));
         new.push(secs);
         for step in &steps {
-            let (secs, image) = timed(|| draw(&mut table, &picture(&step.scene, step.position)));
+            let (secs, image) = timed(|| draw(&mut table, &picture(&step.scene, step.position().unwrap_or_default())));
             drawn.push(secs);
             let (secs, png) = timed(|| image.to_png());
             packed.push(secs);

@@ -197,7 +197,7 @@ impl App {
         let wanted = self
             .place
             .step()
-            .map(|step| (step.scene.clone(), step.position));
+            .map(|step| (step.scene.clone(), step.position().unwrap_or_default()));
         if let Some((scene, position)) = wanted {
             let replace = Edit::Replace((*scene).clone());
             self.edit(replace, None, now);

@@ -70,7 +70,7 @@ use crate::{
 use document::Document;
 use keys::Focus;
 use model::Model;
-use notice::Notices;
+use notice::{Notice, Notices};
 use place::Place;
 use playback::Playback;
 use room::Room;
@@ -296,21 +296,22 @@ impl App {
     /// Shows the open step as its lesson has it.
     fn enter_step(&mut self) {
         let speed = self.settings.speed;
-        if let Some(Step {
-            scene,
-            moment,
-            position,
-            code,
-            ..
-        }) = self.place.step()
-        {
+        let problem = self.place.step().and_then(Step::problem);
+        if let Some(step) = self.place.step() {
             // The end of two runs side by side is that of the longer one.
-            let at_end = *moment == Moment::End;
-            let position = if at_end { usize::MAX } else { *position };
+            let position = match step.moment {
+                Moment::End => usize::MAX,
+                Moment::Start | Moment::Event { .. } => step.position().unwrap_or_default(),
+            };
+            let scene = &*step.scene;
             self.playback = Playback::record(scene, position);
             self.stage = StageState::new(scene);
-            self.shown.code = *code;
-            self.document = Document::new((**scene).clone());
+            self.shown.code = step.code;
+            self.document = Document::new(scene.clone());
+        }
+        if let Some(problem) = problem {
+            let text = self.listing(&[problem]);
+            self.notices.push(Notice::problem(text));
         }
         self.playback.transport_mut().set_speed(speed);
     }

@@ -52,7 +52,7 @@ fn create(creation: &CreationContext<'_>, opening: Opening) -> App {
         .storage
         .and_then(|storage| eframe::get_value(storage, SETTINGS_KEY));
     let settings: Settings = stored.unwrap_or_else(Settings::of_system);
-    let loaded = opening.folder.as_ref().map(|folder| Course::load(folder));
+    let loaded = opening.folder.as_ref().map(|folder| Course::check(folder));
     let course = loaded
         .as_ref()
         .map_or_else(Course::embedded, |loaded| loaded.course.clone());

@@ -90,7 +90,7 @@ impl App {
                 reload.rearm();
             }
             let path = folder.root().display().to_string();
-            self.take_course(&path, Course::load_with(&folder, self.kit.formats), now);
+            self.take_course(&path, Course::check_with(&folder, self.kit.formats), now);
         }
     }
 
@@ -138,9 +138,9 @@ impl App {
     fn course_changed(&mut self, was_untouched: bool) {
         if was_untouched {
             let position = self.playback.transport().position();
-            let at_lesson = self.place.step().map(|step| step.position);
+            let has_lesson = self.place.step().is_some();
             self.enter_step();
-            if at_lesson.is_none() {
+            if !has_lesson {
                 self.playback.transport_mut().seek(position);
             }
         }

@@ -2,7 +2,10 @@
 
 use std::path::PathBuf;
 
-use crate::text::{Catalog, Lang, Message};
+use crate::{
+    lesson::Course,
+    text::{Catalog, Lang, Message},
+};
 
 use super::{Outcome, lang_parser, lessons::choose, say::print};
 
@@ -26,7 +29,7 @@ pub(super) struct Args {
 
 /// Checks the lessons: names every mistake on standard error, and says how many lessons have none.
 pub(super) fn check(args: &Args) -> Outcome {
-    let chosen = choose(&args.lessons);
+    let chosen = choose(&args.lessons, Course::check);
     let outcome = chosen.report(args.lang);
     if chosen.lessons.is_empty() {
         return outcome;

@@ -131,7 +131,7 @@ fn scale(text: &str) -> Result<f32, String> {
 
 /// Draws the figures; names on standard error whatever could not be read or written.
 pub(super) fn export(args: &Args) -> Outcome {
-    let chosen = choose(&args.lessons);
+    let chosen = choose(&args.lessons, Course::load);
     let read = chosen.report_errors(args.lang);
     if chosen.lessons.is_empty() {
         return read;

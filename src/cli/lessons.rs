@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::{
-    lesson::{Course, Embedded, Folder, Lesson, Problem, Severity},
+    lesson::{Course, Embedded, Files, Folder, Lesson, Loaded, Problem, Severity},
     text::{Catalog, Lang, Message},
 };
 
@@ -20,24 +20,24 @@ pub(super) struct Chosen {
 }
 
 /// Each name is a path to a lesson or to a folder of lessons, else a lesson of the embedded course; without
-/// names it is that course.
-pub(super) fn choose(names: &[PathBuf]) -> Chosen {
+/// names it is that course, read by `embedded`: it has been checked already, unless that is what was asked for.
+pub(super) fn choose(names: &[PathBuf], embedded: fn(&dyn Files) -> Loaded) -> Chosen {
     let mut chosen = Chosen::default();
     if names.is_empty() {
-        let loaded = Course::load(&Embedded);
+        let loaded = embedded(&Embedded);
         chosen.lessons = loaded.course.lessons;
         chosen.problems = loaded.problems;
         return chosen;
     }
-    let mut embedded = None;
+    let mut course = None;
     for name in names {
         if name.exists() {
-            let loaded = Course::load(&Folder::new(name));
+            let loaded = Course::check(&Folder::new(name));
             chosen.lessons.extend(loaded.course.lessons);
             chosen.problems.extend(loaded.problems);
             continue;
         }
-        let course = embedded.get_or_insert_with(Course::embedded);
+        let course = course.get_or_insert_with(|| embedded(&Embedded).course);
         match name.to_str().and_then(|id| course.lesson(id)) {
             Some(lesson) => chosen.lessons.push(lesson.clone()),
             None => chosen.missing.push(shown(name)),

@@ -7,7 +7,7 @@ use serde_json::{Value as Json, json};
 
 use crate::{
     case::{Need, Solver, solvers},
-    lesson::Lesson,
+    lesson::{Course, Lesson},
     text::{Catalog, Lang, Message},
 };
 
@@ -45,7 +45,7 @@ enum Format {
 /// Lists everything.
 pub(super) fn list(args: &Args) -> Outcome {
     let catalog = Catalog::of(args.lang);
-    let chosen = choose(&args.lessons);
+    let chosen = choose(&args.lessons, Course::load);
     let outcome = chosen.report_errors(args.lang);
     let text = match args.format {
         Format::Text => as_text(&chosen.lessons, catalog),

@@ -70,7 +70,10 @@ pub fn jobs<'a>(lessons: impl IntoIterator<Item = &'a Lesson>, steps: Steps) -> 
                 path: format!("{}/{name}.png", lesson.id),
             };
             match steps {
-                Steps::Figures => jobs.push(job(step.position, figure.clone())),
+                Steps::Figures => {
+                    let position = step.position();
+                    jobs.extend(position.map(|position| job(position, figure.clone())));
+                }
                 Steps::All => {
                     let runs = step.scene.document().record();
                     let n_steps = runs.first().map_or(0, |run| run.n_steps());

@@ -1,13 +1,17 @@
-//! Where lesson files come from: the binary itself, a folder, or a map in memory.
+//! Where lesson files come from; a map in memory is such a place.
 
 use std::{collections::BTreeMap, io};
-
-use include_dir::{Dir, DirEntry, include_dir};
 
 use crate::text::{Diagnostic, Message, SystemError};
 
 /// A larger file is refused: no lesson is that long, so it is something else.
 pub const MAX_FILE_BYTES: usize = 4 << 20;
+
+/// More lessons than this in one folder are left out.
+pub const MAX_LESSONS: usize = 1_000;
+
+/// What makes a folder a lesson.
+pub(super) const LESSON_FILE: &str = "lesson.toml";
 
 /// Why a file could not be had.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -57,44 +61,13 @@ pub trait Files {
     }
 }
 
-/// The course that is compiled in.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Embedded;
-
-static LESSONS: Dir<'static> = include_dir!("$CARGO_MANIFEST_DIR/lessons");
-
-impl Files for Embedded {
-    fn list(&self) -> Result<Vec<String>, FileError> {
-        fn walk(dir: &Dir<'_>, paths: &mut Vec<String>) {
-            for entry in dir.entries() {
-                match entry {
-                    DirEntry::Dir(dir) => walk(dir, paths),
-                    DirEntry::File(file) => paths.push(file.path().to_string_lossy().into_owned()),
-                }
-            }
-        }
-        let mut paths = Vec::new();
-        walk(&LESSONS, &mut paths);
-        Ok(paths)
-    }
-
-    fn read(&self, path: &str) -> Result<Vec<u8>, FileError> {
-        let file = LESSONS.get_file(path).ok_or_else(no_such_file)?;
-        Ok(file.contents().to_vec())
-    }
-
-    fn shown(&self, path: &str) -> String {
-        format!("lessons/{path}")
-    }
-}
-
 impl Files for BTreeMap<String, Vec<u8>> {
     fn list(&self) -> Result<Vec<String>, FileError> {
         Ok(self.keys().cloned().collect())
     }
 
     fn read(&self, path: &str) -> Result<Vec<u8>, FileError> {
-        let bytes = self.get(path).ok_or_else(no_such_file)?;
+        let bytes = self.get(path).ok_or(FileError::NOT_FOUND)?;
         if bytes.len() > MAX_FILE_BYTES {
             return Err(FileError::TooLarge);
         }
@@ -102,6 +75,8 @@ impl Files for BTreeMap<String, Vec<u8>> {
     }
 }
 
-fn no_such_file() -> FileError {
-    FileError::Unreadable(SystemError::of_kind(io::ErrorKind::NotFound))
+impl FileError {
+    /// There is no such file.
+    pub(super) const NOT_FOUND: Self =
+        Self::Unreadable(SystemError::of_kind(io::ErrorKind::NotFound));
 }

@@ -7,10 +7,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use super::{
-    course::{LESSON_FILE, MAX_LESSONS},
-    files::{FileError, Files, MAX_FILE_BYTES},
-};
+use super::files::{FileError, Files, LESSON_FILE, MAX_FILE_BYTES, MAX_LESSONS};
 
 /// A folder of lessons, or one lesson's own folder.
 #[derive(Clone, Debug)]

@@ -9,11 +9,12 @@ use crate::{
 };
 
 use super::{
-    course::{CodeView, Lesson, LessonText, Step},
+    course::{Lesson, LessonText},
     scene_file::{SceneFormat, SceneFormats},
     sink::{Sink, clipped},
+    step::{CodeView, Step, Stop, never_comes},
     toml_errors::with_toml,
-    toml_fields::{Fields, Item, list, named, one_of, suggestion, text},
+    toml_fields::{Fields, Item, list, named, one_of, text},
 };
 
 const LESSON_FIELDS: [&str; 4] = ["lab", "source", "scenes", "step"];
@@ -42,8 +43,24 @@ impl Skeleton {
     }
 }
 
+/// When the moments of steps are looked for, which takes a recorded run for each scene.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Moments {
+    /// While the file is read: one that never comes is among its mistakes.
+    Now,
+    /// When they are needed.
+    Later,
+}
+
+/// How a `lesson.toml` is read.
+#[derive(Clone, Copy)]
+pub(super) struct Reading {
+    pub formats: SceneFormats,
+    pub moments: Moments,
+}
+
 /// Reads a `lesson.toml`, reporting all its mistakes.
-pub(super) fn read(formats: SceneFormats, sink: &mut Sink<'_>) -> Option<Skeleton> {
+pub(super) fn read(Reading { formats, moments }: Reading, sink: &mut Sink<'_>) -> Option<Skeleton> {
     with_toml(sink, |table, sink| {
         let fields = Fields::of_file(table, &LESSON_FIELDS, sink);
         let format = fields.require("lab", sink).and_then(|item| {
@@ -57,7 +74,7 @@ pub(super) fn read(formats: SceneFormats, sink: &mut Sink<'_>) -> Option<Skeleto
             .and_then(|item| text(item, sink));
         let mut reader = Steps {
             lab: format.map(SceneFormat::lab),
-            scenes: scenes(format, &fields, sink),
+            scenes: scenes(format, moments, &fields, sink),
             ids: Names::default(),
             figures: Names::default(),
             current: Current::None,
@@ -75,17 +92,20 @@ pub(super) fn read(formats: SceneFormats, sink: &mut Sink<'_>) -> Option<Skeleto
     })
 }
 
-/// A scene of the lesson, and its first method's run.
+/// A scene of the lesson.
 struct NamedScene {
     span: Range<usize>,
     /// `None` where it has a mistake.
-    recorded: Option<(Arc<Scene>, Box<dyn Run>)>,
+    scene: Option<Arc<Scene>>,
+    /// Its first method's, where moments are looked for now.
+    run: Option<Box<dyn Run>>,
     is_used: bool,
 }
 
 /// Scenes of an unknown lab have names, but cannot be read.
 fn scenes(
     format: Option<&dyn SceneFormat>,
+    moments: Moments,
     fields: &Fields<'_>,
     sink: &mut Sink<'_>,
 ) -> BTreeMap<String, NamedScene> {
@@ -99,13 +119,12 @@ fn scenes(
             let fields = Fields::of(item, format.fields(), sink)?;
             format.read(&fields, &mut room, sink)
         });
-        let recorded = scene.and_then(|scene| {
-            let run = scene.document().record().into_iter().next()?;
-            Some((Arc::new(scene), run))
-        });
+        let is_recorded = moments == Moments::Now;
+        let recorded = scene.as_ref().filter(|_| is_recorded);
         let scene = NamedScene {
             span: key.span(),
-            recorded,
+            run: recorded.and_then(|scene| scene.document().record().into_iter().next()),
+            scene: scene.map(Arc::new),
             is_used: false,
         };
         scenes.insert(key.get_ref().to_string(), scene);
@@ -227,11 +246,11 @@ impl Steps {
         let step = id
             .clone()
             .zip(stop)
-            .map(|(id, (scene, moment, position))| Step {
+            .map(|(id, (scene, moment, stop))| Step {
                 id,
                 scene,
                 moment,
-                position,
+                stop,
                 figure,
                 locks: locks.unwrap_or_default(),
                 code: code.unwrap_or_default(),
@@ -264,25 +283,30 @@ impl Steps {
     }
 
     /// The step's scene, and where in its run the lesson stops.
-    fn stop(
-        &self,
-        fields: &Fields<'_>,
-        sink: &mut Sink<'_>,
-    ) -> Option<(Arc<Scene>, Moment, usize)> {
-        let moment = match fields.get("at") {
+    fn stop(&self, fields: &Fields<'_>, sink: &mut Sink<'_>) -> Option<(Arc<Scene>, Moment, Stop)> {
+        let at = fields.get("at");
+        let moment = match at {
             None => Some(Moment::Start),
             Some(item) => moment(item, sink),
         };
         let Current::Scene(name) = &self.current else {
             return None;
         };
-        let (scene, run) = self.scenes.get(name)?.recorded.as_ref()?;
-        let moment = moment?;
-        let position = run.find(&moment);
-        if let (None, Some(item)) = (position, fields.get("at")) {
-            never_happens(&moment, &**run, item.span(), sink);
+        let NamedScene { scene, run, .. } = self.scenes.get(name)?;
+        let (scene, moment) = (Arc::clone(scene.as_ref()?), moment?);
+        let stop = Stop {
+            file: sink.source().file.clone(),
+            place: at.map(|item| sink.source().place(item.span())),
+            ..Stop::default()
+        };
+        if let Some(run) = run {
+            let position = run.find(&moment);
+            if let (None, Some(item)) = (position, at) {
+                sink.refuse(item.span(), never_comes(&moment, &**run), []);
+            }
+            stop.found.set(Some(position?)).ok();
         }
-        Some((Arc::clone(scene), moment, position?))
+        Some((scene, moment, stop))
     }
 }
 
@@ -291,35 +315,6 @@ fn moment(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Moment> {
         .parse()
         .map_err(|error: MomentError| sink.refuse(item.span(), error, []))
         .ok()
-}
-
-/// The most moments that an error lists.
-const MAX_MOMENTS: usize = 60;
-
-fn never_happens(moment: &Moment, run: &dyn Run, span: Range<usize>, sink: &mut Sink<'_>) {
-    let mut moments: Vec<String> = (0..=run.n_steps().min(MAX_MOMENTS))
-        .map(|step| run.moment(step).to_string())
-        .collect();
-    moments.push(Moment::End.to_string());
-    let wanted = moment.to_string();
-    let names: Vec<&str> = moments.iter().map(String::as_str).collect();
-    // The event and any of its words are enough: `cut left` is a name for `cut p1 left`.
-    let shorter: Vec<String> = names.iter().flat_map(|name| short_names(name)).collect();
-    let candidates = names
-        .iter()
-        .copied()
-        .chain(shorter.iter().map(String::as_str));
-    let meant = sink.nearest(&wanted, candidates);
-    let message = Message::new("problem-moment-never-happens").with("name", clipped(&wanted));
-    sink.error(span, message, suggestion(meant, &names));
-}
-
-/// `cut`, `cut p1` and `cut left` for `cut p1 left`.
-fn short_names(moment: &str) -> Vec<String> {
-    let mut words = moment.split_whitespace();
-    let event = words.next().unwrap_or_default();
-    let with_one = words.map(|word| format!("{event} {word}"));
-    std::iter::once(event.to_owned()).chain(with_one).collect()
 }
 
 /// Those of an unknown lab cannot be known.

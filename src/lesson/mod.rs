@@ -11,10 +11,12 @@
 //! lesson with one is left out while the others stay. Nothing here knows of a file system but `folder.rs`.
 
 mod course;
+mod embedded;
 mod files;
 #[cfg(not(target_arch = "wasm32"))]
 mod folder;
 mod lesson_file;
+mod load;
 mod markdown;
 mod nearest;
 mod problem;
@@ -22,15 +24,19 @@ mod scene_file;
 mod sections;
 mod sink;
 mod source;
+mod step;
 #[cfg(test)]
 mod tests;
 mod toml_errors;
 mod toml_fields;
 
-pub use course::{CodeView, Course, Lesson, LessonText, Loaded, MAX_LESSONS, Step, StepText};
-pub use files::{Embedded, FileError, Files, MAX_FILE_BYTES};
+pub use course::{Course, Lesson, LessonText, StepText};
+pub use embedded::Embedded;
+pub use files::{FileError, Files, MAX_FILE_BYTES, MAX_LESSONS};
 #[cfg(not(target_arch = "wasm32"))]
 pub use folder::Folder;
+pub use load::Loaded;
 pub use markdown::{Block, Inline, Marker};
 pub use problem::{Place, Problem, Severity};
 pub use scene_file::SceneFormats;
+pub use step::{CodeView, Step};

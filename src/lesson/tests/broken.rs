@@ -164,7 +164,7 @@ fn every_mistake_in_a_lesson_file_has_its_place() {
         if spots != [format!("lesson.toml:{expected}")] {
             wrong.push(format!("{new}: expected {expected}, found {spots:?}"));
         }
-        assert_eq!(Course::load(&files).course.lessons, [], "{new}: left out");
+        assert_eq!(Course::check(&files).course.lessons, [], "{new}: left out");
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
@@ -201,7 +201,7 @@ fn every_mistake_in_a_text_has_its_place() {
             spots.iter().all(|spot| spot.starts_with("es.md")),
             "{spots:?}"
         );
-        assert_eq!(Course::load(&files).course.lessons, [], "{new}: left out");
+        assert_eq!(Course::check(&files).course.lessons, [], "{new}: left out");
     }
 }
 
@@ -238,7 +238,7 @@ fn several_mistakes_of_several_files_are_all_reported() {
             "pt-BR.md missing-language",
         ]
     );
-    let course = Course::load(&files).course;
+    let course = Course::check(&files).course;
     assert_eq!(course.lessons.len(), 1, "the other lesson stays");
     assert_eq!(course.lessons[0].id, "02-b");
 }
@@ -265,7 +265,7 @@ fn odd_files_are_named() {
         ["lesson.toml:18:9 unused-scene"],
         "a warning; marks and CRLF are fine"
     );
-    assert_eq!(Course::load(&files).course.lessons.len(), 1);
+    assert_eq!(Course::check(&files).course.lessons.len(), 1);
     let files = lesson(&[("\"lines\"", &"[".repeat(100_000))]);
     assert_eq!(
         found(&files)[0],
@@ -273,7 +273,7 @@ fn odd_files_are_named() {
         "nesting has a bound"
     );
     let files = lesson(&[("[0, 0, 1, 1]]", &(r#"["x"],"#.repeat(1_000) + "]"))]);
-    let problems = Course::load(&files).problems;
+    let problems = Course::check(&files).problems;
     assert_eq!(
         problems.len(),
         101,
@@ -291,7 +291,7 @@ fn odd_files_are_named() {
 #[test]
 fn a_problem_is_rendered_as_a_compiler_would() {
     let toml = LESSON.replace("window = [", "\"窗口\"\t= 1\nwindow = [9, -1, -1, 1] # [");
-    let problems = Course::load(&with(&toml, TEXT)).problems;
+    let problems = Course::check(&with(&toml, TEXT)).problems;
     let rendered: Vec<String> = problems
         .iter()
         .map(|p| p.render(Catalog::of(Lang::En)))
@@ -310,7 +310,7 @@ fn a_problem_is_rendered_as_a_compiler_would() {
     assert!(chinese.contains("错误: 窗口为空"), "{chinese}");
     for (at, meant) in [("acept", "accept"), ("cut lfet", "cut left")] {
         let files = lesson(&[("at = \"end\"", &format!("at = \"{at}\""))]);
-        let rendered = Course::load(&files).problems[0].render(Catalog::of(Lang::En));
+        let rendered = Course::check(&files).problems[0].render(Catalog::of(Lang::En));
         let question = format!("Did you mean “{meant}”?");
         assert!(rendered.contains(&question), "{rendered}");
         assert!(rendered.contains("one of start, "), "{rendered}");
@@ -371,11 +371,26 @@ proptest::proptest! {
             let to = text.floor_char_boundary((from + cut).min(text.len()));
             format!("{}{put}{}", &text[..from], &text[to..])
         };
-        let loaded = Course::load(&with(&edit(LESSON), &edit(TEXT)));
+        let loaded = Course::check(&with(&edit(LESSON), &edit(TEXT)));
         let is_refused = loaded.problems.iter().any(|p| p.severity == Severity::Error);
         proptest::prop_assert_eq!(loaded.course.lessons.is_empty(), is_refused);
         for problem in loaded.problems {
             proptest::prop_assert!(!problem.render(Catalog::of(Lang::En)).is_empty());
         }
     }
+}
+
+#[test]
+fn a_moment_that_never_comes_is_found_when_its_step_is_opened() {
+    let files = lesson(&[("at = \"end\"", "at = \"cut lfet\"")]);
+    let loaded = Course::load(&files);
+    assert_eq!(loaded.problems, []);
+    let steps = &loaded.course.lessons[0].steps;
+    assert_eq!([steps[0].position(), steps[1].position()], [Some(0), None]);
+    assert_eq!(steps[0].problem(), None);
+    // What is said then is what `check` says.
+    let checked = Course::check(&files).problems;
+    assert_eq!(Vec::from_iter(steps[1].problem()), checked);
+    let all_found = Course::check(&lesson(&[])).course;
+    assert_eq!(Course::load(&lesson(&[])).course, all_found);
 }

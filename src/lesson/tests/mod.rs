@@ -54,7 +54,7 @@ fn with(toml: &str, english: &str) -> Memory {
 
 /// `line:column code` of each problem of the one lesson, without its folder.
 fn found(files: &Memory) -> Vec<String> {
-    let problems = Course::load(files).problems;
+    let problems = Course::check(files).problems;
     problems.iter().map(spot).collect()
 }
 

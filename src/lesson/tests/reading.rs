@@ -10,17 +10,20 @@ use super::*;
 
 #[test]
 fn a_lesson_in_order_loads() {
-    let loaded = Course::load(&lesson(&[]));
+    let loaded = Course::check(&lesson(&[]));
     assert_eq!(loaded.problems, []);
     let lesson = loaded.course.lesson("01-a").expect("the lesson loads");
     assert_eq!(lesson.source, "D. Cohen and I. Sutherland, 1967");
     let [first, second] = &lesson.steps[..] else {
         panic!("two steps, not {}", lesson.steps.len());
     };
-    assert_eq!((first.moment.clone(), first.position), (Moment::Start, 0));
+    assert_eq!(
+        (first.moment.clone(), first.position()),
+        (Moment::Start, Some(0))
+    );
     assert_eq!(first.figure.as_deref(), Some("one"));
     assert_eq!(second.scene, first.scene, "a step keeps the scene");
-    assert!(second.position > 0, "the end comes after the start");
+    assert!(second.position() > Some(0), "the end comes after the start");
     assert_eq!(second.code, CodeView::Words);
     assert_eq!(second.locks.len(), 1);
     let text = lesson.text(Lang::En);
@@ -39,7 +42,7 @@ fn a_missing_translation_is_read_in_english() {
     let mut files = lesson(&[]);
     files.remove("01-a/es.md");
     assert_eq!(found(&files), ["es.md missing-language"]);
-    let course = Course::load(&files).course;
+    let course = Course::check(&files).course;
     assert!(!course.lessons[0].speaks(Lang::Es));
     assert_eq!(course.lessons[0].text(Lang::Es).title, "Regions");
     files.remove("01-a/en.md");
@@ -47,14 +50,14 @@ fn a_missing_translation_is_read_in_english() {
         found(&files),
         ["en.md missing-file", "es.md missing-language"]
     );
-    assert_eq!(Course::load(&files).course.lessons, []);
+    assert_eq!(Course::check(&files).course.lessons, []);
 }
 
 #[test]
 fn text_is_parsed_into_blocks() {
     let body = "Line\nbreak **bold *both*** end.\n\n甲\n乙 `a\u{3b1}`\n\n3. c\n   - d\n\n     e\n4. f\n\n```text\nx = 1\n```\n\n> q\n>\n> - r\n";
     let text = TEXT.replace("- one\n- two\n", body);
-    let loaded = Course::load(&with(LESSON, &text));
+    let loaded = Course::check(&with(LESSON, &text));
     assert_eq!(loaded.problems, []);
     let plain = |text: &str| Inline {
         text: text.to_owned(),
@@ -149,7 +152,7 @@ segments = [[-0.0, 0.1, 5e-324, 0.30000000000000004], [1e15, 9007199254740993, 0
 
 #[test]
 fn the_embedded_course_is_in_order_and_complete() {
-    let loaded = Course::load(&Embedded);
+    let loaded = Course::check(&Embedded);
     if Embedded
         .list()
         .is_ok_and(|paths| !paths.iter().any(|path| path.contains('/')))
@@ -179,15 +182,15 @@ fn a_folder_is_read_like_the_embedded_course() {
     }
     std::fs::write(root.path().join("README.md"), "Mine.").expect("a file");
     for folder in [root.path().to_owned(), root.path().join("01-a")] {
-        let problems = Course::load(&Folder::new(&folder)).problems;
+        let problems = Course::check(&Folder::new(&folder)).problems;
         let file = root.path().join("01-a").join("lesson.toml");
         assert_eq!(problems.len(), 1, "{problems:?}");
         assert_eq!(problems[0].file, file.display().to_string());
     }
-    let gone = Course::load(&Folder::new(root.path().join("gone")));
+    let gone = Course::check(&Folder::new(root.path().join("gone")));
     assert_eq!(gone.problems[0].code(), "unreadable");
     assert_eq!(
-        Course::load(&Folder::new(root.path().join("01-a/..")))
+        Course::check(&Folder::new(root.path().join("01-a/..")))
             .problems
             .len(),
         1
@@ -198,7 +201,7 @@ fn a_folder_is_read_like_the_embedded_course() {
 fn large_files_are_read_in_no_time() {
     let segments = "[-2, -1, 2, 1.5],\n".repeat(100_000);
     let files = lesson(&[("[0, 0, 1, 1]]", &format!("{segments}]"))]);
-    let loaded = Course::load(&files);
+    let loaded = Course::check(&files);
     assert_eq!(loaded.problems, []);
     let scene = &loaded.course.lessons[0].steps[0].scene;
     assert_eq!(
@@ -216,6 +219,6 @@ fn large_files_are_read_in_no_time() {
     );
     let sections = (0..100_000).map(|i| format!("## s{i}: T\n\nt\n\n"));
     let sections = sections.collect::<Vec<_>>().concat();
-    let problems = Course::load(&with(LESSON, &format!("{TEXT}{sections}"))).problems;
+    let problems = Course::check(&with(LESSON, &format!("{TEXT}{sections}"))).problems;
     assert_eq!(problems.len(), 4 * 101);
 }

@@ -1,0 +1,133 @@
+//! One step of a lesson, and where in the run of its scene it stops.
+
+use std::sync::{Arc, OnceLock};
+
+use crate::{
+    figure::{Moment, Run},
+    labs::{Lock, Scene},
+    text::{Diagnostic, Message},
+};
+
+use super::{
+    nearest::nearest,
+    problem::{Place, Problem, Severity},
+    sink::clipped,
+    toml_fields::suggestion,
+};
+
+/// One step of a lesson: a scene, and where its run stops.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Step {
+    /// Unique in the lesson.
+    pub id: String,
+    /// Shared by the steps that show it, since it may be large.
+    pub scene: Arc<Scene>,
+    /// As the lesson names it.
+    pub moment: Moment,
+    /// The figure that export makes of it, unique in the lesson: lower-case letters, digits and hyphens.
+    pub figure: Option<String>,
+    /// Handles that cannot be dragged.
+    pub locks: Vec<Lock>,
+    /// How the pseudocode is first shown.
+    pub code: CodeView,
+    pub(super) stop: Stop,
+}
+
+impl Step {
+    /// The step of the first method's run at which its moment comes; `None` where it never does. The run is recorded
+    /// when this is first asked for.
+    #[must_use]
+    pub fn position(&self) -> Option<usize> {
+        let find = || self.scene.document().record().first()?.find(&self.moment);
+        *self.stop.found.get_or_init(find)
+    }
+
+    /// What is wrong with its moment, if it never comes.
+    #[must_use]
+    pub fn problem(&self) -> Option<Problem> {
+        if self.position().is_some() {
+            return None;
+        }
+        let runs = self.scene.document().record();
+        Some(Problem {
+            file: self.stop.file.clone(),
+            place: self.stop.place.clone(),
+            severity: Severity::Error,
+            what: never_comes(&self.moment, &**runs.first()?),
+        })
+    }
+}
+
+/// How a step's moment is found, and where it is written, should it never come: no part of what the step is.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Stop {
+    pub file: String,
+    pub place: Option<Place>,
+    pub found: OnceLock<Option<usize>>,
+}
+
+impl PartialEq for Stop {
+    fn eq(&self, _other: &Self) -> bool {
+        true
+    }
+}
+
+/// The most moments that an error lists.
+const MAX_MOMENTS: usize = 60;
+
+/// What is said of a moment that never comes in this run.
+pub(super) fn never_comes(moment: &Moment, run: &dyn Run) -> Diagnostic {
+    let mut moments: Vec<String> = (0..=run.n_steps().min(MAX_MOMENTS))
+        .map(|step| run.moment(step).to_string())
+        .collect();
+    moments.push(Moment::End.to_string());
+    let wanted = moment.to_string();
+    let names: Vec<&str> = moments.iter().map(String::as_str).collect();
+    // The event and any of its words are enough: `cut left` is a name for `cut p1 left`.
+    let shorter: Vec<String> = names.iter().flat_map(|name| short_names(name)).collect();
+    let candidates = names
+        .iter()
+        .copied()
+        .chain(shorter.iter().map(String::as_str));
+    let meant = nearest(&wanted, candidates);
+    let message = Message::new("problem-moment-never-happens").with("name", clipped(&wanted));
+    let notes = suggestion(meant, &names);
+    notes
+        .into_iter()
+        .fold(Diagnostic::new(message), Diagnostic::noting)
+}
+
+/// `cut`, `cut p1` and `cut left` for `cut p1 left`.
+fn short_names(moment: &str) -> Vec<String> {
+    let mut words = moment.split_whitespace();
+    let event = words.next().unwrap_or_default();
+    let with_one = words.map(|word| format!("{event} {word}"));
+    std::iter::once(event.to_owned()).chain(with_one).collect()
+}
+
+/// How the pseudocode is shown.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Hash)]
+pub enum CodeView {
+    /// As code.
+    #[default]
+    Full,
+    /// In words.
+    Words,
+    /// Not at all, so that a class can be asked first.
+    Hidden,
+}
+
+impl CodeView {
+    /// Every view, in the order in which they hide more and more.
+    pub const ALL: [Self; 3] = [Self::Full, Self::Words, Self::Hidden];
+
+    /// As lesson files spell it.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Full => "full",
+            Self::Words => "words",
+            Self::Hidden => "hidden",
+        }
+    }
+}
