@@ -2,7 +2,7 @@
 
 use clipscope::{
     case::{
-        Code, Detail, Format, Line, MAX_LINE_BYTES, Solver, Style, Tally, read, solvers, trace,
+        Code, Detail, Format, Line, MAX_LINE_BYTES, Solver, Solvers, Style, Tally, read, trace,
     },
     text::Lang,
 };
@@ -16,7 +16,7 @@ const JSON: Style = Style {
 
 fn answers(cases: &[u8], style: Style) -> (String, Tally) {
     let mut out = Vec::new();
-    let tally = trace(cases, &mut out, style, |_| {}).expect("memory can be read and written");
+    let tally = trace(Solvers::standard(), cases, &mut out, style, |_| {}).expect("memory can be read and written");
     (String::from_utf8(out).expect("answers are UTF-8"), tally)
 }
 
@@ -26,8 +26,8 @@ fn answer(case: &str) -> Json {
 }
 
 /// Those that clip a segment.
-fn line_solvers() -> impl Iterator<Item = &'static dyn Solver> {
-    solvers().filter(|solver| solver.fields().iter().any(|field| field.name == "segment"))
+fn line_solvers() -> impl Iterator<Item = &'static Solver> {
+    Solvers::standard().iter().filter(|solver| solver.fields().iter().any(|field| field.name == "segment"))
 }
 
 /// The code and the place of a refusal.
@@ -280,7 +280,7 @@ fn a_line_of_the_largest_size_is_still_read() {
     }
     let too_long = [&line[..], b" "].concat();
     assert_eq!(answers(&too_long, JSON).1.refused, 1);
-    let Err(refused) = read(Line::TooLong) else {
+    let Err(refused) = read(Solvers::standard(), Line::TooLong) else {
         panic!("a line that is too long is refused");
     };
     assert_eq!(refused.refusal.code, Code::TooLarge);

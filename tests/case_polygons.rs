@@ -1,7 +1,7 @@
 //! Cases of the polygons lab and their answers: what every script and grader builds on.
 
 use clipscope::{
-    case::{Detail, Format, Solver, Style, solvers, trace},
+    case::{Detail, Format, Solver, Solvers, Style, trace},
     text::Lang,
 };
 use serde_json::{Value as Json, json};
@@ -14,7 +14,7 @@ const JSON: Style = Style {
 
 fn answers(cases: &str, style: Style) -> String {
     let mut out = Vec::new();
-    trace(cases.as_bytes(), &mut out, style, |_| {}).expect("memory can be read and written");
+    trace(Solvers::standard(), cases.as_bytes(), &mut out, style, |_| {}).expect("memory can be read and written");
     String::from_utf8(out).expect("answers are UTF-8")
 }
 
@@ -28,16 +28,16 @@ fn output(algorithm: &str, fields: &str) -> Json {
 }
 
 /// Those that take a polygon.
-fn polygon_solvers() -> impl Iterator<Item = &'static dyn Solver> {
-    solvers().filter(|solver| takes(*solver, "polygon"))
+fn polygon_solvers() -> impl Iterator<Item = &'static Solver> {
+    Solvers::standard().iter().filter(|solver| takes(solver, "polygon"))
 }
 
-fn takes(solver: &dyn Solver, name: &str) -> bool {
+fn takes(solver: &Solver, name: &str) -> bool {
     solver.fields().iter().any(|field| field.name == name)
 }
 
 /// A case that every one of them takes.
-fn case_of(solver: &dyn Solver, polygon: &str) -> String {
+fn case_of(solver: &Solver, polygon: &str) -> String {
     let window = if takes(solver, "window") {
         r#""window":[-1,-1,1,1],"#
     } else {

@@ -2,7 +2,7 @@
 #![no_main]
 
 use clipscope::{
-    case::{Case, Detail, Format, Line, Lines, Style, read, trace},
+    case::{Case, Detail, Format, Line, Lines, Solvers, Style, read, trace},
     text::Lang,
 };
 use libfuzzer_sys::fuzz_target;
@@ -22,7 +22,7 @@ fuzz_target!(|bytes: &[u8]| {
             fields.remove("events");
         }
         assert_eq!(recorded, without[n_lines], "steps change no answer");
-        match read(line) {
+        match read(Solvers::standard(), line) {
             Ok(case) => check_answer(line, &case, answer),
             Err(refused) => assert_eq!(answer["error"]["code"], refused.refusal.code.id()),
         }
@@ -46,7 +46,7 @@ fn answers(bytes: &[u8], format: Format, detail: Detail) -> String {
         lang,
     };
     let mut out = Vec::new();
-    trace(bytes, &mut out, style, |_| {}).expect("memory can be read and written");
+    trace(Solvers::standard(), bytes, &mut out, style, |_| {}).expect("memory can be read and written");
     String::from_utf8(out).expect("answers are UTF-8")
 }
 
@@ -113,7 +113,7 @@ fn check_reversed(mut given: Json, ends: &[f64]) {
     let segment = numbers(&given["segment"]);
     given["segment"] = json!([segment[2], segment[3], segment[0], segment[1]]);
     let line = given.to_string();
-    let Ok(case) = read(Line::Bytes(line.as_bytes())) else {
+    let Ok(case) = read(Solvers::standard(), Line::Bytes(line.as_bytes())) else {
         panic!("{line} is refused, its reverse is not");
     };
     let mirrored = numbers(&case.problem.output()["segment"]);

@@ -4,7 +4,7 @@ use serde_json::value::RawValue;
 
 use crate::text::{Message, Value};
 
-use super::{Code, Node, Path, Refusal, Solver, raw::Pairs, refusal::short};
+use super::{Code, Node, Path, Refusal, raw::Pairs, refusal::short};
 
 /// Must a field be there?
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -55,9 +55,13 @@ pub struct Fields<'a> {
 }
 
 impl<'a> Fields<'a> {
-    /// Refuses unknown fields, then missing ones. `id` and `algorithm` are left out.
-    pub(super) fn check(solver: &dyn Solver, pairs: &Pairs<'a>) -> Result<Self, Refusal> {
-        let takes = solver.fields();
+    /// Refuses fields that are not among those that the algorithm of this name `takes`, then missing ones. `id` and
+    /// `algorithm` are left out.
+    pub(super) fn check(
+        name_key: &'static str,
+        takes: &'static [Field],
+        pairs: &Pairs<'a>,
+    ) -> Result<Self, Refusal> {
         let mut given: Vec<(&'static str, &'a RawValue)> = Vec::with_capacity(takes.len());
         for (name, raw) in &pairs.0 {
             if matches!(name.as_str(), "id" | "algorithm") {
@@ -65,7 +69,7 @@ impl<'a> Fields<'a> {
             }
             match takes.iter().find(|field| field.name == name) {
                 Some(field) => given.push((field.name, raw)),
-                None => return Err(unknown(solver, name)),
+                None => return Err(unknown(name, name_key, takes)),
             }
         }
         let is_given = |name: &str| given.iter().any(|(given, _)| *given == name);
@@ -124,11 +128,11 @@ pub(super) fn missing(name: &'static str) -> Refusal {
     Refusal::at(Code::MissingField, &Path::Field(name), problem)
 }
 
-fn unknown(solver: &dyn Solver, name: &str) -> Refusal {
+fn unknown(name: &str, name_key: &'static str, takes: &[Field]) -> Refusal {
     let problem = Message::new("case-unknown-field")
         .with("name", short(name))
-        .with("algorithm", Value::Term(solver.name_key()))
-        .with("expected", quoted(solver.fields().iter().map(|f| f.name)));
+        .with("algorithm", Value::Term(name_key))
+        .with("expected", quoted(takes.iter().map(|f| f.name)));
     Refusal::at(Code::UnknownField, &Path::Field(name), problem)
 }
 

@@ -1,29 +1,28 @@
 //! The lines lab's cases: a segment against a window, or against a convex polygon.
 
-use serde_json::Value as Json;
-
 use crate::{
-    algo::line::BitOrder,
-    figure::Run,
-    geom::{ConvexPolygon, Edge, Point, Segment, Window},
-    labs::{
-        Answer,
-        lines::{METHODS, Method, MethodInfo, Scene},
+    algo::line::{
+        BitOrder, BruteForce, CohenSutherland, CyrusBeck, LiangBarsky, NichollLeeNicholl, Visible,
     },
+    geom::{ConvexPolygon, Edge, Point, Segment, Window},
+    labs::lines::{LineDemo, Method, Scene},
     text::{Formula, Message, Value},
-    trace::Counts,
 };
 
 use super::{
-    Code, Field, Fields, Given, Node, Path, Problem, Refusal, Solver,
+    Code, Field, Fields, Given, Node, Path, Refusal, Solve, Solver, Told,
     fields::missing,
     parts::{given_clip, given_window, read_clip, read_window},
 };
 
 /// The lab's methods.
-pub(super) fn solvers() -> impl Iterator<Item = &'static dyn Solver> {
-    METHODS.iter().map(|info| info as &dyn Solver)
-}
+pub(super) static SOLVERS: [Solver; 5] = [
+    Solver::of::<BruteForce>(),
+    Solver::of::<CohenSutherland>(),
+    Solver::of::<LiangBarsky>(),
+    Solver::of::<CyrusBeck>(),
+    Solver::of::<NichollLeeNicholl>(),
+];
 
 const WINDOW: [Field; 2] = [Field::required("window"), Field::required("segment")];
 const CODED: [Field; 3] = [WINDOW[0], WINDOW[1], Field::optional("bit_order")];
@@ -33,28 +32,14 @@ const CONVEX: [Field; 3] = [
     Field::required("segment"),
 ];
 
-impl Solver for MethodInfo<Scene> {
-    fn id(&self) -> &'static str {
-        self.card.id
-    }
+impl<A: LineDemo> Solve for A {
+    const FIELDS: &'static [Field] = match (A::TAKES_POLYGON, A::WRITES_CODES) {
+        (true, _) => &CONVEX,
+        (false, true) => &CODED,
+        (false, false) => &WINDOW,
+    };
 
-    fn name_key(&self) -> &'static str {
-        self.card.name_key
-    }
-
-    fn source(&self) -> &'static str {
-        self.card.source
-    }
-
-    fn fields(&self) -> &'static [Field] {
-        match (self.takes_polygon, self.writes_codes) {
-            (true, _) => &CONVEX,
-            (false, true) => &CODED,
-            (false, false) => &WINDOW,
-        }
-    }
-
-    fn read(&self, fields: &Fields<'_>) -> Result<Box<dyn Problem>, Refusal> {
+    fn read(fields: &Fields<'_>) -> Result<(A::Input, Told), Refusal> {
         let window = fields.get("window").map(|node| read_window(&node));
         let clip = fields.get("clip").map(|node| read_clip(&node));
         let (window, clip) = (window.transpose()?, clip.transpose()?);
@@ -70,11 +55,24 @@ impl Solver for MethodInfo<Scene> {
             (None, Some(clip)) => bounds(clip)?,
             (None, None) => return Err(missing("window")),
         };
-        let method = Method::by_id(self.card.id).ok_or_else(impossible)?;
+        let method = Method::by_id(A::ID).ok_or_else(impossible)?;
         let mut scene = Scene::new(method, window, vec![segment]).map_err(|_| impossible())?;
         scene.clip = clip;
         scene.bit_order = bit_order.unwrap_or_default();
-        Ok(Box::new(LineCase(scene)))
+        let input = A::input(&scene, segment);
+        Ok((input, Box::new(move || given(&scene, A::WRITES_CODES))))
+    }
+
+    fn verdict(visible: &Visible) -> Message {
+        match *visible {
+            None => Message::new("case-invisible"),
+            Some(Segment { p1, p2 }) if p1 == p2 => {
+                Message::new("case-touch").with("at", p1.to_array())
+            }
+            Some(Segment { p1, p2 }) => Message::new("case-visible")
+                .with("p1", p1.to_array())
+                .with("p2", p2.to_array()),
+        }
     }
 }
 
@@ -101,66 +99,33 @@ fn impossible() -> Refusal {
     Refusal::whole(Code::Degenerate, Message::new("error-degenerate"))
 }
 
-/// One segment, in focus.
-struct LineCase(Scene);
-
-impl Problem for LineCase {
-    fn given(&self) -> Vec<Given> {
-        let scene = &self.0;
-        let clip_or_window = match &scene.clip {
-            Some(clip) => given_clip(clip.vertices()),
-            None => given_window(&scene.window),
+/// What the scene gives, in the order in which it is read.
+fn given(scene: &Scene, writes_codes: bool) -> Vec<Given> {
+    let clip_or_window = match &scene.clip {
+        Some(clip) => given_clip(clip.vertices()),
+        None => given_window(&scene.window),
+    };
+    let Segment { p1, p2 } = scene.focused();
+    let end = |symbol, p: Point| {
+        let formula = Formula::default().sym(symbol).sym(" = ");
+        Value::Formula(formula.point(p.to_array()))
+    };
+    let segment = Given {
+        name_key: "object-segment",
+        values: vec![end("P₁", p1), end("P₂", p2)],
+    };
+    let mut given = vec![clip_or_window, segment];
+    if writes_codes {
+        let side = |edge| match edge {
+            Edge::Left => Value::Term("side-left"),
+            Edge::Right => Value::Term("side-right"),
+            Edge::Bottom => Value::Term("side-bottom"),
+            Edge::Top => Value::Term("side-top"),
         };
-        let Segment { p1, p2 } = scene.focused();
-        let end = |symbol, p: Point| {
-            let formula = Formula::default()
-                .sym(symbol)
-                .sym(" = ")
-                .point(p.to_array());
-            Value::Formula(formula)
-        };
-        let segment = Given {
-            name_key: "object-segment",
-            values: vec![end("P₁", p1), end("P₂", p2)],
-        };
-        let mut given = vec![clip_or_window, segment];
-        if scene.method.info().writes_codes {
-            let side = |edge| match edge {
-                Edge::Left => Value::Term("side-left"),
-                Edge::Right => Value::Term("side-right"),
-                Edge::Bottom => Value::Term("side-bottom"),
-                Edge::Top => Value::Term("side-top"),
-            };
-            given.push(Given {
-                name_key: "object-outcode",
-                values: scene.bit_order.written().map(side).to_vec(),
-            });
-        }
-        given
+        given.push(Given {
+            name_key: "object-outcode",
+            values: scene.bit_order.written().map(side).to_vec(),
+        });
     }
-
-    fn output(&self) -> Json {
-        self.0.method.info().clip(&self.0, self.0.focused()).json()
-    }
-
-    fn cost(&self) -> (Json, Counts) {
-        let (visible, counts) = self.0.method.info().cost(&self.0, self.0.focused());
-        (visible.json(), counts)
-    }
-
-    fn run(&self) -> Box<dyn Run> {
-        self.0.method.info().record(&self.0, self.0.focused())
-    }
-
-    fn verdict(&self) -> Message {
-        match self.0.method.info().clip(&self.0, self.0.focused()) {
-            None => Message::new("case-invisible"),
-            Some(Segment { p1, p2 }) if p1 == p2 => {
-                Message::new("case-touch").with("at", p1.to_array())
-            }
-            Some(Segment { p1, p2 }) => Message::new("case-visible")
-                .with("p1", p1.to_array())
-                .with("p2", p2.to_array()),
-        }
-    }
+    given
 }

@@ -2,13 +2,13 @@
 //! this module with a different reader and writer.
 //!
 //! ```text
-//! line ──json──► fields ──Solver::read──► Problem ──► answer   as JSON
+//! line ──json──► fields ──Solve::read──► Problem ──► answer   as JSON
 //!   │               │                        └──────► report   as text or Markdown, for people
 //!   └───────────────┴── Refusal: code, path, sentence
 //! ```
 //!
-//! A lab joins by adding its algorithms to [`solvers`]: each says which fields it takes and turns them into
-//! a [`Problem`]. Everything else (unknown fields, missing fields, paths, formats) is done here, once.
+//! A lab joins with a line in [`Solvers::standard`]: a table of its algorithms, of which each says which fields it
+//! takes and what input they make ([`Solve`]). Everything else (unknown fields, missing fields, paths, formats) is done here, once.
 //!
 //! *What is reported first*, where a case has several mistakes: the line (length, UTF-8, JSON syntax, that
 //! it is an object), a field given twice, `id`, `algorithm`, unknown fields as they come, missing fields
@@ -16,11 +16,11 @@
 //! elements from the left, then what they mean together.
 //!
 //! ```
-//! use clipscope::{case::{Detail, Format, Style, trace}, text::Lang};
+//! use clipscope::{case::{Detail, Format, Solvers, Style, trace}, text::Lang};
 //! let cases = br#"{"algorithm": "cohen-sutherland", "window": [-1,-1,1,1], "segment": [-2,-1,2,1.5]}"#;
 //! let mut answers = Vec::new();
 //! let style = Style { format: Format::Json, detail: Detail::Answers, lang: Lang::En };
-//! trace(&cases[..], &mut answers, style, |_| {}).expect("memory can be written");
+//! trace(Solvers::standard(), &cases[..], &mut answers, style, |_| {}).expect("memory can be written");
 //! assert!(answers.starts_with(
 //!     br#"{"id":null,"algorithm":"cohen-sutherland","output":{"visible":true,"segment":[-1.0,-0.375,1.0,0.875]}"#
 //! ));
@@ -28,8 +28,11 @@
 
 mod answer;
 mod fields;
+mod given;
+mod line;
 mod lines;
 mod parts;
+mod path;
 mod polygons;
 mod raw;
 mod read;
@@ -37,12 +40,25 @@ mod refusal;
 mod report;
 mod solver;
 mod stream;
+mod style;
 
 pub use fields::{Field, Fields, Need};
-pub use raw::{Id, Node, Path};
+pub use given::Given;
+pub use line::{Line, Lines, MAX_LINE_BYTES};
+pub use path::Path;
+pub use raw::{Id, Node};
 pub use read::{Case, Refused, read};
 pub use refusal::{Code, Refusal};
-pub use solver::{Given, Problem, Solver, solver, solvers};
-pub use stream::{
-    Detail, Format, Line, Lines, MAX_LINE_BYTES, Refusing, Style, Tally, TraceError, trace,
-};
+pub use report::Refusing;
+pub use solver::{Problem, Solve, Solver, Solvers, Told};
+pub use stream::{Tally, TraceError, trace};
+pub use style::{Detail, Format, Style};
+
+impl Solvers {
+    /// Those of all labs.
+    #[must_use]
+    pub const fn standard() -> Self {
+        static TABLES: [&[Solver]; 2] = [&lines::SOLVERS, &polygons::SOLVERS];
+        Self::new(&TABLES)
+    }
+}

@@ -13,31 +13,10 @@ use serde_json::value::RawValue;
 
 use crate::text::{Message, Value};
 
-use super::{Code, Refusal, refusal::short};
+use super::{Code, Path, Refusal, refusal::short};
 
 /// Objects and lists inside each other in an `id`: as many as `serde_json` reads by itself.
 const MAX_DEPTH: usize = 128;
-
-/// A place in a case: `segment`, `clip[1][0]`, `frustum.near`.
-#[derive(Clone, Copy, Debug)]
-pub enum Path<'a> {
-    /// A field of the case.
-    Field(&'a str),
-    /// An element of a list, from 0.
-    Index(&'a Path<'a>, usize),
-    /// A field of an object inside.
-    Member(&'a Path<'a>, &'a str),
-}
-
-impl fmt::Display for Path<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Field(name) => f.write_str(name),
-            Self::Index(list, i) => write!(f, "{list}[{i}]"),
-            Self::Member(object, name) => write!(f, "{object}.{name}"),
-        }
-    }
-}
 
 /// A value and its place.
 #[derive(Clone, Copy, Debug)]

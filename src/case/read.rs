@@ -5,11 +5,10 @@ use serde_json::value::RawValue;
 use crate::text::{Message, Value};
 
 use super::{
-    Code, Fields, Id, Line, MAX_LINE_BYTES, Node, Path, Problem, Refusal, Solver,
+    Code, Fields, Id, Line, MAX_LINE_BYTES, Node, Path, Problem, Refusal, Solver, Solvers,
     fields::missing,
     raw::{Pairs, kind},
     refusal::short,
-    solver, solvers,
 };
 
 /// A case that can be solved.
@@ -17,7 +16,7 @@ pub struct Case {
     /// What it calls itself.
     pub id: Id,
     /// By which algorithm.
-    pub solver: &'static dyn Solver,
+    pub solver: &'static Solver,
     /// What to solve.
     pub problem: Box<dyn Problem>,
 }
@@ -31,13 +30,13 @@ pub struct Refused {
     pub refusal: Refusal,
 }
 
-/// Reads one case.
+/// Reads one case for one of `solvers`.
 ///
 /// # Errors
 /// The first mistake, in the order that the [module](super) states.
-pub fn read(line: Line<'_>) -> Result<Case, Refused> {
+pub fn read(solvers: Solvers, line: Line<'_>) -> Result<Case, Refused> {
     let mut id = Id::default();
-    match read_into(line, &mut id) {
+    match read_into(solvers, line, &mut id) {
         Ok((solver, problem)) => Ok(Case {
             id,
             solver,
@@ -48,9 +47,10 @@ pub fn read(line: Line<'_>) -> Result<Case, Refused> {
 }
 
 fn read_into(
+    solvers: Solvers,
     line: Line<'_>,
     id: &mut Id,
-) -> Result<(&'static dyn Solver, Box<dyn Problem>), Refusal> {
+) -> Result<(&'static Solver, Box<dyn Problem>), Refusal> {
     let text = text(line)?;
     let pairs = pairs(text)?;
     let find = |name: &str| pairs.0.iter().find(|(n, _)| n == name).map(|(_, raw)| *raw);
@@ -63,8 +63,8 @@ fn read_into(
         return Err(Refusal::at(Code::BadJson, &Path::Field(name), problem));
     }
     read_id?;
-    let solver = algorithm(find("algorithm"))?;
-    let fields = Fields::check(solver, &pairs)?;
+    let solver = algorithm(solvers, find("algorithm"))?;
+    let fields = Fields::check(solver.name_key(), solver.fields(), &pairs)?;
     Ok((solver, solver.read(&fields)?))
 }
 
@@ -102,12 +102,12 @@ fn pairs(text: &str) -> Result<Pairs<'_>, Refusal> {
     Err(Refusal::whole(Code::WrongType, problem))
 }
 
-fn algorithm(raw: Option<&RawValue>) -> Result<&'static dyn Solver, Refusal> {
+fn algorithm(solvers: Solvers, raw: Option<&RawValue>) -> Result<&'static Solver, Refusal> {
     let path = Path::Field("algorithm");
     let raw = raw.ok_or_else(|| missing("algorithm"))?;
     let name = Node { path, raw }.text()?;
-    solver(&name).ok_or_else(|| {
-        let known: Vec<&str> = solvers().map(Solver::id).collect();
+    solvers.by_id(&name).ok_or_else(|| {
+        let known: Vec<&str> = solvers.iter().map(Solver::id).collect();
         let problem = Message::new("case-unknown-algorithm")
             .with("name", short(&name))
             .with("expected", known.join(", "));

@@ -1,30 +1,113 @@
-//! How a lab's algorithms join, and what they make of a case.
+//! How an algorithm joins, and what it makes of a case.
 
 use serde_json::Value as Json;
 
 use crate::{
     figure::Run,
-    text::{Message, Value},
-    trace::Counts,
+    labs::{Answer, Demo, MethodCard, record},
+    text::Message,
+    trace::{Counted, Counts, silent},
 };
 
-use super::{Field, Fields, Refusal, lines, polygons};
+use super::{Field, Fields, Given, Refusal};
 
-/// An algorithm that a case can name.
-pub trait Solver: Sync {
-    /// As the command line and JSON spell it.
-    fn id(&self) -> &'static str;
-    /// Catalogue key of its name.
-    fn name_key(&self) -> &'static str;
-    /// Author and year.
-    fn source(&self) -> &'static str;
+/// An algorithm that a case can name: what it reads, and how its answer is told.
+pub trait Solve: Demo {
     /// What a case gives besides `id` and `algorithm`, in the order in which it is checked.
-    fn fields(&self) -> &'static [Field];
+    const FIELDS: &'static [Field];
+
+    /// Its input from checked fields, and what is told of them.
+    ///
+    /// # Errors
+    /// The first field whose value is refused.
+    fn read(fields: &Fields<'_>) -> Result<(Self::Input, Told), Refusal>;
+
+    /// Its answer in one sentence.
+    fn verdict(output: &Self::Output) -> Message;
+}
+
+/// What is given, put into words only when somebody reads it.
+pub type Told = Box<dyn Fn() -> Vec<Given>>;
+
+/// An algorithm that a case can name, with its type erased.
+pub struct Solver {
+    card: MethodCard,
+    fields: &'static [Field],
+    read: ReadProblem,
+}
+
+type ReadProblem = fn(&Fields<'_>) -> Result<Box<dyn Problem>, Refusal>;
+
+impl Solver {
+    /// By this algorithm.
+    #[must_use]
+    pub const fn of<A: Solve>() -> Self {
+        Self {
+            card: MethodCard::of::<A>(),
+            fields: A::FIELDS,
+            read: read_problem::<A>,
+        }
+    }
+
+    /// The same, with problems that are read in another way: where a field asks for another type.
+    pub(super) const fn reading(self, read: ReadProblem) -> Self {
+        Self { read, ..self }
+    }
+
+    /// As the command line and JSON spell it.
+    #[must_use]
+    pub const fn id(&self) -> &'static str {
+        self.card.id
+    }
+
+    /// Catalogue key of its name.
+    #[must_use]
+    pub const fn name_key(&self) -> &'static str {
+        self.card.name_key
+    }
+
+    /// Author and year.
+    #[must_use]
+    pub const fn source(&self) -> &'static str {
+        self.card.source
+    }
+
+    /// What a case gives besides `id` and `algorithm`, in the order in which it is checked.
+    #[must_use]
+    pub const fn fields(&self) -> &'static [Field] {
+        self.fields
+    }
+
     /// The problem that checked fields describe.
     ///
     /// # Errors
     /// The first field whose value is refused.
-    fn read(&self, fields: &Fields<'_>) -> Result<Box<dyn Problem>, Refusal>;
+    pub fn read(&self, fields: &Fields<'_>) -> Result<Box<dyn Problem>, Refusal> {
+        (self.read)(fields)
+    }
+}
+
+/// The solvers that cases can name: tables, one a lab.
+#[derive(Clone, Copy)]
+pub struct Solvers(&'static [&'static [Solver]]);
+
+impl Solvers {
+    /// These, in the order in which they are taught.
+    #[must_use]
+    pub const fn new(tables: &'static [&'static [Solver]]) -> Self {
+        Self(tables)
+    }
+
+    /// In order.
+    pub fn iter(self) -> impl Iterator<Item = &'static Solver> {
+        self.0.iter().copied().flatten()
+    }
+
+    /// The one of this name.
+    #[must_use]
+    pub fn by_id(self, id: &str) -> Option<&'static Solver> {
+        self.iter().find(|solver| solver.id() == id)
+    }
 }
 
 /// A case that can be solved.
@@ -41,22 +124,36 @@ pub trait Problem {
     fn verdict(&self) -> Message;
 }
 
-/// One thing that a problem gives: "clip window: −1 ≤ x ≤ 1, −1 ≤ y ≤ 1".
-#[derive(Clone, PartialEq, Debug)]
-pub struct Given {
-    /// Catalogue key of its name.
-    pub name_key: &'static str,
-    /// Set one after the other.
-    pub values: Vec<Value>,
+/// The problem that fields describe for this algorithm.
+pub(super) fn read_problem<A: Solve>(fields: &Fields<'_>) -> Result<Box<dyn Problem>, Refusal> {
+    let (input, told) = A::read(fields)?;
+    Ok(Box::new(ProblemOf::<A> { input, told }))
 }
 
-/// Every algorithm, in the order in which they are taught. A lab joins here.
-pub fn solvers() -> impl Iterator<Item = &'static dyn Solver> {
-    lines::solvers().chain(polygons::solvers())
+struct ProblemOf<A: Solve> {
+    input: A::Input,
+    told: Told,
 }
 
-/// The algorithm of this name.
-#[must_use]
-pub fn solver(id: &str) -> Option<&'static dyn Solver> {
-    solvers().find(|solver| solver.id() == id)
+impl<A: Solve> Problem for ProblemOf<A> {
+    fn given(&self) -> Vec<Given> {
+        (self.told)()
+    }
+
+    fn output(&self) -> Json {
+        silent::<A>(&self.input).json()
+    }
+
+    fn cost(&self) -> (Json, Counts) {
+        let (output, counts) = Counts::of(|| A::run::<Counted>(&self.input, |_| {}));
+        (output.json(), counts)
+    }
+
+    fn run(&self) -> Box<dyn Run> {
+        record::<A>(self.input.clone())
+    }
+
+    fn verdict(&self) -> Message {
+        A::verdict(&silent::<A>(&self.input))
+    }
 }

@@ -6,7 +6,7 @@ use clap::ValueEnum;
 use serde_json::{Value as Json, json};
 
 use crate::{
-    case::{Need, Solver, solvers},
+    case::{Need, Solver, Solvers},
     lesson::{Course, Lesson},
     text::{Catalog, Lang, Message},
 };
@@ -71,7 +71,7 @@ fn as_text(lessons: &[Lesson], catalog: &Catalog) -> String {
         }
     }
     lines.extend([String::new(), catalog.term("list-algorithms")]);
-    for solver in solvers() {
+    for solver in Solvers::standard().iter() {
         let name = catalog.term(solver.name_key());
         lines.push(format!("  {:<28}{name}", solver.id()));
         lines.push(format!("    {:<26}{}", "", fields_text(solver)));
@@ -80,7 +80,7 @@ fn as_text(lessons: &[Lesson], catalog: &Catalog) -> String {
 }
 
 /// `window | clip, segment, [bit_order]`
-fn fields_text(solver: &dyn Solver) -> String {
+fn fields_text(solver: &Solver) -> String {
     let mut parts: Vec<String> = Vec::new();
     let mut choosing = false;
     for field in solver.fields() {
@@ -96,7 +96,7 @@ fn fields_text(solver: &dyn Solver) -> String {
 
 fn as_json(lessons: &[Lesson], catalog: &Catalog) -> Json {
     let lessons: Vec<Json> = lessons.iter().map(|l| lesson_json(l, catalog)).collect();
-    let algorithms: Vec<Json> = solvers().map(|s| solver_json(s, catalog)).collect();
+    let algorithms: Vec<Json> = Solvers::standard().iter().map(|s| solver_json(s, catalog)).collect();
     json!({ "lessons": lessons, "algorithms": algorithms })
 }
 
@@ -124,7 +124,7 @@ fn lesson_json(lesson: &Lesson, catalog: &Catalog) -> Json {
     })
 }
 
-fn solver_json(solver: &dyn Solver, catalog: &Catalog) -> Json {
+fn solver_json(solver: &Solver, catalog: &Catalog) -> Json {
     let names = |need| -> Vec<&str> {
         let of_need = solver.fields().iter().filter(|f| f.need == need);
         of_need.map(|f| f.name).collect()

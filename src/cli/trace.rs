@@ -9,7 +9,7 @@ use std::{
 use clap::{ArgAction, ValueEnum};
 
 use crate::{
-    case::{self, Detail, Refusing, Style, Tally, TraceError},
+    case::{self, Detail, Refusing, Solvers, Style, Tally, TraceError},
     text::{Catalog, Lang, Message},
 };
 
@@ -76,7 +76,7 @@ pub(super) fn trace(args: &Args) -> Outcome {
         lang,
         sentences: Vec::new(),
     };
-    let result = case::trace(source, io::stdout().lock(), style(args), |refusing| {
+    let result = case::trace(Solvers::standard(), source, io::stdout().lock(), style(args), |refusing| {
         named.hear(refusing);
     });
     match result {

@@ -3,7 +3,7 @@
 use crate::{
     algo::polygon::ClipRegion,
     case::{
-        Code, Fields, Given, Node, Refusal,
+        Code, Fields, Given, Node, Refusal, Told,
         parts::{given_clip, given_window, read_clip, read_window},
     },
     geom::{Point, Polygon, Region, SimplePolygon},
@@ -21,7 +21,7 @@ const MAX_PAIRS: usize = 1 << 16;
 pub struct Reader<'a> {
     fields: &'a Fields<'a>,
     /// In the order in which they were read.
-    pub given: Vec<Given>,
+    given: Vec<Given>,
     /// Of the window or clip polygon, where there is one.
     n_clip_edges: usize,
 }
@@ -33,6 +33,12 @@ impl<'a> Reader<'a> {
             given: Vec::new(),
             n_clip_edges: 1,
         }
+    }
+
+    /// What was read.
+    pub fn told(self) -> Told {
+        let given = self.given;
+        Box::new(move || given.clone())
     }
 
     /// `window`, or a convex `clip`.

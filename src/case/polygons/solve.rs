@@ -6,26 +6,15 @@ use crate::{
         TriangulateAndClip, TriangulateAndClipInput,
         weiler_atherton::{Clipped, WeilerAtherton, WeilerAthertonInput},
     },
-    case::{Field, Refusal},
+    case::{Field, Fields, Refusal, Solve, Told},
     geom::SimplePolygon,
-    labs::Demo,
     text::Message,
 };
 
 use super::{
-    Reader,
+    reader::Reader,
     verdict::{pieces, polygons, ring, triangles},
 };
-
-/// A method that a case can name.
-pub trait Solve: Demo {
-    /// In the order in which they are read.
-    const FIELDS: &'static [Field];
-    /// Its input, from checked fields.
-    fn read(reader: &mut Reader<'_>) -> Result<Self::Input, Refusal>;
-    /// Its answer in one sentence.
-    fn verdict(output: &Self::Output) -> Message;
-}
 
 const ALONE: [Field; 1] = [Field::required("polygon")];
 const CLIPPED: [Field; 3] = [
@@ -39,9 +28,11 @@ const TEXTURED: [Field; 4] = [CLIPPED[0], CLIPPED[1], CLIPPED[2], Field::optiona
 impl Solve for SutherlandHodgman {
     const FIELDS: &'static [Field] = &TEXTURED;
 
-    fn read(reader: &mut Reader<'_>) -> Result<SutherlandHodgmanInput, Refusal> {
+    fn read(fields: &Fields<'_>) -> Result<(SutherlandHodgmanInput, Told), Refusal> {
+        let mut reader = Reader::new(fields);
         let region = reader.convex_region()?;
-        Ok(SutherlandHodgmanInput::new(region, &reader.polygon()?))
+        let input = SutherlandHodgmanInput::new(region, &reader.polygon()?);
+        Ok((input, reader.told()))
     }
 
     fn verdict(output: &Self::Output) -> Message {
@@ -52,15 +43,17 @@ impl Solve for SutherlandHodgman {
 impl Solve for SutherlandHodgman<Textured> {
     const FIELDS: &'static [Field] = &TEXTURED;
 
-    fn read(reader: &mut Reader<'_>) -> Result<SutherlandHodgmanInput<Textured>, Refusal> {
+    fn read(fields: &Fields<'_>) -> Result<(SutherlandHodgmanInput<Textured>, Told), Refusal> {
+        let mut reader = Reader::new(fields);
         let region = reader.convex_region()?;
         let polygon = reader.polygon()?;
         let uvs = reader.uv(polygon.vertices().len())?;
         let vertices = polygon.vertices().iter().zip(uvs);
-        Ok(SutherlandHodgmanInput {
+        let input = SutherlandHodgmanInput {
             region,
             vertices: vertices.map(|(&at, uv)| Textured { at, uv }).collect(),
-        })
+        };
+        Ok((input, reader.told()))
     }
 
     fn verdict(output: &Self::Output) -> Message {
@@ -71,7 +64,8 @@ impl Solve for SutherlandHodgman<Textured> {
 impl Solve for Pipeline {
     const FIELDS: &'static [Field] = &CLIPPED;
 
-    fn read(reader: &mut Reader<'_>) -> Result<Self::Input, Refusal> {
+    fn read(fields: &Fields<'_>) -> Result<(Self::Input, Told), Refusal> {
+        let mut reader = Reader::new(fields);
         <SutherlandHodgman>::read(reader)
     }
 
@@ -85,10 +79,11 @@ const WITH_HOLES: [Field; 4] = [CLIPPED[0], CLIPPED[1], CLIPPED[2], Field::optio
 impl Solve for WeilerAtherton {
     const FIELDS: &'static [Field] = &WITH_HOLES;
 
-    fn read(reader: &mut Reader<'_>) -> Result<WeilerAthertonInput, Refusal> {
+    fn read(fields: &Fields<'_>) -> Result<(WeilerAthertonInput, Told), Refusal> {
+        let mut reader = Reader::new(fields);
         let clip = reader.simple_clip()?;
         let subject = reader.region()?;
-        Ok(WeilerAthertonInput { subject, clip })
+        Ok((WeilerAthertonInput { subject, clip }, reader.told()))
     }
 
     fn verdict(output: &Clipped) -> Message {
@@ -99,8 +94,10 @@ impl Solve for WeilerAtherton {
 impl Solve for EarClipping {
     const FIELDS: &'static [Field] = &ALONE;
 
-    fn read(reader: &mut Reader<'_>) -> Result<SimplePolygon, Refusal> {
-        reader.simple_polygon()
+    fn read(fields: &Fields<'_>) -> Result<(SimplePolygon, Told), Refusal> {
+        let mut reader = Reader::new(fields);
+        let polygon = reader.simple_polygon()?;
+        Ok((polygon, reader.told()))
     }
 
     fn verdict(output: &Self::Output) -> Message {
@@ -111,10 +108,12 @@ impl Solve for EarClipping {
 impl Solve for TriangulateAndClip {
     const FIELDS: &'static [Field] = &CLIPPED;
 
-    fn read(reader: &mut Reader<'_>) -> Result<TriangulateAndClipInput, Refusal> {
+    fn read(fields: &Fields<'_>) -> Result<(TriangulateAndClipInput, Told), Refusal> {
+        let mut reader = Reader::new(fields);
         let region = reader.convex_region()?;
         let polygon = reader.simple_polygon()?;
-        Ok(TriangulateAndClipInput { region, polygon })
+        let input = TriangulateAndClipInput { region, polygon };
+        Ok((input, reader.told()))
     }
 
     fn verdict(output: &Self::Output) -> Message {

@@ -3,6 +3,7 @@
 
 mod columns;
 mod markdown;
+mod refusing;
 mod text;
 
 use crate::{
@@ -11,9 +12,10 @@ use crate::{
     trace::Counts,
 };
 
-use super::{Given, Id, Refusing, refusal::short};
+use super::{Given, Id, refusal::short};
 
 pub(super) use markdown::markdown;
+pub use refusing::Refusing;
 pub(super) use text::text;
 
 /// A polygon's vertices beyond these are left out of the statement of the problem.
@@ -87,23 +89,6 @@ fn case_name(number: usize, id: &Id, catalog: &Catalog) -> String {
         Some(id) => Message::new("report-case-id").with("id", short(&id)),
     };
     catalog.message(&message.with("number", number))
-}
-
-/// "line 4, case 3: segment[2]: …".
-pub(super) fn refusing(refusing: &Refusing<'_>, catalog: &Catalog) -> String {
-    let Refusing {
-        line,
-        number,
-        refused,
-    } = refusing;
-    let message = Message::new("trace-refused-at")
-        .with("line", *line)
-        .with(
-            "case",
-            case_name(*number, &refused.id, catalog).to_lowercase(),
-        )
-        .with("problem", refused.refusal.sentence(catalog));
-    catalog.message(&message)
 }
 
 /// Name and values of what is given.

@@ -1,0 +1,85 @@
+//! The lines of a reader, one at a time.
+
+use std::io::{self, BufRead, BufReader, Read};
+
+/// A longer line is refused: far more than any case needs, and little enough to be held in memory.
+pub const MAX_LINE_BYTES: usize = 16 << 20;
+
+/// Read in pieces of this size: large enough that calls into the system cost nothing.
+const CHUNK_BYTES: usize = 1 << 16;
+
+/// One line, without its line break.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Line<'a> {
+    /// As it was read: not yet known to be text.
+    Bytes(&'a [u8]),
+    /// More than [`MAX_LINE_BYTES`], skipped.
+    TooLong,
+}
+
+/// The lines of a reader that are not empty, with their numbers from 1.
+pub struct Lines<R> {
+    reader: BufReader<R>,
+    buffer: Vec<u8>,
+    number: usize,
+}
+
+impl<R: Read> Lines<R> {
+    /// From where the reader stands.
+    pub fn new(reader: R) -> Self {
+        Self {
+            reader: BufReader::with_capacity(CHUNK_BYTES, reader),
+            buffer: Vec::new(),
+            number: 0,
+        }
+    }
+
+    /// The next line that holds more than spaces; `None` at the end.
+    ///
+    /// # Errors
+    /// Where the reader fails.
+    pub fn next_line(&mut self) -> io::Result<Option<(usize, Line<'_>)>> {
+        loop {
+            self.buffer.clear();
+            // One more for the line break, one more to see that it is too long.
+            let mut limited = self.reader.by_ref().take(MAX_LINE_BYTES as u64 + 2);
+            if limited.read_until(b'\n', &mut self.buffer)? == 0 {
+                return Ok(None);
+            }
+            self.number += 1;
+            let ended = self.buffer.last() == Some(&b'\n');
+            let content = self.buffer.len() - usize::from(ended);
+            if content > MAX_LINE_BYTES {
+                if !ended {
+                    self.reader.skip_until(b'\n')?;
+                }
+                return Ok(Some((self.number, Line::TooLong)));
+            }
+            let from = match self.number {
+                1 => byte_order_mark(&self.buffer),
+                _ => 0,
+            };
+            if !self.buffer[from..].iter().all(u8::is_ascii_whitespace) {
+                return Ok(Some((
+                    self.number,
+                    Line::Bytes(&self.buffer[from..content]),
+                )));
+            }
+        }
+    }
+
+    /// Is a whole line there already, so that reading on waits for nobody?
+    pub(super) fn is_ready(&self) -> bool {
+        self.reader.buffer().contains(&b'\n')
+    }
+}
+
+/// Some systems put a mark at the start of a text: its length.
+fn byte_order_mark(line: &[u8]) -> usize {
+    const MARK: &[u8] = "\u{feff}".as_bytes();
+    if line.starts_with(MARK) {
+        MARK.len()
+    } else {
+        0
+    }
+}

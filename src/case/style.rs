@@ -1,0 +1,34 @@
+//! What is written of each case, and how.
+
+use crate::text::Lang;
+
+/// What is written for each case.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Format {
+    /// One answer a line.
+    Json,
+    /// Tables for a terminal.
+    Text,
+    /// An answer key to hand out.
+    Markdown,
+}
+
+/// How much of each case is written.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Detail {
+    /// Every step.
+    Steps,
+    /// The answer and its cost.
+    Answers,
+}
+
+/// How answers are written.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Style {
+    /// For whom.
+    pub format: Format,
+    /// How much.
+    pub detail: Detail,
+    /// In which language; JSON is the same in all of them.
+    pub lang: Lang,
+}
