@@ -16,7 +16,8 @@ const JSON: Style = Style {
 
 fn answers(cases: &[u8], style: Style) -> (String, Tally) {
     let mut out = Vec::new();
-    let tally = trace(Solvers::standard(), cases, &mut out, style, |_| {}).expect("memory can be read and written");
+    let tally = trace(Solvers::standard(), cases, &mut out, style, |_| {})
+        .expect("memory can be read and written");
     (String::from_utf8(out).expect("answers are UTF-8"), tally)
 }
 
@@ -27,7 +28,9 @@ fn answer(case: &str) -> Json {
 
 /// Those that clip a segment.
 fn line_solvers() -> impl Iterator<Item = &'static Solver> {
-    Solvers::standard().iter().filter(|solver| solver.fields().iter().any(|field| field.name == "segment"))
+    Solvers::standard()
+        .iter()
+        .filter(|solver| solver.fields().iter().any(|field| field.name == "segment"))
 }
 
 /// The code and the place of a refusal.

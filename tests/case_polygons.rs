@@ -14,7 +14,14 @@ const JSON: Style = Style {
 
 fn answers(cases: &str, style: Style) -> String {
     let mut out = Vec::new();
-    trace(Solvers::standard(), cases.as_bytes(), &mut out, style, |_| {}).expect("memory can be read and written");
+    trace(
+        Solvers::standard(),
+        cases.as_bytes(),
+        &mut out,
+        style,
+        |_| {},
+    )
+    .expect("memory can be read and written");
     String::from_utf8(out).expect("answers are UTF-8")
 }
 
@@ -29,7 +36,9 @@ fn output(algorithm: &str, fields: &str) -> Json {
 
 /// Those that take a polygon.
 fn polygon_solvers() -> impl Iterator<Item = &'static Solver> {
-    Solvers::standard().iter().filter(|solver| takes(solver, "polygon"))
+    Solvers::standard()
+        .iter()
+        .filter(|solver| takes(solver, "polygon"))
 }
 
 fn takes(solver: &Solver, name: &str) -> bool {

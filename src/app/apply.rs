@@ -323,7 +323,7 @@ impl App {
     fn reported(
         &self,
         asked: &str,
-        written: Result<String, String>,
+        written: Result<String, Diagnostic>,
         [done, failed]: [&'static str; 2],
         now: f64,
     ) -> Notice {
@@ -333,7 +333,9 @@ impl App {
                 Notice::passing(catalog.message(&Message::new(done).with("path", path)), now)
             }
             Err(reason) => {
-                let reason = format!("{asked}: {reason}");
+                let reason = Message::new("error-at")
+                    .with("place", asked.to_owned())
+                    .with("problem", reason);
                 Notice::problem(catalog.message(&Message::new(failed).with("reason", reason)))
             }
         }

@@ -5,7 +5,7 @@ use egui::Context;
 use crate::{
     labs::Edit,
     lesson::Problem,
-    text::{Catalog, Message},
+    text::{Catalog, Diagnostic, Message},
 };
 
 use super::{App, notice::Notice};
@@ -69,13 +69,15 @@ impl App {
     }
 }
 
+/// Why a file cannot be read, the system is asked again: egui has its answer in English only.
 #[cfg(not(target_arch = "wasm32"))]
-fn bytes_of(file: &egui::DroppedFileHandle) -> Result<Vec<u8>, String> {
-    file.bytes()
+fn bytes_of(file: &egui::DroppedFileHandle) -> Result<Vec<u8>, Diagnostic> {
+    let read = |_| std::fs::read(file.path()).map_err(Diagnostic::from);
+    file.bytes().or_else(read)
 }
 
 /// A browser hands files over later; the page will do that in its own way.
 #[cfg(target_arch = "wasm32")]
-fn bytes_of(_file: &egui::DroppedFileHandle) -> Result<Vec<u8>, String> {
-    Err(String::new())
+fn bytes_of(_file: &egui::DroppedFileHandle) -> Result<Vec<u8>, Diagnostic> {
+    Err(crate::text::SystemError::of_kind(std::io::ErrorKind::Unsupported).into())
 }

@@ -6,6 +6,7 @@ use egui::{Ui, ViewportBuilder};
 use crate::{
     lesson::{Course, Folder},
     paint::fonts,
+    text::Message,
 };
 
 use super::{App, Desktop, Settings};
@@ -27,7 +28,7 @@ pub struct Opening {
 ///
 /// # Errors
 /// Why there can be no window: no display, no OpenGL.
-pub fn run_native(opening: Opening) -> Result<(), String> {
+pub fn run_native(opening: Opening) -> Result<(), Message> {
     let options = NativeOptions {
         viewport: ViewportBuilder::default()
             .with_app_id("clipscope")
@@ -42,7 +43,8 @@ pub fn run_native(opening: Opening) -> Result<(), String> {
         options,
         Box::new(|creation| Ok(Box::new(Window(create(creation, opening))))),
     );
-    result.map_err(|error| error.to_string())
+    // What eframe says is the system's own; its frame is the reader's.
+    result.map_err(|error| Message::new("status-no-window").with("reason", error.to_string()))
 }
 
 fn create(creation: &CreationContext<'_>, opening: Opening) -> App {

@@ -1,8 +1,14 @@
 //! What the app needs of the place where it runs: the seam to files.
 
+use std::io;
+
 #[cfg(not(target_arch = "wasm32"))]
 use crate::{export, paint::Headless};
-use crate::{labs::Scene, paint::ThemeKind, text::Lang};
+use crate::{
+    labs::Scene,
+    paint::ThemeKind,
+    text::{Diagnostic, Lang, SystemError},
+};
 
 /// A figure to be exported: what the stage shows.
 #[derive(Clone, Copy, Debug)]
@@ -19,7 +25,7 @@ pub struct Picture<'a> {
     pub lang: Lang,
 }
 
-/// Files, as far as there are any. Errors are in the words of the system.
+/// Files, as far as there are any.
 pub trait Platform {
     /// Where a file of this name would be put, to be shown and changed before it is written.
     fn suggest(&self, name: &str) -> String;
@@ -28,33 +34,33 @@ pub trait Platform {
     ///
     /// # Errors
     /// Why it could not be written: what stood there before is as it was.
-    fn write(&mut self, path: &str, bytes: &[u8]) -> Result<String, String>;
+    fn write(&mut self, path: &str, bytes: &[u8]) -> Result<String, Diagnostic>;
 
     /// Draws a figure as a file's bytes.
     ///
     /// # Errors
     /// Why it could not be drawn.
-    fn draw(&mut self, picture: Picture<'_>) -> Result<Vec<u8>, String>;
+    fn draw(&mut self, picture: Picture<'_>) -> Result<Vec<u8>, Diagnostic>;
 }
 
 /// A place without files: a page in a browser, a headless table.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct NoFiles;
 
-/// In the words of a system that has none.
-const NO_FILES: &str = "ENOSYS";
+/// Why nothing can be written there.
+const NO_FILES: SystemError = SystemError::of_kind(io::ErrorKind::Unsupported);
 
 impl Platform for NoFiles {
     fn suggest(&self, name: &str) -> String {
         name.to_owned()
     }
 
-    fn write(&mut self, _path: &str, _bytes: &[u8]) -> Result<String, String> {
-        Err(NO_FILES.to_owned())
+    fn write(&mut self, _path: &str, _bytes: &[u8]) -> Result<String, Diagnostic> {
+        Err(NO_FILES.into())
     }
 
-    fn draw(&mut self, _picture: Picture<'_>) -> Result<Vec<u8>, String> {
-        Err(NO_FILES.to_owned())
+    fn draw(&mut self, _picture: Picture<'_>) -> Result<Vec<u8>, Diagnostic> {
+        Err(NO_FILES.into())
     }
 }
 
@@ -74,13 +80,12 @@ impl Platform for Desktop {
         folder.join(name).display().to_string()
     }
 
-    fn write(&mut self, path: &str, bytes: &[u8]) -> Result<String, String> {
-        let written = export::write_whole(std::path::Path::new(path), bytes);
-        written.map_err(|error| error.to_string())?;
+    fn write(&mut self, path: &str, bytes: &[u8]) -> Result<String, Diagnostic> {
+        export::write_whole(std::path::Path::new(path), bytes)?;
         Ok(path.to_owned())
     }
 
-    fn draw(&mut self, picture: Picture<'_>) -> Result<Vec<u8>, String> {
+    fn draw(&mut self, picture: Picture<'_>) -> Result<Vec<u8>, Diagnostic> {
         let mut table = Headless::new(picture.theme);
         let figure = export::Picture {
             title: picture.title,

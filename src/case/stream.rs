@@ -7,7 +7,7 @@ use std::{
 
 use crate::text::Catalog;
 
-use super::{Case, Detail, Format, Lines, Refused, Refusing, Solvers, Style, read, report};
+use super::{Case, Format, Lines, Refused, Refusing, Solvers, Style, read, report};
 
 /// Written in pieces of this size: large enough that calls into the system cost nothing.
 const CHUNK_BYTES: usize = 1 << 16;

@@ -1,6 +1,6 @@
 //! `clipscope export`: figures to files.
 
-use std::{fs, path::PathBuf, str::FromStr};
+use std::{fs, io, path::PathBuf, str::FromStr};
 
 use clap::{
     ValueEnum,
@@ -14,7 +14,7 @@ use crate::{
     export::{self, Failure, Job, Options, jobs, run},
     lesson::Course,
     paint::{Headless, ThemeKind},
-    text::{Lang, Message},
+    text::{Diagnostic, Lang, Message},
 };
 
 use super::{Outcome, Progress, lang_parser, lessons::choose, say};
@@ -143,11 +143,7 @@ pub(super) fn export(args: &Args) -> Outcome {
         steps: args.steps.into(),
     };
     if let Err(error) = fs::create_dir_all(&args.out) {
-        let reason = format!("{}: {error}", args.out.display());
-        say(
-            args.lang,
-            &Message::new("status-export-failed").with("reason", reason),
-        );
+        say(args.lang, &failed(args.out.display().to_string(), error));
         return Outcome::Unusable;
     }
     let jobs = jobs(&chosen.lessons, options.steps);
@@ -169,21 +165,26 @@ pub(super) fn export(args: &Args) -> Outcome {
         || progress.advance(1),
     );
     drop(progress);
-    for Failure { path, error } in &failures {
-        let message =
-            Message::new("status-export-failed").with("reason", format!("{path}: {error}"));
-        say(args.lang, &message);
-    }
     let n_drawn = jobs.len() - failures.len();
+    for Failure { path, error } in failures {
+        say(args.lang, &failed(path, error));
+    }
     let sum = Message::new("cli-exported")
         .with("count", n_drawn)
         .with("path", args.out.display().to_string());
     say(args.lang, &sum);
-    match (failures.is_empty(), n_drawn) {
+    match (n_drawn == jobs.len(), n_drawn) {
         (true, _) => read,
         (false, 0) => Outcome::Unusable,
         (false, _) => Outcome::Refused,
     }
+}
+
+/// What could not be written, and why.
+fn failed(path: String, error: io::Error) -> Message {
+    let reason = Message::new("error-at").with("place", path);
+    let reason = reason.with("problem", Diagnostic::from(error));
+    Message::new("status-export-failed").with("reason", reason)
 }
 
 /// The whole window, standing at the picture's step.

@@ -96,7 +96,10 @@ fn fields_text(solver: &Solver) -> String {
 
 fn as_json(lessons: &[Lesson], catalog: &Catalog) -> Json {
     let lessons: Vec<Json> = lessons.iter().map(|l| lesson_json(l, catalog)).collect();
-    let algorithms: Vec<Json> = Solvers::standard().iter().map(|s| solver_json(s, catalog)).collect();
+    let algorithms: Vec<Json> = Solvers::standard()
+        .iter()
+        .map(|s| solver_json(s, catalog))
+        .collect();
     json!({ "lessons": lessons, "algorithms": algorithms })
 }
 

@@ -7,17 +7,20 @@ use std::{
 };
 
 use crate::{
-    app::{Opening, run_native},
+    app::{Opening, Settings, run_native},
     lesson::{Folder, SceneFormats},
-    text::{Catalog, Lang, Message},
+    text::{Catalog, Diagnostic, Message},
 };
 
 use super::{Outcome, say::say_text};
 
-/// Opens the app on a path, or on the embedded course.
+/// Opens the app on a path, or on the embedded course. What goes wrong is said in the system's language.
 pub(super) fn open_app(path: Option<PathBuf>) -> ExitCode {
-    let opened = path.map_or_else(|| Ok(Opening::default()), |path| opening(&path));
-    match opened.and_then(run_native) {
+    let catalog = Catalog::of(Settings::of_system().lang);
+    let opened = path.map_or_else(|| Ok(Opening::default()), |path| opening(&path, catalog));
+    let ran =
+        opened.and_then(|opening| run_native(opening).map_err(|message| catalog.message(&message)));
+    match ran {
         Ok(()) => Outcome::Done.into(),
         Err(reason) => {
             say_text(&reason);
@@ -27,19 +30,18 @@ pub(super) fn open_app(path: Option<PathBuf>) -> ExitCode {
 }
 
 /// A folder is a course or a lesson; a file is a scene.
-fn opening(path: &Path) -> Result<Opening, String> {
+fn opening(path: &Path, catalog: &Catalog) -> Result<Opening, String> {
     if path.is_dir() {
         return Ok(Opening {
             folder: Some(Folder::new(path)),
             ..Opening::default()
         });
     }
-    let catalog = Catalog::of(Lang::En);
     let name = path.display().to_string();
     let bytes = fs::read(path).map_err(|error| {
         let message = Message::new("status-open-failed")
             .with("path", name.clone())
-            .with("reason", error.to_string());
+            .with("reason", Diagnostic::from(error));
         catalog.message(&message)
     })?;
     let scene = SceneFormats::standard()

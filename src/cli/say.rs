@@ -5,7 +5,7 @@ use std::{
     process::ExitCode,
 };
 
-use crate::text::{Catalog, Lang, Message};
+use crate::text::{Catalog, Diagnostic, Lang, Message};
 
 /// How a command ended.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -43,16 +43,16 @@ pub(super) fn print(text: &str, lang: Lang) -> Outcome {
     let mut out = io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Ok(()) => Outcome::Done,
-        Err(error) => not_written(&error, lang),
+        Err(error) => not_written(error, lang),
     }
 }
 
 /// Where standard output failed: quietly where its reader has gone.
-pub(super) fn not_written(error: &io::Error, lang: Lang) -> Outcome {
+pub(super) fn not_written(error: io::Error, lang: Lang) -> Outcome {
     if error.kind() == io::ErrorKind::BrokenPipe {
         return Outcome::Done;
     }
-    let message = Message::new("trace-not-written").with("reason", error.to_string());
+    let message = Message::new("trace-not-written").with("reason", Diagnostic::from(error));
     say(lang, &message);
     Outcome::Unusable
 }

@@ -10,7 +10,7 @@ use clap::{ArgAction, ValueEnum};
 
 use crate::{
     case::{self, Detail, Refusing, Solvers, Style, Tally, TraceError},
-    text::{Catalog, Lang, Message},
+    text::{Catalog, Diagnostic, Lang, Message},
 };
 
 use super::{
@@ -61,28 +61,34 @@ enum Format {
 /// Answers the cases.
 pub(super) fn trace(args: &Args) -> Outcome {
     let lang = args.lang;
-    let unreadable = |error: &io::Error| {
+    let unreadable = |error: io::Error| {
         let message = Message::new("cli-unreadable")
             .with("path", args.file.display().to_string())
-            .with("reason", error.to_string());
+            .with("reason", Diagnostic::from(error));
         say(lang, &message);
         Outcome::Unusable
     };
     let source = match Source::open(&args.file, lang) {
         Ok(source) => source,
-        Err(error) => return unreadable(&error),
+        Err(error) => return unreadable(error),
     };
     let mut named = Named {
         lang,
         sentences: Vec::new(),
     };
-    let result = case::trace(Solvers::standard(), source, io::stdout().lock(), style(args), |refusing| {
-        named.hear(refusing);
-    });
+    let result = case::trace(
+        Solvers::standard(),
+        source,
+        io::stdout().lock(),
+        style(args),
+        |refusing| {
+            named.hear(refusing);
+        },
+    );
     match result {
         Ok(tally) => named.sum_up(tally),
-        Err(TraceError::Read(error)) => unreadable(&error),
-        Err(TraceError::Write(error)) => not_written(&error, lang),
+        Err(TraceError::Read(error)) => unreadable(error),
+        Err(TraceError::Write(error)) => not_written(error, lang),
     }
 }
 

@@ -36,33 +36,49 @@ pub(super) fn with_toml<'s, T>(
 
 const DUPLICATE: &str = "duplicate key";
 
-/// The parser speaks English only: its most frequent complaints have a sentence in the catalogue.
+/// The parser speaks English only: its complaints have sentences in the catalogue, the rarest ones one for all.
 fn report(error: &Error, sink: &mut Sink<'_>) {
     let end = sink.source().text.len();
     let span = error.span().unwrap_or(end..end);
-    let reason = error.message();
-    let (complaint, expected) = reason.split_once(", expected ").unwrap_or((reason, ""));
-    let is_unclosed = complaint.starts_with("unclosed")
-        || matches!(complaint, "invalid basic string" | "invalid literal string");
-    let (message, note) = match complaint {
-        DUPLICATE => (Message::new("problem-toml-duplicate"), None),
-        "string values must be quoted" => (
-            Message::new("problem-toml-value"),
-            Some("expect-toml-value"),
-        ),
-        "key with no value" => (Message::new("problem-toml-no-value"), None),
-        "invalid unquoted key" => (Message::new("problem-toml-name"), Some("expect-toml-name")),
-        _ if is_unclosed => {
-            let closer = expected.trim_matches('`').to_owned();
-            (
-                Message::new("problem-toml-unclosed").with("closer", closer),
-                None,
-            )
-        }
-        _ => {
-            let reason = reason.replace(", expected nothing", "");
-            (Message::new("problem-toml").with("reason", reason), None)
-        }
-    };
+    let (message, note) = sentence(error.message());
     sink.error(span, message, note.map(Message::new));
+}
+
+fn sentence(reason: &str) -> (Message, Option<&'static str>) {
+    let (complaint, expected) = reason.split_once(", expected ").unwrap_or((reason, ""));
+    let starts = |words: &[&str]| words.iter().any(|start| complaint.starts_with(start));
+    if starts(&["unclosed", "invalid basic string", "invalid literal string"]) {
+        let closer = expected.trim_matches('`').to_owned();
+        return (
+            Message::new("problem-toml-unclosed").with("closer", closer),
+            None,
+        );
+    }
+    let (key, note) = if complaint == DUPLICATE {
+        ("problem-toml-duplicate", None)
+    } else if starts(&["string values must be quoted"]) {
+        ("problem-toml-value", Some("expect-toml-value"))
+    } else if starts(&["key with no value", "missing assignment"]) {
+        ("problem-toml-no-value", None)
+    } else if starts(&["invalid unquoted key", "keys cannot be", "unquoted keys"]) {
+        ("problem-toml-name", Some("expect-toml-name"))
+    } else if starts(&["missing comma"]) {
+        ("problem-toml-comma", None)
+    } else if starts(&["extra ", "unexpected `=`"]) {
+        ("problem-toml-extra", None)
+    } else if starts(&[
+        "`_` may",
+        "integers with",
+        "radix",
+        "redundant",
+        "unexpected leading",
+        "unexpected sign",
+    ]) {
+        ("problem-toml-number", Some("expect-toml-value"))
+    } else if starts(&["missing escaped", "too few unicode", "invalid escape"]) {
+        ("problem-toml-escape", None)
+    } else {
+        ("problem-toml", None)
+    };
+    (Message::new(key), note)
 }

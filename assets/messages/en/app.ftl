@@ -96,6 +96,7 @@ status-export-failed = The figure could not be exported: { $reason }
 status-saved = Saved to { $path }
 status-save-failed = The scene could not be saved: { $reason }
 status-open-failed = { $path } could not be opened: { $reason }
+status-no-window = The window could not be opened: { $reason }
 status-kept = The scene is as it was.
 status-reloaded = { $path } changed and was read again.
 

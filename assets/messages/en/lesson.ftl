@@ -16,7 +16,11 @@ lesson-warning = warning
 
 ## What is wrong with a lesson file; the last part of the key is the problem’s code
 
-problem-toml = This is not valid TOML: { $reason }.
+problem-toml = This is not valid TOML.
+problem-toml-comma = A comma is missing between two values.
+problem-toml-extra = This “,” or “=” is one too many.
+problem-toml-number = A number cannot be written like this.
+problem-toml-escape = This character cannot follow “\” in a text.
 problem-toml-duplicate = This name is given twice.
 problem-toml-value = This is not a value.
 problem-toml-no-value = A “=” and a value are missing after the name.

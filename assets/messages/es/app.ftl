@@ -96,6 +96,7 @@ status-export-failed = No se pudo exportar la figura: { $reason }
 status-saved = Guardado en { $path }
 status-save-failed = No se pudo guardar la escena: { $reason }
 status-open-failed = No se pudo abrir { $path }: { $reason }
+status-no-window = No se pudo abrir la ventana: { $reason }
 status-kept = La escena queda como estaba.
 status-reloaded = { $path } cambió y se volvió a leer.
 

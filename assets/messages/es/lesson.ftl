@@ -16,7 +16,11 @@ lesson-warning = aviso
 
 ## What is wrong with a lesson file; the last part of the key is the problem’s code
 
-problem-toml = Esto no es TOML válido: { $reason }.
+problem-toml = Esto no es TOML válido.
+problem-toml-comma = Falta una coma entre dos valores.
+problem-toml-extra = Sobra una «,» o un «=».
+problem-toml-number = Un número no se puede escribir así.
+problem-toml-escape = En un texto, este carácter no puede seguir a «\».
 problem-toml-duplicate = Este nombre aparece dos veces.
 problem-toml-value = Esto no es un valor.
 problem-toml-no-value = Faltan «=» y un valor después del nombre.

@@ -96,6 +96,7 @@ status-export-failed = Não foi possível exportar a figura: { $reason }
 status-saved = Salvo em { $path }
 status-save-failed = Não foi possível salvar a cena: { $reason }
 status-open-failed = Não foi possível abrir { $path }: { $reason }
+status-no-window = Não foi possível abrir a janela: { $reason }
 status-kept = A cena continua como estava.
 status-reloaded = { $path } mudou e foi lido de novo.
 

@@ -16,7 +16,11 @@ lesson-warning = aviso
 
 ## What is wrong with a lesson file; the last part of the key is the problem’s code
 
-problem-toml = Isto não é TOML válido: { $reason }.
+problem-toml = Isto não é TOML válido.
+problem-toml-comma = Falta uma vírgula entre dois valores.
+problem-toml-extra = Há uma “,” ou um “=” a mais.
+problem-toml-number = Um número não pode ser escrito assim.
+problem-toml-escape = Em um texto, este caractere não pode vir depois de “\”.
 problem-toml-duplicate = Este nome aparece duas vezes.
 problem-toml-value = Isto não é um valor.
 problem-toml-no-value = Faltam “=” e um valor depois do nome.

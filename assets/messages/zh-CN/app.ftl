@@ -92,6 +92,7 @@ status-export-failed = 无法导出此图：{ $reason }
 status-saved = 已保存到 { $path }
 status-save-failed = 无法保存场景：{ $reason }
 status-open-failed = 无法打开 { $path }：{ $reason }
+status-no-window = 无法打开窗口：{ $reason }
 status-kept = 场景保持不变。
 status-reloaded = { $path } 已更改并重新读取。
 

@@ -16,7 +16,11 @@ lesson-warning = 警告
 
 ## What is wrong with a lesson file; the last part of the key is the problem’s code
 
-problem-toml = 这不是有效的 TOML：{ $reason }。
+problem-toml = 这不是有效的 TOML。
+problem-toml-comma = 两个值之间缺少逗号。
+problem-toml-extra = 这里多了一个“,”或“=”。
+problem-toml-number = 数不能这样写。
+problem-toml-escape = 在文本中，“\”之后不能是这个字符。
 problem-toml-duplicate = 这个名称出现了两次。
 problem-toml-value = 这不是一个值。
 problem-toml-no-value = 名称之后缺少“=”和值。

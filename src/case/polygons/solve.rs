@@ -65,8 +65,7 @@ impl Solve for Pipeline {
     const FIELDS: &'static [Field] = &CLIPPED;
 
     fn read(fields: &Fields<'_>) -> Result<(Self::Input, Told), Refusal> {
-        let mut reader = Reader::new(fields);
-        <SutherlandHodgman>::read(reader)
+        <SutherlandHodgman>::read(fields)
     }
 
     fn verdict(output: &Self::Output) -> Message {
