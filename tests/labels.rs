@@ -41,7 +41,7 @@ fn no_label_covers_another_or_stands_on_a_stroke_without_a_halo() {
         for lesson in &course.lessons {
             for step in &lesson.steps {
                 let Some(figure) = &step.figure else { continue };
-                for marks in drawings(&step.scene, step.position) {
+                for marks in drawings(&step.scene, step.position().expect("its moment comes")) {
                     for size in STAGES {
                         let (placed, obstacles) =
                             place(&mut table, size, step.scene.document().bounds(), &marks);
