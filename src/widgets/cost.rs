@@ -94,6 +94,8 @@ pub struct Bars<'a> {
     mono: FontId,
     n_columns: usize,
     width: f32,
+    /// Of the widest name, and of the widest numbers.
+    widest: [f32; 2],
 }
 
 impl<'a> Bars<'a> {
@@ -108,13 +110,16 @@ impl<'a> Bars<'a> {
             mono: TextStyle::Monospace.resolve(&style),
             n_columns: 1,
             width,
+            widest: [0.0; 2],
         };
-        let widths = KINDS.iter().map(|kind| {
-            let [name, numbers] = bars.texts(painter, kind);
-            name.size().x + INNER_GAP * look.theme.text_scale + numbers.size().x
-        });
-        let widest = widths.fold(0.0, f32::max);
-        let fits = |n: &usize| *n as f32 * (widest + GAP) - GAP <= width;
+        for kind in &KINDS {
+            let texts = bars.texts(painter, kind);
+            for (widest, text) in bars.widest.iter_mut().zip(&texts) {
+                *widest = widest.max(text.size().x);
+            }
+        }
+        let cell = bars.widest[0] + bars.gap() + bars.widest[1];
+        let fits = |n: &usize| *n as f32 * (cell + GAP) - GAP <= width;
         bars.n_columns = [4, 2].into_iter().find(fits).unwrap_or(1);
         bars
     }
@@ -135,11 +140,12 @@ impl<'a> Bars<'a> {
             let [name, numbers] = self.texts(painter, kind);
             name.paint(painter, pos2(cell.left(), y), Align2::LEFT_CENTER);
             numbers.paint(painter, pos2(cell.right(), y), Align2::RIGHT_CENTER);
-            let mut top = cell.top() + self.text_height();
+            let room = self.room(cell);
+            let mut top = room.top();
             let mut bar = |counts: &Counts, height: f32, colour| {
                 let share = (kind.of)(counts) as f32 / self.cost.most.max(1) as f32;
-                let size = vec2(cell.width() * share, height * theme.text_scale);
-                let bar = Rect::from_min_size(pos2(cell.left(), top), size);
+                let size = vec2(room.width() * share, height * theme.text_scale);
+                let bar = Rect::from_min_size(pos2(room.left(), top), size);
                 painter.rect_filled(bar, 1.0, colour);
                 top = bar.bottom() + 1.0;
             };
@@ -162,7 +168,7 @@ impl<'a> Bars<'a> {
     fn numbers(&self, kind: &Kind) -> String {
         let now = (kind.of)(&self.cost.now);
         match &self.cost.compared {
-            Some((other, _)) => format!("{now} / {}", (kind.of)(other)),
+            Some((other, _)) => format!("{now} ({})", (kind.of)(other)),
             None => now.to_string(),
         }
     }
@@ -171,10 +177,32 @@ impl<'a> Bars<'a> {
         (self.mono.size * 1.4).round()
     }
 
+    fn gap(&self) -> f32 {
+        INNER_GAP * self.look.theme.text_scale
+    }
+
+    /// Of a run's bar, and the other's under it.
+    fn bars_height(&self) -> f32 {
+        let other = self.cost.compared.map_or(0.0, |_| 1.0 + OTHER_BAR);
+        (BAR + other) * self.look.theme.text_scale
+    }
+
     fn row_height(&self) -> f32 {
-        let scale = self.look.theme.text_scale;
-        let other = self.cost.compared.map_or(0.0, |_| 1.0 + OTHER_BAR * scale);
-        (self.text_height() + BAR * scale + other + 5.0).round()
+        if self.n_columns == 1 {
+            return (self.text_height() * 1.2).round();
+        }
+        (self.text_height() + self.bars_height() + 5.0).round()
+    }
+
+    /// Where a kind's bars go: under its name, or in a single column between name and numbers.
+    fn room(&self, cell: Rect) -> Rect {
+        if self.n_columns > 1 {
+            return cell.with_min_y(cell.top() + self.text_height());
+        }
+        let [left, right] = self.widest.map(|width| width + self.gap());
+        let top = cell.top() + 0.5 * (self.text_height() - self.bars_height());
+        let right = (cell.right() - right).max(cell.left() + left);
+        Rect::from_x_y_ranges(cell.left() + left..=right, top..=cell.bottom())
     }
 
     /// Where the `i`th kind stands.

@@ -2,7 +2,7 @@
 
 use crate::text::Piece;
 
-use super::Span;
+use super::span::Span;
 
 /// One character.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -109,29 +109,37 @@ impl<'a> Script<'a> {
                     gap: Gap::Closed,
                     depth,
                 };
-                let gap = self
-                    .chars
-                    .last()
-                    .map_or(Gap::Closed, |before| gap(before, &char));
+                let gap = gap(&self.chars, &char);
                 self.chars.push(Char { gap, ..char });
             }
         }
     }
 }
 
-fn gap(before: &Char, char: &Char) -> Gap {
+/// What stands between these and the next character.
+fn gap(chars: &[Char], char: &Char) -> Gap {
+    let Some(before) = chars.last() else {
+        return Gap::Closed;
+    };
     let nth = |char: &Char| char.quotient.map(|(nth, _)| nth);
     let is_in_quotient = char.quotient.is_some() && nth(before) == nth(char);
     if is_in_quotient || char.form != Form::Full || !is_open(before.c, char.c) {
         return Gap::Closed;
     }
+    // Formulas are in sentences, too.
+    let is_after = chars.iter().rev().nth(1).is_some_and(|char| {
+        let is_sign = OPERATORS.contains(char.c) || Piece::RELATIONS.contains(&char.c);
+        is_sign && before.c == ' '
+    });
     match before.depth.min(char.depth) {
+        0 | 1 if is_after || OPERATORS.contains(char.c) => Gap::Any,
+        0 | 1 if Piece::RELATIONS.contains(&char.c) => Gap::Relation,
         0 => Gap::Words,
-        1 if Piece::RELATIONS.contains(&char.c) => Gap::Relation,
         _ => Gap::Any,
     }
 }
 
+const OPERATORS: &str = "+−·/×←";
 /// No line begins with these,
 const CLOSING: &str = "，。、；：！？）》」』”’…";
 /// and none ends with these.

@@ -1,8 +1,8 @@
-use egui::{Color32, FontId, epaint::text::PlacedRow, vec2};
+use egui::{Color32, FontFamily, FontId, epaint::text::PlacedRow, vec2};
 
 use crate::{
-    paint::{Headless, ThemeKind},
-    text::{Lang, Message},
+    paint::{Headless, ThemeKind, fonts::semibold},
+    text::{Lang, Message, Piece},
 };
 
 use super::*;
@@ -106,6 +106,20 @@ fn letters_stand_on_one_line_with_and_without_a_quotient() {
 }
 
 #[test]
+fn a_minus_is_as_wide_as_a_plus() {
+    for family in [FontFamily::Proportional, semibold(), FontFamily::Monospace] {
+        let font = FontId::new(40.0, family);
+        let typeset = set(|painter| Typeset::text(painter, "−+-", font.clone(), INK));
+        let (glyphs, _) = ink(&typeset.galley.rows[0]);
+        let [minus, plus, hyphen] = [0, 1, 2].map(|i| glyphs[i].1.width());
+        assert!(
+            (minus - plus).abs() <= 1.5 && hyphen < 0.8 * minus,
+            "{font:?}"
+        );
+    }
+}
+
+#[test]
 fn every_glyph_and_line_is_on_whole_pixels() {
     let formula = Formula::default()
         .sym("u_min = ")
@@ -195,4 +209,8 @@ fn a_formula_too_long_for_any_line_goes_on_before_a_relation() {
     let typeset = set(|painter| Typeset::wrapped(painter, std::slice::from_ref(&span), 190.0));
     let lines: Vec<String> = typeset.galley.rows.iter().map(|row| row.text()).collect();
     assert_eq!(lines, ["a = 1 + 2 + 3 + 4 ", "= 2 + 3 + 5 = 10"]);
+    let code = Span::text("if n·D > 0: t ← max(t, n·w / n·D)", FONT, INK);
+    let typeset = set(|painter| Typeset::wrapped(painter, std::slice::from_ref(&code), 270.0));
+    let lines: Vec<String> = typeset.galley.rows.iter().map(|row| row.text()).collect();
+    assert_eq!(lines, ["if n·D > 0: t ← max(t, ", "n·w / n·D)"]);
 }

@@ -1,0 +1,62 @@
+//! What is to be set, with its face and colour.
+
+use egui::{Color32, FontId};
+
+use crate::text::{Catalog, Formula, Message, Piece, Value};
+
+/// Pieces in one face and colour.
+#[derive(Clone, Debug)]
+pub struct Span {
+    /// What is set.
+    pub pieces: Vec<Piece>,
+    /// Its face, and the size of what is neither lowered nor stacked.
+    pub font: FontId,
+    /// Its colour, also of the lines of its quotients.
+    pub colour: Color32,
+}
+
+impl Span {
+    /// A value as it stands alone.
+    #[must_use]
+    pub fn value(catalog: &Catalog, value: &Value, font: FontId, colour: Color32) -> Self {
+        let pieces = catalog.value_pieces(value);
+        Self {
+            pieces,
+            font,
+            colour,
+        }
+    }
+
+    /// A formula.
+    #[must_use]
+    pub fn formula(catalog: &Catalog, formula: &Formula, font: FontId, colour: Color32) -> Self {
+        let pieces = catalog.formula_pieces(formula);
+        Self {
+            pieces,
+            font,
+            colour,
+        }
+    }
+
+    /// A sentence.
+    #[must_use]
+    pub fn message(catalog: &Catalog, message: &Message, font: FontId, colour: Color32) -> Self {
+        let pieces = catalog.message_pieces(message);
+        Self {
+            pieces,
+            font,
+            colour,
+        }
+    }
+
+    /// Words.
+    #[must_use]
+    pub fn text(text: &str, font: FontId, colour: Color32) -> Self {
+        let pieces = Piece::words(text);
+        Self {
+            pieces,
+            font,
+            colour,
+        }
+    }
+}
