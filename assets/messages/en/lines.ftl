@@ -14,6 +14,7 @@ param-put-end = { $end } = { $at } was inside and stays.
 watch-crossings = crossings
 watch-crossings-used = of use
 table-edge = edge
+table-polygon-edge = edge
 table-start = start
 table-corner = corner
 

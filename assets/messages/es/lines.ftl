@@ -14,6 +14,7 @@ param-put-end = { $end } = { $at } ya estaba dentro y se queda.
 watch-crossings = intersecciones
 watch-crossings-used = útiles
 table-edge = borde
+table-polygon-edge = arista
 table-start = inicio
 table-corner = esquina
 

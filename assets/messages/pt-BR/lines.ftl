@@ -14,6 +14,7 @@ param-put-end = { $end } = { $at } já estava dentro e permanece.
 watch-crossings = interseções
 watch-crossings-used = úteis
 table-edge = borda
+table-polygon-edge = aresta
 table-start = início
 table-corner = canto
 

@@ -14,6 +14,7 @@ param-put-end = { $end } = { $at } 本来就在窗口内，保持不动。
 watch-crossings = 交点数
 watch-crossings-used = 有用的
 table-edge = 边界
+table-polygon-edge = 边
 table-start = 初始
 table-corner = 角点
 

@@ -18,8 +18,8 @@ use crate::{
 };
 
 use super::shared::{
-    accepted, border_mark, crossing_mark, end_name, end_symbol, ends_rows, opening, outside_marks,
-    parallel_formula, segment_marks, side_key,
+    accepted, border_mark, crossing_mark, end_name, end_symbol, ends_rows, inside_mark, opening,
+    outside_marks, parallel_formula, segment_marks, side_key,
 };
 use crate::labs::words::{
     along, axis_symbol, border_equation, edge_link, edge_name, free_formula, name,
@@ -225,6 +225,10 @@ fn marks(step: &Step<'_, BruteForce>) -> Vec<Mark> {
         .into_iter()
         .filter(|&edge| Some(edge) != current)
         .map(|edge| {
+            // Before the first crossing, the four tests that make a window.
+            if step.event.is_none() {
+                return inside_mark(window, edge);
+            }
             let border = Shape::Border(edge.axis(), window.border(edge));
             Mark::new(Role::Faint, border).linked(edge_link(edge))
         })

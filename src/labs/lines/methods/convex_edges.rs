@@ -152,7 +152,7 @@ pub fn edge_table(step: &Step<'_, CyrusBeck>) -> Table {
     });
     Table {
         header: vec![
-            Formula::default().term("table-edge"),
+            Formula::default().term("table-polygon-edge"),
             symbol("n·(P₁ − E)"),
             symbol("n·D"),
             symbol("t"),

@@ -147,28 +147,55 @@ pub fn border_mark(window: &Window, edge: Edge) -> Mark {
     .linked(edge_link(edge))
 }
 
+/// The line of a side with what holds inside it: `y ≤ 1`.
+pub fn inside_mark(window: &Window, edge: Edge) -> Mark {
+    let relation = if edge.is_max() { " ≤ " } else { " ≥ " };
+    let [x, y] = outwards(edge);
+    let border = Shape::Border(edge.axis(), window.border(edge));
+    Mark::new(Role::Soft, border)
+        .labelled(side_formula(window, edge, relation))
+        .toward([-x, -y])
+        .linked(edge_link(edge))
+}
+
 /// A side as this step's subject: its line with `y = 1`, and what lies beyond it with `y > 1`.
 pub fn outside_marks(window: &Window, edge: Edge) -> [Mark; 2] {
     let c = window.border(edge);
     // What lies beyond is to the left of the line from the first point to the second.
-    let (line, outwards) = match edge {
-        Edge::Left => ([[c, 0.0], [c, 1.0]], [-1.0, 0.0]),
-        Edge::Right => ([[c, 1.0], [c, 0.0]], [1.0, 0.0]),
-        Edge::Bottom => ([[1.0, c], [0.0, c]], [0.0, -1.0]),
-        Edge::Top => ([[0.0, c], [1.0, c]], [0.0, 1.0]),
+    let line = match edge {
+        Edge::Left => [[c, 0.0], [c, 1.0]],
+        Edge::Right => [[c, 1.0], [c, 0.0]],
+        Edge::Bottom => [[1.0, c], [0.0, c]],
+        Edge::Top => [[0.0, c], [1.0, c]],
     };
     let relation = if edge.is_max() { " > " } else { " < " };
-    let beyond = Formula::default()
-        .sym(axis_symbol(edge.axis()))
-        .sym(relation)
-        .num(c);
     let border = Mark::new(Role::Signal, Shape::Border(edge.axis(), c));
     [
         Mark::new(Role::Signal, Shape::HalfPlane(line))
             .labelled(border_equation(window, edge))
             .linked(edge_link(edge)),
-        border.labelled(beyond).toward(outwards),
+        border
+            .labelled(side_formula(window, edge, relation))
+            .toward(outwards(edge)),
     ]
+}
+
+/// The direction out of the window across a side.
+const fn outwards(edge: Edge) -> [f64; 2] {
+    match edge {
+        Edge::Left => [-1.0, 0.0],
+        Edge::Right => [1.0, 0.0],
+        Edge::Bottom => [0.0, -1.0],
+        Edge::Top => [0.0, 1.0],
+    }
+}
+
+/// `y > 1`
+fn side_formula(window: &Window, edge: Edge, relation: &'static str) -> Formula {
+    Formula::default()
+        .sym(axis_symbol(edge.axis()))
+        .sym(relation)
+        .num(window.border(edge))
 }
 
 /// A crossing, as this step's subject: `t = 1/4`.
