@@ -58,6 +58,9 @@ pub fn marks<V: Corner>(
         let left = Mark::new(Role::Accent, Shape::Outline(outline(&state.input)));
         marks.extend([cut, left.linked("input")]);
         marks.extend(names(&state.input, Role::Accent, &[], &[]));
+        if state.input.is_empty() {
+            marks.extend(names(&state.passed, Role::Discarded, &state.sides, &[]));
+        }
         marks.extend(bridges(&state.input, &input.region));
         return marks;
     }

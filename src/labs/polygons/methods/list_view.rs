@@ -7,7 +7,7 @@ use crate::{
     },
     figure::{List, ListEntry, ListLink, Lists, Marker, Role},
     labs::words::{name, vertex_symbol},
-    text::Value,
+    text::{Formula, Value},
 };
 
 use super::{
@@ -151,15 +151,15 @@ impl<V: Corner> Pair<'_, V> {
             );
             entry.details = places(&self.input[i]);
             if !is_last {
-                let distance = self.sides.get(i).map(|(d, _)| Value::Number(*d));
-                entry.details.push(distance);
+                let distance = self.sides.get(i).map(|&(d, _)| distance(d));
+                entry.details.insert(usize::from(V::IS_TEXTURED), distance);
             }
             entry.link = (!is_last).then(|| vertex_link(i));
             entry
         };
         let mut columns = columns::<V>();
         if !is_last {
-            columns.push(name("d"));
+            columns.insert(usize::from(V::IS_TEXTURED), name("d"));
         }
         List {
             columns,
@@ -236,17 +236,22 @@ impl<V: Corner> Pair<'_, V> {
     }
 }
 
-/// Over the columns that every list has.
+/// Over the columns that every list has; the one that matters most is first, as there may be room for one alone.
 fn columns<V: Corner>() -> Vec<Value> {
     let texture = V::IS_TEXTURED.then(|| name("(u, v)"));
-    std::iter::once(name("(x, y)")).chain(texture).collect()
+    texture.into_iter().chain([name("(x, y)")]).collect()
 }
 
-/// Where a vertex is, and where in the texture if it has a place there.
+/// `d = −2`.
+fn distance(d: f64) -> Value {
+    Formula::default().sym("d = ").num(d).into()
+}
+
+/// Where in the texture a vertex is, if it has a place there, and where on the stage.
 fn places<V: Corner>(vertex: &V) -> Vec<Option<Value>> {
     let texture = V::IS_TEXTURED.then(|| vertex.uv().map(Value::Point));
     let place = Some(Value::Point(vertex.at().to_array()));
-    std::iter::once(place).chain(texture).collect()
+    texture.into_iter().chain([place]).collect()
 }
 
 #[cfg(test)]
@@ -308,11 +313,7 @@ mod tests {
         ];
         assert_eq!(roles, expected, "S and P are this step's, two are to come");
         assert_eq!(input.entries[2].marker, Some(Marker::Ring), "P is outside");
-        assert_eq!(
-            input.entries[2].details[1],
-            Some(Value::Number(-2.0)),
-            "by 2"
-        );
+        assert_eq!(input.entries[2].details[0], Some(distance(-2.0)), "by 2");
         let last = output.entries.last().expect("I");
         assert_eq!((&last.name, last.role), (&name("I"), Role::Signal));
         assert_eq!(taken(&found), [[1, 2], [2, 2]], "from S and from P");

@@ -207,7 +207,16 @@ fn marks(step: &Step<'_, Pipeline>) -> Vec<Mark> {
     let mut marks = Vec::new();
     if let Some(stage_idx) = state.stage_idx {
         let edge = ClipEdge::new(&input.region, stage_idx, Look::RIGHT);
-        marks.push(edge.mark(Role::Soft));
+        marks.push(edge.mark(match step.event {
+            Some(Event::First { .. } | Event::Test { .. } | Event::Cross { .. }) => Role::Signal,
+            Some(
+                Event::Enter { .. }
+                | Event::Output { .. }
+                | Event::Close { .. }
+                | Event::Done { .. },
+            )
+            | None => Role::Soft,
+        }));
     }
     marks.push(Mark::new(Role::Accent, Shape::Path(outline(&state.output))).linked("output"));
     marks.extend(names(&input.vertices, Role::Soft, &[], &[]));

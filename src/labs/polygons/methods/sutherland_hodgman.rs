@@ -132,12 +132,12 @@ impl<V: Corner, L: Variant> Demo for SutherlandHodgman<V, L> {
 
     fn views(step: &Step<'_, Self>) -> Vec<View> {
         let (input, state, event) = (step.input, step.state, step.event);
-        let mut marks = marks(input, state, event, L::LOOK);
-        if L::DIFFERS_KEY.is_some() && state.outcome.is_some() {
-            marks.extend(right_outline(input, state));
-        }
+        // Under what the mistake leaves, so that it is seen where the two differ.
+        let is_wrong = L::DIFFERS_KEY.is_some() && state.outcome.is_some();
+        let right = is_wrong.then(|| right_outline(input, state)).flatten();
+        let marks = right.into_iter().chain(marks(input, state, event, L::LOOK));
         vec![
-            View::plane(marks),
+            View::plane(marks.collect()),
             View::new(LISTS, Body::Lists(lists(input, state, event))),
         ]
     }
