@@ -103,3 +103,42 @@ fn stop_short(theme: &Theme, pieces: &mut [Piece<'_>]) {
         *tip -= vec2(short.x, short.y);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use egui::{Rect, pos2};
+
+    use super::*;
+    use crate::{figure::Shape, paint::ThemeKind};
+
+    #[test]
+    fn markers_lie_over_strokes_and_arrows_stop_short_of_them() {
+        let viewport = Viewport {
+            rect: Rect::from_min_size(Pos2::ZERO, egui::vec2(200.0, 200.0)),
+            centre: [0.0; 2],
+            scale: 10.0,
+        };
+        let marks = [
+            Mark::new(Role::Ink, Shape::Ring([5.0, 0.0])),
+            Mark::new(Role::Signal, Shape::Arrow([[0.0, 0.0], [5.0, 0.0]])),
+            Mark::new(Role::Ink, Shape::Segment([[5.0, 0.0], [5.0, 5.0]])),
+            Mark::new(Role::Signal, Shape::HalfPlane([[0.0, 0.0], [1.0, 0.0]])),
+        ];
+        let theme = Theme::of(ThemeKind::Light);
+        let pieces = pieces(&viewport, theme, &marks, None);
+        let layers: Vec<Layer> = pieces.iter().map(|piece| piece.layer).collect();
+        let expected = [
+            Layer::Wash,
+            Layer::Stroke,
+            Layer::Stroke,
+            Layer::Head,
+            Layer::Marker,
+        ];
+        assert_eq!(layers, expected);
+        let Part::Arrow([from, tip]) = pieces[3].part else {
+            panic!("the arrow is the head's layer");
+        };
+        assert_eq!(from, pos2(100.0, 100.0));
+        assert_eq!(tip, pos2(150.0 - 6.5 - GAP, 100.0));
+    }
+}

@@ -109,3 +109,34 @@ impl Line {
             .collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use egui::pos2;
+
+    use super::*;
+
+    #[test]
+    fn a_line_is_parted_where_it_turns_sharply_and_nowhere_else() {
+        let [a, b, c, d] =
+            [(0.0, 0.0), (10.0, 1.0), (20.0, 0.0), (0.0, 0.0)].map(|(x, y)| pos2(x, y));
+        let open = Line::new(&[a, b, c, d], false);
+        assert_eq!(open.sharp_turns(), [2]);
+        assert_eq!(open.between(&[2]), [vec![a, b, c], vec![c, d]]);
+        // Closed, its last point is its first.
+        let closed = Line::new(&[a, b, c, d], true);
+        assert_eq!(closed.sharp_turns(), [0, 2]);
+        assert_eq!(closed.between(&[0, 2]), [vec![a, b, c], vec![c, a]]);
+    }
+
+    #[test]
+    fn nothing_is_drawn_of_nothing() {
+        for points in [vec![], vec![Pos2::ZERO], vec![Pos2::ZERO; 3]] {
+            for is_closed in [false, true] {
+                let line = Line::new(&points, is_closed);
+                assert!(line.sharp_turns().is_empty());
+                assert!(line.around(0).len() < 2);
+            }
+        }
+    }
+}

@@ -34,7 +34,7 @@ pub fn column_title(
         ];
         let name = Span::text(name, strong, theme.ink);
         let name = Typeset::wrapped(painter, &[name], width);
-        let note = note.map(|note| Span::text(&format!("≠ {note}"), plain, theme.signal));
+        let note = note.map(|note| Span::text(&format!("≠ {note}"), plain, theme.signal_text));
         let note = note.map(|note| Typeset::wrapped(painter, &[note], width));
         let note_width = note.as_ref().map_or(0.0, |note| GAP_PTS + note.size().x);
         let is_beside = name.size().x + note_width <= width;

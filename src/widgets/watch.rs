@@ -147,7 +147,11 @@ impl<'a> Table<'a> {
                 .rect_filled(rect.expand2(vec2(8.0, 0.0)), 0.0, theme.accent_wash);
         }
         let y = rect.center().y;
-        let value_colour = if row.changed { theme.signal } else { theme.ink };
+        let value_colour = if row.changed {
+            theme.signal_text
+        } else {
+            theme.ink
+        };
         if row.changed {
             ui.painter()
                 .circle_filled(pos2(rect.left() + 1.0, y), 2.5, theme.signal);
