@@ -292,8 +292,8 @@ wa-done-crossing =
     { $n ->
        *[other] 完成：共 { $n } 块。
     }
-wa-list-subject = 被裁剪多边形的顶点表
-wa-list-clip = 裁剪多边形的顶点表
+wa-list-subject = 被裁剪多边形
+wa-list-clip = 裁剪多边形
 wa-row-start = 起点
 wa-row-path = 路径顶点数
 wa-row-rings = 已闭合的环

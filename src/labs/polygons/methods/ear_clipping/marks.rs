@@ -48,7 +48,11 @@ fn event_marks(step: &Step<'_, EarClipping>) -> Vec<Mark> {
         Some(Event::Candidate { .. } | Event::Last { .. }) => candidate(Role::Signal),
         Some(Event::Blocked { by_idx, .. }) => {
             let mut marks: Vec<Mark> = candidate(Role::Signal);
-            marks.extend(state.candidate.into_iter().flatten().map(|corner| {
+            // Where it is no neighbour: an edge is there already.
+            let [prev, _, next] = state.ring.corner(by_idx);
+            let corners = state.candidate.into_iter().flatten();
+            let others = corners.filter(|&corner| corner != prev && corner != next);
+            marks.extend(others.map(|corner| {
                 let ends = [by_idx, corner].map(|i| state.cut_off.at(i).to_array());
                 Mark::new(Role::Soft, Shape::Segment(ends)).dashed()
             }));

@@ -137,10 +137,16 @@ fn vertices(step: &Step<'_, WeilerAtherton>, standing: &Standing) -> Vec<Mark> {
                 role => role,
             };
             let at = names::border(step.input, list).points()[vertex_idx].to_array();
-            let mark = Mark::new(role, Shape::Vertex(at));
             let link = names::vertex_link(list, vertex_idx);
+            let mark = Mark::new(role, Shape::Vertex(at)).linked(link);
             let label = name(names::vertex(step.input, list, vertex_idx));
-            node.is_none().then(|| mark.labelled(label).linked(link))
+            // Of the answer's names none is to be crowded out by what has been dropped.
+            let mark = if role == Role::Discarded {
+                mark
+            } else {
+                mark.labelled(label)
+            };
+            node.is_none().then_some(mark)
         };
         (0..standing::len(step, list)).filter_map(own)
     };
