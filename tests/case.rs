@@ -356,3 +356,18 @@ fn a_terminals_lines_are_at_most_a_hundred_columns_wide() {
         }
     }
 }
+
+#[test]
+fn a_case_can_name_only_the_solvers_that_are_handed_in() {
+    static TABLE: [Solver; 1] = [Solver::of::<clipscope::algo::line::LiangBarsky>()];
+    static TABLES: [&[Solver]; 1] = [&TABLE];
+    let solvers = Solvers::new(&TABLES);
+    let case = |algorithm: &str| {
+        format!(r#"{{"algorithm": "{algorithm}", "window": [-1,-1,1,1], "segment": [0,0,2,0]}}"#)
+    };
+    let answer = |algorithm: &str| read(solvers, Line::Bytes(case(algorithm).as_bytes()));
+    assert!(answer("liang-barsky").is_ok());
+    let refused = answer("cyrus-beck").err().expect("an unknown algorithm");
+    assert_eq!(refused.refusal.code, Code::UnknownAlgorithm);
+    assert!(refused.refusal.message().ends_with("Known: liang-barsky."));
+}
