@@ -118,12 +118,12 @@ fn marker(state: &State, vertex_idx: usize) -> Option<Marker> {
 /// candidate has been decided; its own corners are none.
 fn rivals(step: &Step<'_, EarClipping>) -> List {
     let state = step.state;
-    let candidate = match step.event {
-        Some(Event::Candidate { .. } | Event::Blocked { .. } | Event::Ear { .. }) => {
-            state.candidate
-        }
-        _ => None,
-    };
+    let is_candidate = matches!(step.event, Some(Event::Candidate { .. }));
+    let is_ear = matches!(step.event, Some(Event::Ear { .. }));
+    let is_blocked = matches!(step.event, Some(Event::Blocked { .. }));
+    let is_asked = is_candidate || is_ear || is_blocked;
+    let candidate = state.candidate.filter(|_| is_asked);
+    let blocks = state.blocked_by.filter(|_| is_blocked);
     let is_rival = |&i: &usize| {
         let is_not_convex = state.corners[i].is_some_and(|corner| corner != Corner::Convex);
         is_not_convex && !state.is_done
@@ -131,22 +131,20 @@ fn rivals(step: &Step<'_, EarClipping>) -> List {
     let mut vertices: Vec<usize> = state.ring.iter().filter(is_rival).collect();
     let x = |i: usize| state.cut_off.at(i).x();
     vertices.sort_by(|&i, &j| x(i).total_cmp(&x(j)));
-    let blocks = match step.event {
-        Some(Event::Blocked { by_idx, .. }) => Some(by_idx),
-        _ => None,
-    };
     let place = blocks.and_then(|by_idx| vertices.iter().position(|&i| i == by_idx));
     let reach = List::reach(vertices.len(), place);
     let entry = |&i: &usize| {
         let is_own = candidate.is_some_and(|candidate| candidate.contains(&i));
-        let (role, fate) = match step.event {
-            _ if is_own => (Role::Discarded, None),
-            Some(Event::Blocked { by_idx, .. }) if by_idx == i => {
-                (Role::Signal, Some("ear-inside"))
-            }
-            Some(Event::Ear { .. }) => (Role::Soft, Some("ear-outside")),
-            Some(Event::Candidate { .. }) => (Role::Ink, None),
-            _ => (Role::Soft, None),
+        let (role, fate) = if is_own {
+            (Role::Discarded, None)
+        } else if blocks == Some(i) {
+            (Role::Signal, Some("ear-inside"))
+        } else if is_ear {
+            (Role::Soft, Some("ear-outside"))
+        } else if is_candidate {
+            (Role::Ink, None)
+        } else {
+            (Role::Soft, None)
         };
         ListEntry {
             details: vec![fate.map(Value::Term)],
