@@ -1,6 +1,7 @@
 //! Pixel snapshots of every lesson figure. They are exact: the painter gives the same bytes everywhere.
 //!
-//! When a picture is meant to change, look at both (`target/figures/` holds the new one), then run
+//! When a picture is meant to change, look at both (`target/figures/` holds the accepted one, the new one and their
+//! difference), then run
 //! `CLIPSCOPE_BLESS=1 cargo test --test figures` to accept.
 #![cfg(feature = "gui")]
 #![allow(
@@ -8,11 +9,8 @@
     reason = "a test that cannot be set up should stop where it stands"
 )]
 
-use std::{
-    collections::BTreeSet,
-    env, fs,
-    path::{Path, PathBuf},
-};
+#[path = "shared/pictures.rs"]
+mod pictures;
 
 use clipscope::{
     export::{Options, Steps, jobs},
@@ -20,6 +18,8 @@ use clipscope::{
     paint::{Headless, ThemeKind},
     text::Lang,
 };
+
+use pictures::Pictures;
 
 /// A quarter of a slide along each side keeps some forty pictures under half a megabyte.
 const SIZE_PX: [u32; 2] = [480, 270];
@@ -31,58 +31,15 @@ const OPTIONS: Options = Options {
     steps: Steps::Figures,
 };
 
-fn folder(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join(name)
-}
-
 #[test]
 fn every_figure_is_as_accepted() {
     let course = Course::embedded();
-    let bless = env::var_os("CLIPSCOPE_BLESS").is_some();
-    let (accepted, drawn) = (folder("tests/figures"), folder("target/figures"));
     let mut table = Headless::new(OPTIONS.theme);
-    let mut changed = Vec::new();
-    let mut known = BTreeSet::new();
+    let mut pictures = Pictures::of("figures");
     for job in jobs(&course.lessons, OPTIONS.steps) {
-        let png = job.png(&mut table, &OPTIONS);
-        let path = accepted.join(&job.path);
-        known.insert(path.clone());
-        if fs::read(&path).is_ok_and(|old| old == png) {
-            continue;
-        }
-        let target = if bless { path } else { drawn.join(&job.path) };
-        fs::create_dir_all(target.parent().unwrap()).unwrap();
-        fs::write(target, png).unwrap();
-        changed.push(job.path.clone());
+        pictures.check(&job.path, &job.png(&mut table, &OPTIONS));
     }
-    for path in pictures_below(&accepted) {
-        if !known.contains(&path) {
-            if bless {
-                fs::remove_file(&path).unwrap();
-            }
-            changed.push(format!("{} is no figure of the course", path.display()));
-        }
-    }
-    assert!(
-        bless || changed.is_empty(),
-        "these figures differ from tests/figures; the new ones lie in target/figures: {changed:#?}"
-    );
-}
-
-fn pictures_below(folder: &Path) -> Vec<PathBuf> {
-    let Ok(entries) = fs::read_dir(folder) else {
-        return Vec::new();
-    };
-    entries
-        .map(|entry| entry.unwrap().path())
-        .flat_map(|path| {
-            if path.is_dir() {
-                pictures_below(&path)
-            } else {
-                vec![path]
-            }
-        })
-        .collect()
+    pictures.finish();
 }
 
 #[test]
