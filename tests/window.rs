@@ -68,7 +68,7 @@ fn window(
         ..Settings::default()
     };
     let mut app = App::new(course.clone(), settings);
-    app.seek(step.position);
+    app.seek(step.position().unwrap());
     let image = table.draw(vec2(1280.0, 720.0), 1.0, |ui| app.ui(ui));
     image.to_png()
 }

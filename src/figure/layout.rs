@@ -216,29 +216,32 @@ impl Sheet {
         let high = (height - taken - inset).round();
         let drawn = Slot::new(left.min, [size[0].min(most[0]), high.min(most[1])]);
         let mut slots = vec![(drawing.id, drawn)];
-        let mut place = |column: Slot, needs: &[&Need], heights: &[f32]| {
-            let mut rest = column;
-            for (need, &height) in needs.iter().zip(heights) {
-                let mut slot = rest.take_top(height);
-                // What stands under the drawing for want of room is no wider than it would be beside it.
-                let natural = need.natural[0] * self.em;
-                slot.max[0] = slot.max[0].min((slot.min[0] + natural).round());
-                slots.push((need.id, slot));
-                rest.take_top(gap_y);
-            }
-        };
         let mut below = Slot {
             min: [drawn.min[0], drawn.max[1]],
             max: [drawn.max[0], stage.max[1]],
         };
         below.take_top(gap_y);
-        place(below, &under, &strips);
+        slots.extend(self.stack(below, &under, &strips));
         let side = Slot {
             min: [left.max[0] + gap_x.round(), stage.min[1] + self.inset],
             max: [stage.max[0] - self.inset, stage.max[1] - self.inset],
         };
         let heights = self.heights(&beside, side.size()[1] + gap_y);
-        place(side, &beside, &heights);
+        slots.extend(self.stack(side, &beside, &heights));
+        slots
+    }
+
+    /// Views above each other, from the top of a column.
+    fn stack(&self, mut rest: Slot, needs: &[&Need], heights: &[f32]) -> Vec<(ViewId, Slot)> {
+        let mut slots = Vec::new();
+        for (need, &height) in needs.iter().zip(heights) {
+            let mut slot = rest.take_top(height);
+            // What stands under the drawing for want of room is no wider than it would be beside it.
+            let natural = (slot.min[0] + need.natural[0] * self.em).round();
+            slot.max[0] = slot.max[0].min(natural);
+            slots.push((need.id, slot));
+            rest.take_top(GAP[1] * self.em);
+        }
         slots
     }
 
@@ -265,5 +268,91 @@ impl Sheet {
             (low + part * (high - low)) * self.em
         };
         needs.iter().map(height).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn need(id: &'static str, stand: Stand, least: [f32; 2], natural: [f32; 2]) -> Need {
+        let id = ViewId(id);
+        Need {
+            id,
+            stand,
+            least,
+            natural,
+        }
+    }
+
+    fn sheet(size: [f32; 2], em: f32) -> Sheet {
+        Sheet {
+            area: Slot::new([0.0; 2], size),
+            em,
+            margin: 48.0,
+            inset: 0.0,
+            gutter: 40.0,
+            title: 40.0,
+            name: 0.0,
+            over_caption: 18.0,
+            caption: 60.0,
+            cost: 0.0,
+        }
+    }
+
+    fn needs() -> Vec<Need> {
+        vec![
+            need("plane", Stand::Drawing, [22.0, 11.0], [30.0, 24.0]),
+            need("line", Stand::Under, [14.0, 6.0], [60.0, 8.0]),
+            need("table", Stand::Beside, [20.0, 12.0], [30.0, 20.0]),
+            need("note", Stand::Beside, [10.0, 4.0], [20.0, 8.0]),
+        ]
+    }
+
+    fn is_apart(a: Slot, b: Slot) -> bool {
+        (0..2).any(|i| a.max[i] <= b.min[i] || b.max[i] <= a.min[i])
+    }
+
+    #[test]
+    fn nothing_overlaps_or_leaves_the_sheet_at_any_size() {
+        for em in [13.0, 18.2] {
+            for width in (100..2000).step_by(90) {
+                for height in (80..1200).step_by(70) {
+                    let size = [width as f32, height as f32];
+                    let layout = sheet(size, em).lay_out(&[needs(), needs()[..2].to_vec()]);
+                    for column in &layout.columns {
+                        let slots: Vec<Slot> = column.views.iter().map(|(_, slot)| *slot).collect();
+                        for (i, &slot) in slots.iter().enumerate() {
+                            let others = slots[..i].iter();
+                            assert!(others.copied().all(|other| is_apart(slot, other)));
+                            assert!(slot.max[1] <= column.caption.min[1], "{size:?} {slot:?}");
+                        }
+                    }
+                    let [a, b] = [0, 1].map(|i| layout.columns[i].views[0].1.size());
+                    assert!((a[0] - b[0]).abs() <= 1.0 && a[1] == b[1], "one scale");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_table_stands_beside_the_drawing_from_its_height_and_an_axis_under_it_at_its_width() {
+        let layout = sheet([960.0, 540.0], 13.0).lay_out(&[needs()]);
+        let slot = |id| layout.columns[0].slot(ViewId(id)).unwrap();
+        let [plane, line, table] = ["plane", "line", "table"].map(slot);
+        assert_eq!(table.min[1], plane.min[1]);
+        assert!(table.min[0] > plane.max[0]);
+        assert_eq!([line.min[0], line.max[0]], [plane.min[0], plane.max[0]]);
+        assert!(line.min[1] > plane.max[1]);
+    }
+
+    #[test]
+    fn what_has_no_room_is_left_out_from_the_last_on() {
+        let shown = |size| {
+            let layout = sheet(size, 13.0).lay_out(&[needs()]);
+            layout.columns[0].views.len()
+        };
+        assert_eq!(shown([960.0, 540.0]), 4);
+        assert_eq!(shown([400.0, 200.0]), 1);
     }
 }
