@@ -24,18 +24,10 @@ use on_slate::OnSlate;
 
 /// Draws a view of any kind but the drawing in `rect`, from its top; what it shows under the pointer.
 pub fn view(ui: &Ui, look: Look<'_>, rect: Rect, shown: &View, lit: Option<Link>) -> Option<Link> {
-    let body: &dyn OnSlate = match &shown.body {
-        Body::Plane(_) => return None,
-        Body::Space(body) => {
-            return space::space(ui, look, rect, (shown.id, body, &body.eye), lit);
-        }
-        Body::Bits(body) => body,
-        Body::Table(body) => body,
-        Body::Lists(body) => body,
-        Body::Products(body) => body,
-        Body::NumberLine(body) => body,
-        Body::Clippers(body) => body,
-    };
+    if let Body::Space(body) = &shown.body {
+        return space::space(ui, look, rect, (shown.id, body, &body.eye), lit);
+    }
+    let body = body_of(shown)?;
     // Two columns may stand side by side, each with views of its own.
     let id = ui.scope_id().with((shown.id, rect.left() as i32));
     let response = ui.interact(rect, id, Sense::hover());
@@ -50,4 +42,17 @@ pub fn view(ui: &Ui, look: Look<'_>, rect: Rect, shown: &View, lit: Option<Link>
     let mut slate = body.slate(&painter, look, rect);
     body.draw(&mut slate, rect, &mut links);
     links.pointed
+}
+
+/// What is drawn on a slate: everything but drawings.
+fn body_of(shown: &View) -> Option<&dyn OnSlate> {
+    Some(match &shown.body {
+        Body::Plane(_) | Body::Space(_) => return None,
+        Body::Bits(body) => body,
+        Body::Table(body) => body,
+        Body::Lists(body) => body,
+        Body::Products(body) => body,
+        Body::NumberLine(body) => body,
+        Body::Clippers(body) => body,
+    })
 }

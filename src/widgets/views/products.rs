@@ -61,13 +61,15 @@ impl OnSlate for Products {
         let height = room.min(slate.pts(HEIGHTS[1])).max(least);
         let drawing = vec2(slate.pts(WIDTH), height);
         let scale = vectors::common_scale(slate, &self.products, drawing);
+        let one_is_current = self.products.iter().any(|product| product.is_current);
         let mut top = rect.top();
         for product in &self.products {
             let place = Rect::from_min_size(pos2(rect.left(), top), drawing);
             vectors::draw(slate, place, product, scale);
             let left = place.right() + slate.pts(ASIDE);
             let words = Rect::from_x_y_ranges(left..=rect.right().max(left + 1.0), place.y_range());
-            told(slate, words, product);
+            // While one is worked out, the other steps back.
+            told(slate, words, product, one_is_current && !product.is_current);
             top = place.bottom() + slate.pts(GAP);
         }
         if let Some(measured) = measured {
@@ -99,7 +101,7 @@ fn n_kept(products: &Products) -> f32 {
 fn wanted(slate: &Slate<'_>, products: &Products, room: f32) -> Vec2 {
     let aside = slate.pts(WIDTH + ASIDE);
     let widths = products.products.iter().map(|product| {
-        let [decision, arithmetic] = words(slate, product, room - aside);
+        let [decision, arithmetic] = words(slate, product, (room - aside, false));
         decision.size().x.max(arithmetic.size().x)
     });
     let told = widths.fold(0.0, f32::max);
@@ -110,13 +112,9 @@ fn wanted(slate: &Slate<'_>, products: &Products, room: f32) -> Vec2 {
 }
 
 /// What is said of a product: its decision, and the arithmetic under it.
-fn words(slate: &Slate<'_>, product: &Product, width: f32) -> [Typeset; 2] {
+fn words(slate: &Slate<'_>, product: &Product, (width, is_soft): (f32, bool)) -> [Typeset; 2] {
     let theme = slate.theme();
-    let ink = if product.is_current {
-        theme.ink
-    } else {
-        theme.soft
-    };
+    let ink = if is_soft { theme.soft } else { theme.ink };
     let width = width.min(slate.pts(MOST_WORDS)).max(slate.pts(LEAST_WORDS));
     let soft = (Face::Plain, ARITHMETIC_SIZE, theme.soft);
     [
@@ -129,14 +127,14 @@ fn words(slate: &Slate<'_>, product: &Product, width: f32) -> [Typeset; 2] {
 fn least_height(slate: &Slate<'_>, products: &Products, room: f32) -> f32 {
     let width = room - slate.pts(WIDTH + ASIDE);
     let heights = products.products.iter().map(|product| {
-        let [decision, arithmetic] = words(slate, product, width);
+        let [decision, arithmetic] = words(slate, product, (width, false));
         decision.size().y + slate.pts(AIR) + arithmetic.size().y
     });
     heights.fold(slate.pts(HEIGHTS[0]), f32::max)
 }
 
-fn told(slate: &mut Slate<'_>, place: Rect, product: &Product) {
-    let [decision, arithmetic] = words(slate, product, place.width());
+fn told(slate: &mut Slate<'_>, place: Rect, product: &Product, is_soft: bool) {
+    let [decision, arithmetic] = words(slate, product, (place.width(), is_soft));
     let height = decision.size().y + slate.pts(AIR) + arithmetic.size().y;
     let top = place.center().y - 0.5 * height;
     let put = slate.put(&decision, pos2(place.left(), top), Align2::LEFT_TOP);

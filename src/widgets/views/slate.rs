@@ -64,7 +64,7 @@ impl<'a> Slate<'a> {
         let mut slate = Self::new(painter, look);
         let least = LEAST_SCALE * slate.scale;
         // Text does not shrink evenly, as glyphs stand on whole pixels: what comes out is measured again.
-        for _ in 0..3 {
+        for _ in 0..6 {
             let wanted = wanted(&slate);
             let part = (room.x / wanted.x).min(room.y / wanted.y);
             if part >= 1.0 || slate.scale <= least {

@@ -8,18 +8,20 @@ use egui::{Rect, Vec2, pos2, vec2};
 
 use super::{
     super::Look,
+    body_of,
     links::Links,
     on_slate::OnSlate,
     slate::{Slate, crosses},
 };
 use crate::{
+    figure::{Body, View},
+    lesson::Course,
     paint::{Headless, ThemeKind},
     text::{Catalog, Lang},
 };
 
 /// Draws a view in a room of this size; where its text stands, and the lines it keeps clear of.
-fn drawn(name: &str, kind: ThemeKind, lang: Lang, room: Vec2, view: &dyn OnSlate) -> Placed {
-    let mut table = Headless::new(kind);
+fn drawn(table: &mut Headless, name: &str, lang: Lang, room: Vec2, view: &dyn OnSlate) -> Placed {
     let look = Look {
         theme: table.theme(),
         catalog: Catalog::of(lang),
@@ -37,10 +39,8 @@ fn drawn(name: &str, kind: ThemeKind, lang: Lang, room: Vec2, view: &dyn OnSlate
         placed = Placed::of(slate, rect);
     });
     if let Ok(folder) = std::env::var("CLIPSCOPE_SAMPLES") {
-        let path = format!(
-            "{folder}/view-{name}-{kind}-{lang}-{}x{}.png",
-            room.x, room.y
-        );
+        let (kind, Vec2 { x, y }) = (look.theme.kind, room);
+        let path = format!("{folder}/view-{name}-{kind}-{lang}-{x}x{y}.png");
         std::fs::write(path, image.to_png()).expect("a folder that can be written");
     }
     placed
@@ -62,35 +62,41 @@ impl Placed {
         }
     }
 
-    /// No text covers another, is struck by a line, or stands out of the room.
-    fn check(&self, what: &str) {
-        let room = self.room.expect("drawn").expand(1.0);
-        assert!(!self.texts.is_empty(), "{what}: nothing is said");
+    /// Text that covers another, is struck by a line, or stands out of the room.
+    fn fault(&self) -> Option<String> {
+        let room = self.room?.expand(1.0);
         for (i, text) in self.texts.iter().enumerate() {
-            assert!(
-                room.contains_rect(*text),
-                "{what}: {text:?} leaves {room:?}"
-            );
+            if !room.contains_rect(*text) {
+                return Some(format!("{text:?} leaves {room:?}"));
+            }
             for other in &self.texts[..i] {
                 let both = text.intersect(*other);
-                let is_apart = both.width() <= 0.5 || both.height() <= 0.5;
-                assert!(is_apart, "{what}: {text:?} covers {other:?}");
+                if both.width() > 0.5 && both.height() > 0.5 {
+                    return Some(format!("{text:?} covers {other:?}"));
+                }
             }
             // Boxes of text have white space at their top and bottom.
             let core = text.shrink2(vec2(0.5, 0.15 * text.height()));
-            let struck = self.strokes.iter().find(|&&stroke| crosses(stroke, core));
-            assert!(struck.is_none(), "{what}: {struck:?} strikes {text:?}");
+            if let Some(stroke) = self.strokes.iter().find(|&&stroke| crosses(stroke, core)) {
+                return Some(format!("{stroke:?} strikes {text:?}"));
+            }
         }
+        self.texts.is_empty().then(|| "nothing is said".to_owned())
+    }
+
+    fn check(&self, what: &str) {
+        assert_eq!(self.fault(), None, "{what}");
     }
 }
 
 /// A view in every theme and language, with as much room as beside a drawing and with less.
 fn check(name: &str, rooms: &[Vec2], view: &dyn OnSlate) {
     for kind in ThemeKind::ALL {
+        let mut table = Headless::new(kind);
         for lang in Lang::ALL {
             for &room in rooms {
                 let what = format!("{name}, {kind}, {lang}, {room:?}");
-                drawn(name, kind, lang, room, view).check(&what);
+                drawn(&mut table, name, lang, room, view).check(&what);
             }
         }
     }
@@ -146,4 +152,39 @@ fn an_empty_interval_is_crossed_over() {
 fn coordinates_of_a_pipeline_are_whole() {
     let rooms = [vec2(900.0, 100.0), vec2(560.0, 120.0), vec2(420.0, 120.0)];
     check("clippers", &rooms, &data::polygons::pipeline());
+}
+
+/// Beside the drawing of a page, and under it.
+fn room_on_a_page(view: &View) -> Vec2 {
+    match view.body {
+        Body::NumberLine(_) | Body::Clippers(_) => vec2(540.0, 112.0),
+        Body::Plane(_)
+        | Body::Space(_)
+        | Body::Bits(_)
+        | Body::Table(_)
+        | Body::Lists(_)
+        | Body::Products(_) => vec2(390.0, 380.0),
+    }
+}
+
+#[test]
+fn nothing_overlaps_in_the_figures_of_the_course() {
+    let mut table = Headless::new(ThemeKind::Light);
+    let course = Course::embedded();
+    let mut faults = Vec::new();
+    for lesson in &course.lessons {
+        for step in lesson.steps.iter().filter(|step| step.figure.is_some()) {
+            for run in step.scene.document().record() {
+                let frame = run.frame(step.position.min(run.n_steps()));
+                for view in &frame.views {
+                    let Some(body) = body_of(view) else { continue };
+                    let name = format!("{}-{}-{}", lesson.id, step.id, view.id.0);
+                    let room = room_on_a_page(view);
+                    let placed = drawn(&mut table, &name, Lang::En, room, body);
+                    faults.extend(placed.fault().map(|fault| format!("{name}: {fault}")));
+                }
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{faults:#?}");
 }

@@ -75,6 +75,11 @@ impl Axis {
             let stroke = slate.stroke(4.0, slate.theme().accent);
             let [low, high] = line.interval.map(|u| self.at(u));
             slate.line([low, high], stroke);
+            if high.x - low.x < stroke.width {
+                // A point is left, and is seen.
+                let r = slate.pts(3.5);
+                slate.painter.circle_filled(low, r, slate.theme().accent);
+            }
         }
         for tick in line.ticks.iter().filter(|tick| !tick.holds) {
             self.tick(slate, tick);

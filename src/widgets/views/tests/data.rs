@@ -161,16 +161,11 @@ fn vector(symbol: &str, to: [f64; 2], role: Role) -> Vector {
     }
 }
 
-fn product(
-    of: Vector,
-    decision: &'static str,
-    arithmetic: &'static str,
-    is_current: bool,
-) -> Product {
+fn product(of: Vector, decision: Message, arithmetic: &'static str, is_current: bool) -> Product {
     Product {
         onto: vector("n", [3.0, 2.0], Role::Signal),
         of,
-        decision: Message::new(decision),
+        decision,
         arithmetic: sym(arithmetic),
         is_current,
     }
@@ -179,14 +174,18 @@ fn product(
 /// C4: the line enters, P₁ is outside.
 pub fn normal() -> Products {
     let d = vector("D", [11.0, -3.0], Role::Accent);
+    let enters = Message::new("cb-sign-enters").with("product", name("n·D"));
+    let outside = Message::new("cb-sign-outside")
+        .with("product", name("n·(P₁ − E)"))
+        .with("end", name("P₁"));
     let e = vector("P₁ − E", [-3.0, 0.0], Role::Ink);
     Products {
         products: vec![
-            product(d, "cs-note-and", "3·11 + 2·(−3) = 27", true),
-            product(e, "cs-note-and", "3·(−3) + 2·0 = −9", false),
+            product(d, enters, "3·11 + 2·(−3) = 27", true),
+            product(e, outside, "3·(−3) + 2·0 = −9", false),
         ],
         measured: Some(Measured {
-            title: Message::new("cs-note-and"),
+            title: Message::new("cb-measured").with("normal", name("n")),
             zero: name("edge"),
             ends: [(name("P₁"), -9.0), (name("P₂"), 18.0)],
             spans: vec![
