@@ -175,7 +175,7 @@ fn nothing_overlaps_in_the_figures_of_the_course() {
     for lesson in &course.lessons {
         for step in lesson.steps.iter().filter(|step| step.figure.is_some()) {
             for run in step.scene.document().record() {
-                let frame = run.frame(step.position.min(run.n_steps()));
+                let frame = run.frame(step.position().unwrap_or(run.n_steps()).min(run.n_steps()));
                 for view in &frame.views {
                     let Some(body) = body_of(view) else { continue };
                     let name = format!("{}-{}-{}", lesson.id, step.id, view.id.0);
