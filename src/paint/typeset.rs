@@ -82,13 +82,13 @@ impl Typeset {
     pub fn wrapped(painter: &Painter, spans: &[Span], width: f32) -> Self {
         let script = Script::new(spans);
         let whole = SetRow::new(painter, &script, 0..script.chars.len());
-        let lines = breaks::lines(&script.chars, &whole.places, width);
-        if lines.len() < 2 {
+        let rows = breaks::rows(&script.chars, &whole.places, width);
+        if rows.len() < 2 {
             return Self::of_rows(&[whole], &script);
         }
-        let rows: Vec<SetRow> = lines
+        let rows: Vec<SetRow> = rows
             .into_iter()
-            .map(|line| SetRow::new(painter, &script, line))
+            .map(|row| SetRow::new(painter, &script, row))
             .collect();
         Self::of_rows(&rows, &script)
     }

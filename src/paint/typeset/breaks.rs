@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::script::{Char, Gap};
 
 /// Characters in lines of at most `width`, given where on one long line each begins and ends.
-pub fn lines(chars: &[Char], places: &[[f32; 2]], width: f32) -> Vec<Range<usize>> {
+pub fn rows(chars: &[Char], places: &[[f32; 2]], width: f32) -> Vec<Range<usize>> {
     let mut lines = Lines {
         chars,
         places,
