@@ -76,7 +76,7 @@ impl App {
             | Command::Snap(_)
             | Command::Measure(_)
             | Command::Dismiss => self.apply_shown(ctx, &command),
-            Command::View(..) | Command::FitView | Command::Zoom(_) => {
+            Command::View(..) | Command::Turn(..) | Command::FitView | Command::Zoom(_) => {
                 self.stage.look(ctx, self.document.now(), &command);
             }
             _ => self.apply_transport(&command),

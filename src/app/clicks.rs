@@ -3,26 +3,35 @@
 use egui::Ui;
 
 use crate::{
-    figure::ViewId,
+    figure::{Lens, ViewId},
+    geom::Orbit,
     labs::{Click, Edit, Handle, Lock},
-    widgets::{CanvasShown, Gesture as HandleGesture, place_at},
+    paint::Viewport,
+    panels::moved_to,
+    widgets::{CanvasShown, Gesture as HandleGesture, PanZoom, place_at},
 };
 
 use super::{Command, document::Gesture, model::Model, stage_state::StageState};
 
 /// A click this near to a segment or an edge, in points, is on it.
 const CLICK_REACH: f64 = 8.0;
+/// An eye goes round by so many degrees while the pointer crosses half the height of the picture.
+const TURN_DEG: f64 = 90.0;
 
 /// What was done to a canvas with these handles and locks.
 pub fn ask(
     model: &Model<'_>,
     ui: &Ui,
     shown: &CanvasShown,
+    (id, lens): (ViewId, Lens),
     (handles, locks): (&[Handle], &[Lock]),
     state: &StageState,
     commands: &mut Vec<Command>,
 ) {
-    commands.extend(shown.view.map(|view| Command::View(ViewId::PLANE, view)));
+    commands.extend(shown.view.map(|view| match lens {
+        Lens::Plane => Command::View(id, view),
+        Lens::Eye(eye) => Command::Turn(id, turned(eye, &shown.viewport, view)),
+    }));
     if let Some(moved) = shown.moved {
         let handle = handles[moved.spot];
         let gesture = match moved.by {
@@ -32,10 +41,9 @@ pub fn ask(
         if handle.kind().is_vertex && state.selected != Some(handle) {
             commands.push(Command::Select(handle));
         }
-        commands.push(Command::Edit(
-            Edit::Drag(handle, [moved.to[0], moved.to[1], 0.0]),
-            Some(gesture),
-        ));
+        let from = model.scene.document().position(handle);
+        let to = from.map(|from| moved_to(&lens, handle.kind().motion, from, moved.to));
+        commands.extend(to.map(|to| Command::Edit(Edit::Drag(handle, to), Some(gesture))));
     }
     if shown.released {
         commands.push(Command::EndGesture);
@@ -48,7 +56,7 @@ pub fn ask(
         commands.push(Command::Select(vertex));
         return;
     }
-    let in_space = |[x, y]: [f64; 2]| [x, y, 0.0];
+    let in_space = |at: [f64; 2]| lens.world_from_drawing(at, [0.0; 3]);
     let asked = model.scene.document().click(&Click {
         at: in_space(shown.viewport.to_world(click.at)),
         place: in_space(place_at(ui, &shown.viewport, click.at, model.settings.snap)),
@@ -57,4 +65,10 @@ pub fn ask(
         locks,
     });
     commands.extend(asked.map(|change| Command::Edit(Edit::Own(change), None)));
+}
+
+/// Where an eye has gone that was pushed round instead of panned, and drawn nearer.
+fn turned(eye: Orbit, seen: &Viewport, to: PanZoom) -> Orbit {
+    let by = [0, 1].map(|i| TURN_DEG * (to.centre[i] - seen.centre[i]));
+    eye.turned(by).zoomed(to.scale / seen.scale)
 }

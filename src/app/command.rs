@@ -4,6 +4,7 @@ use egui::{Key, Modifiers};
 
 use crate::{
     figure::ViewId,
+    geom::Orbit,
     labs::{Edit, Handle, OutlineKind},
     lesson::CodeView,
     paint::ThemeKind,
@@ -93,6 +94,8 @@ pub enum Command {
     Snap(bool),
     /// Looks elsewhere.
     View(ViewId, PanZoom),
+    /// Goes round what a view of space shows.
+    Turn(ViewId, Orbit),
     /// Looks at the whole scene.
     FitView,
     /// Looks nearer, or from farther away.

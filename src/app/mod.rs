@@ -205,7 +205,7 @@ impl App {
     /// before the first frame.
     #[must_use]
     pub fn on_screen(&self, world: [f64; 2]) -> Option<Pos2> {
-        self.stage.seen().map(|seen| seen.to_screen(world))
+        self.stage.on_screen([world[0], world[1], 0.0])
     }
 
     /// One frame: takes input, lets time pass, draws everything, and does what was asked for.

@@ -4,7 +4,7 @@
 use egui::{Align2, Id, Rect, Stroke, Ui, UiBuilder, pos2};
 
 use crate::{
-    figure::{Caption, ColumnLayout, Frame, Sheet, ViewId},
+    figure::{Caption, ColumnLayout, Frame, Lens, Sheet, ViewId},
     labs::{Handle, Lock, MethodCard, Sketch},
     paint::{Typeset, Viewport},
     panels::{Reach, spots},
@@ -109,7 +109,8 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
         let inner = UiBuilder::new().max_rect(whole).id_salt(("column", i));
         ui.scope_builder(inner, |ui| {
             ui.set_clip_rect(whole.intersect(ui.clip_rect()));
-            let shown = column.show(model, ui, state, frame);
+            let drawing = state.drawing(frame);
+            let shown = column.show(model, ui, state, frame, drawing);
             state.focused = state
                 .focused
                 .or(shown.focused.and_then(|i| handles.get(i).copied()));
@@ -119,6 +120,7 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
                     model,
                     ui,
                     &shown,
+                    drawing,
                     (hands.handles, hands.locks),
                     state,
                     commands,
@@ -147,14 +149,15 @@ impl Column<'_> {
         ui: &mut Ui,
         state: &mut StageState,
         frame: &Frame,
+        drawing: (ViewId, Lens),
     ) -> CanvasShown {
         let look = model.look;
         let hint = state.sketch.as_ref().map(Sketch::hint);
         let late = || (model.playback.is_late()).then(|| Message::new("run-later"));
         let hint = hint.or_else(late).map(Caption::new);
         let said = hint.as_ref().unwrap_or(&frame.caption);
-        let drawing = self.places.slot(ViewId::PLANE).unwrap_or_default();
-        let shown = self.canvas(model, ui, state, frame, said, rect_of(drawing));
+        let rect = rect_of(self.places.slot(drawing.0).unwrap_or_default());
+        let shown = self.canvas(model, ui, state, (frame, drawing), said, rect);
         let is_one_of_two = model.playback.frames().len() > 1;
         let name = is_one_of_two.then(|| look.say(self.method.name_key));
         let difference = model.playback.difference();
@@ -179,10 +182,11 @@ impl Column<'_> {
         ui: &Ui,
         state: &StageState,
         id: Id,
-        viewport: &Viewport,
+        (viewport, lens): (&Viewport, Lens),
     ) -> Vec<Spot> {
         let reach = Reach {
             viewport,
+            lens,
             // What a drag takes hold of is where the button went down.
             pointer: ui.input(|input| input.pointer.press_origin().or(input.pointer.latest_pos())),
             focused: self.hands.focused,
@@ -198,15 +202,16 @@ impl Column<'_> {
         model: &Model<'_>,
         ui: &mut Ui,
         state: &mut StageState,
-        frame: &Frame,
+        (frame, drawing): (&Frame, (ViewId, Lens)),
         said: &Caption,
         rect: Rect,
     ) -> CanvasShown {
         let look = model.look;
-        let viewport = state.viewport(ViewId::PLANE, rect);
+        let viewport = state.viewport(drawing, rect);
         let lit = state.lit;
         let id = Id::unique(("stage", self.index));
-        let spots = self.spots(model, ui, state, id, &viewport);
+        let is_flat = drawing.1 == Lens::Plane;
+        let spots = self.spots(model, ui, state, id, (&viewport, drawing.1));
         let shown = Canvas {
             id,
             viewport,
@@ -217,8 +222,9 @@ impl Column<'_> {
             ),
             text: caption_text(look.catalog, said),
             spots: &spots,
-            snap: model.settings.snap,
-            marks: state.marks(self.index, model, frame),
+            snap: model.settings.snap && is_flat,
+            has_grid: is_flat,
+            marks: &state.marks(self.index, model, frame, drawing.1),
             lit,
             look,
         }
@@ -230,7 +236,7 @@ impl Column<'_> {
             sketch::draw(model, ui, &viewport, drawn);
         }
         state.pointed_on_stage = state.pointed_on_stage.or(shown.pointed);
-        state.saw(ViewId::PLANE, shown.viewport);
+        state.saw(drawing.0, shown.viewport);
         shown
     }
 }

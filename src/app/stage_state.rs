@@ -1,11 +1,12 @@
 //! What the stage remembers between frames.
 
-use std::collections::BTreeMap;
+use std::{borrow::Cow, collections::BTreeMap};
 
-use egui::{Context, Id, Rect};
+use egui::{Context, Id, Pos2, Rect};
 
 use crate::{
-    figure::{Frame, Link, Mark, ViewId},
+    figure::{Body, Frame, Lens, Link, Mark, View, ViewId, project},
+    geom::Orbit,
     labs::{Handle, Scene, Sketch},
     paint::Viewport,
     widgets::PanZoom,
@@ -18,6 +19,8 @@ use super::{Command, model::Model};
 pub struct StageState {
     /// Views that were panned or zoomed, the same for two methods side by side; others fit `bounds`.
     moved: BTreeMap<ViewId, PanZoom>,
+    /// Eyes that were turned; others stand where their view has them.
+    turned: BTreeMap<ViewId, Orbit>,
     /// What was to be seen when the scene was opened: dragging a handle does not move the view.
     bounds: [[f64; 2]; 2],
     /// What stands out.
@@ -38,6 +41,8 @@ pub struct StageState {
     pub sketch: Option<Sketch>,
     /// Does the scene come from elsewhere than the lesson's step?
     pub is_foreign: bool,
+    /// The drawing that was shown last, and its lens.
+    drawn: Option<(ViewId, Lens)>,
     /// As they were drawn last.
     seen: BTreeMap<ViewId, Viewport>,
     layers: Vec<Layers>,
@@ -64,6 +69,7 @@ impl StageState {
     /// Shows all of a scene.
     pub fn fit(&mut self, scene: &Scene) {
         self.moved.clear();
+        self.turned.clear();
         self.bounds = scene.document().bounds();
     }
 
@@ -77,6 +83,9 @@ impl StageState {
         match *command {
             Command::View(id, pan_zoom) => {
                 self.moved.insert(id, pan_zoom);
+            }
+            Command::Turn(id, eye) => {
+                self.turned.insert(id, eye);
             }
             Command::FitView => self.fit(scene),
             Command::Zoom(factor) => {
@@ -95,9 +104,27 @@ impl StageState {
         }
     }
 
-    /// The part of the world that the drawing showed last.
-    pub fn seen(&self) -> Option<Viewport> {
-        self.seen.get(&ViewId::PLANE).copied()
+    /// Where a point of the world stood on the drawing that was shown last.
+    pub fn on_screen(&self, world: [f64; 3]) -> Option<Pos2> {
+        let (id, lens) = self.drawn?;
+        let seen = self.seen.get(&id)?;
+        Some(seen.to_screen(lens.drawing_from_world(world)?))
+    }
+
+    /// A step's drawing by name, and what it is seen through.
+    pub fn drawing(&mut self, frame: &Frame) -> (ViewId, Lens) {
+        let drawing = match frame.views.first() {
+            Some(View {
+                id,
+                body: Body::Space(space),
+            }) => {
+                let eye = self.turned.get(id).copied();
+                (*id, Lens::Eye(eye.unwrap_or(space.eye)))
+            }
+            _ => (ViewId::PLANE, Lens::Plane),
+        };
+        self.drawn = Some(drawing);
+        drawing
     }
 
     /// Remembers what part of the world a view showed.
@@ -106,13 +133,28 @@ impl StageState {
     }
 
     /// What part of the world a view shows in `rect`.
-    pub fn viewport(&self, id: ViewId, rect: Rect) -> Viewport {
+    pub fn viewport(&self, (id, lens): (ViewId, Lens), rect: Rect) -> Viewport {
+        let bounds = match lens {
+            Lens::Plane => self.bounds,
+            Lens::Eye(_) => [[-1.0; 2], [1.0; 2]],
+        };
         let moved = self.moved.get(&id);
-        moved.map_or_else(|| Viewport::fit(rect, self.bounds), |moved| moved.on(rect))
+        moved.map_or_else(|| Viewport::fit(rect, bounds), |moved| moved.on(rect))
     }
 
     /// What is drawn in a column: the backdrop, and this step's marks over it.
-    pub fn marks(&mut self, column: usize, model: &Model<'_>, frame: &Frame) -> &[Mark] {
+    pub fn marks(
+        &mut self,
+        column: usize,
+        model: &Model<'_>,
+        frame: &Frame,
+        lens: Lens,
+    ) -> Cow<'_, [Mark]> {
+        if let (Lens::Eye(eye), Some(Body::Space(space))) =
+            (lens, frame.views.first().map(|view| &view.body))
+        {
+            return Cow::Owned(project(space, &eye));
+        }
         let transport = model.playback.transport();
         let step = transport.position();
         let method = model
@@ -139,13 +181,13 @@ impl StageState {
         let is_bare = self.sketch.is_some() || model.playback.is_late();
         let layers = &mut self.layers[column];
         if is_bare {
-            return &layers.marks[..layers.n_under];
+            return Cow::Borrowed(&layers.marks[..layers.n_under]);
         }
         if layers.step != step {
             layers.marks.truncate(layers.n_under);
             layers.marks.extend(frame.marks().iter().cloned());
             layers.step = step;
         }
-        &layers.marks
+        Cow::Borrowed(&layers.marks)
     }
 }

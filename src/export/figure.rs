@@ -9,7 +9,7 @@ use crate::{
     text::{Catalog, Lang},
     widgets::{
         Bars, Cost, Look, TEXT_PTS, Words, beside_the_drawing, headline, height_for_all,
-        most_of_a_kind, rect_of, slot_of,
+        most_of_a_kind, rect_of, slot_of, view,
     },
 };
 
@@ -182,8 +182,14 @@ impl Page<'_> {
 
     fn column(&self, ui: &mut Ui, index: usize, column: &Column, places: &ColumnLayout) {
         let Look { catalog, .. } = self.look;
-        if let Some(slot) = places.slot(ViewId::PLANE) {
-            self.drawing(ui, rect_of(slot), index, column);
+        if let Some(first) = column.frame.views.first()
+            && let Some(slot) = places.slot(first.id)
+        {
+            if first.id == ViewId::PLANE {
+                self.drawing(ui, rect_of(slot), index, column);
+            } else {
+                view(ui, self.look, rect_of(slot), first, None);
+            }
         }
         let is_comparison = self.needs.len() > 1;
         let name = is_comparison.then(|| catalog.term(column.method.name_key));

@@ -121,7 +121,7 @@ pub struct Label {
 }
 
 impl Label {
-    fn new(text: impl Into<Value>, mono: bool) -> Self {
+    pub(super) fn new(text: impl Into<Value>, mono: bool) -> Self {
         Self {
             text: text.into(),
             mono,

@@ -25,7 +25,7 @@ pub use lists::{List, ListEntry, ListLink, Lists, Marker};
 pub use mark::{Label, Link, Mark, Role, Shape, Texel};
 pub use moment::{Moment, MomentError};
 pub use products::{Measured, Product, Products, Vector};
-pub use project::project;
+pub use project::{Lens, project};
 pub use run::{Run, Tick};
 pub use space::{Facet, Mark3, Shape3, Space};
 pub use table::{Cell, Table, TableNote, TableRow};

@@ -23,13 +23,48 @@ const BEHIND: f64 = 1e-9;
 /// Parts of a segment shorter than this share of it are what that rounding leaves at its ends, not to be seen.
 const SLIVER: f64 = 1e-6;
 
+/// How places in the world and on a drawing belong together.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Lens {
+    /// The drawing is the plane z = 0.
+    Plane,
+    /// The drawing is what an eye sees.
+    Eye(Orbit),
+}
+
+impl Lens {
+    /// Where a world point is drawn; `None` where it is behind the eye.
+    #[must_use]
+    pub fn drawing_from_world(&self, at: [f64; 3]) -> Option<[f64; 2]> {
+        match self {
+            Self::Plane => Some([at[0], at[1]]),
+            Self::Eye(eye) => {
+                let view = eye.view_from_world(at);
+                (view[2] < -eye.near()).then(|| eye.picture_from_view(view))
+            }
+        }
+    }
+
+    /// The world point of a place on the drawing, as far away as `beside`.
+    #[must_use]
+    pub fn world_from_drawing(&self, at: [f64; 2], beside: [f64; 3]) -> [f64; 3] {
+        match self {
+            Self::Plane => [at[0], at[1], 0.0],
+            Self::Eye(eye) => {
+                let [_, _, depth] = eye.view_from_world(beside);
+                eye.world_from_view(eye.view_from_picture(at, depth))
+            }
+        }
+    }
+}
+
 /// What `eye` sees of a space, on a picture whose lower edge is at y = −1 and upper at 1: the faces, the farthest first,
 /// their edges, then the marks, each in two parts where a solid hides one.
 ///
 /// Faces are sorted by their middles: right as long as no two solids interlock.
 #[must_use]
 pub fn project(space: &Space, eye: &Orbit) -> Vec<Mark> {
-    let scene = Scene {
+    let seen = Seen {
         eye,
         facets: space
             .facets
@@ -37,12 +72,12 @@ pub fn project(space: &Space, eye: &Orbit) -> Vec<Mark> {
             .map(|facet| InView::of(facet, eye))
             .collect(),
     };
-    let mut marks = scene.faces();
+    let mut marks = seen.faces();
     for ends in edges(&space.facets) {
-        marks.extend(scene.segment(&ends, Role::Ink, |mark| mark));
+        marks.extend(seen.segment(&ends, Role::Ink, |mark| mark));
     }
     for mark in &space.marks {
-        marks.extend(scene.mark(mark));
+        marks.extend(seen.mark(mark));
     }
     marks
 }
@@ -104,12 +139,13 @@ impl<'a> InView<'a> {
     }
 }
 
-struct Scene<'a> {
+/// What the eye sees.
+struct Seen<'a> {
     eye: &'a Orbit,
     facets: Vec<InView<'a>>,
 }
 
-impl Scene<'_> {
+impl Seen<'_> {
     /// The faces that show their outer side, the farthest first.
     fn faces(&self) -> Vec<Mark> {
         let near = -self.eye.near();
@@ -284,12 +320,10 @@ mod tests {
     #[test]
     fn a_segment_through_the_cube_is_dashed_inside_and_behind_it() {
         let eye = Orbit::new([0.0; 3], [0.0, 0.0], 10.0, 30.0);
-        let line = Mark3 {
-            shape: Shape3::Segment([[-3.0, 0.0, 2.0], [3.0, 0.0, -2.0]]),
-            role: Role::Signal,
-            label: None,
-            link: None,
-        };
+        let line = Mark3::new(
+            Role::Signal,
+            Shape3::Segment([[-3.0, 0.0, 2.0], [3.0, 0.0, -2.0]]),
+        );
         let marks = seen(vec![line], &eye);
         let drawn: Vec<(bool, [[f64; 2]; 2])> = marks
             .iter()
@@ -317,11 +351,9 @@ mod tests {
     #[test]
     fn what_is_behind_the_eye_is_cut_off_before_it_is_divided() {
         let eye = Orbit::new([0.0; 3], [0.0, 0.0], 10.0, 30.0);
-        let line = |to: f64| Mark3 {
-            shape: Shape3::Segment([[2.0, 2.0, 0.0], [2.0, 2.0, to]]),
-            role: Role::Signal,
-            label: None,
-            link: None,
+        let line = |from: f64, to: f64| {
+            let ends = [[2.0, 2.0, from], [2.0, 2.0, to]];
+            Mark3::new(Role::Signal, Shape3::Segment(ends))
         };
         let signal = |marks: Vec<Mark>| -> Vec<[[f64; 2]; 2]> {
             let ends = marks.into_iter().filter_map(|mark| match mark.shape {
@@ -330,15 +362,13 @@ mod tests {
             });
             ends.collect()
         };
-        let [near, far] = [20.0, 30.0].map(|to| signal(seen(vec![line(to)], &eye)));
+        let [near, far] = [20.0, 30.0].map(|to| signal(seen(vec![line(0.0, to)], &eye)));
         let end = |i: usize| (near[0][1][i] - far[0][1][i]).abs() / near[0][1][i].abs();
         assert!(
             end(0) < 1e-9 && end(1) < 1e-9,
             "both end before the eye: {near:?} {far:?}"
         );
         assert!(near[0][1][0] > near[0][0][0], "{near:?}: not mirrored");
-        let mut behind = line(30.0);
-        behind.shape = Shape3::Segment([[2.0, 2.0, 12.0], [2.0, 2.0, 30.0]]);
-        assert_eq!(signal(seen(vec![behind], &eye)), [] as [[[f64; 2]; 2]; 0]);
+        assert!(signal(seen(vec![line(12.0, 30.0)], &eye)).is_empty());
     }
 }

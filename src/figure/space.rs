@@ -1,6 +1,6 @@
 //! A view of three dimensions: solids and marks, and the eye that sees them.
 
-use crate::geom::Orbit;
+use crate::{geom::Orbit, text::Value};
 
 use super::{Label, Link, Role};
 
@@ -53,5 +53,32 @@ impl Facet {
     pub fn edges(&self) -> impl Iterator<Item = [[f64; 3]; 2]> + '_ {
         let n = self.corners.len();
         (0..n).map(move |i| [self.corners[i], self.corners[(i + 1) % n]])
+    }
+}
+
+impl Mark3 {
+    /// Without label or link.
+    #[must_use]
+    pub const fn new(role: Role, shape: Shape3) -> Self {
+        Self {
+            shape,
+            role,
+            label: None,
+            link: None,
+        }
+    }
+
+    /// With a label in the text face.
+    #[must_use]
+    pub fn labelled(mut self, text: impl Into<Value>) -> Self {
+        self.label = Some(Label::new(text, false));
+        self
+    }
+
+    /// About `link`.
+    #[must_use]
+    pub fn linked(mut self, link: impl Into<Link>) -> Self {
+        self.link = Some(link.into());
+        self
     }
 }

@@ -38,5 +38,12 @@ pub use folder::Folder;
 pub use load::Loaded;
 pub use markdown::{Block, Inline, Marker};
 pub use problem::{Place, Problem, Severity};
+#[cfg(all(test, feature = "gui"))]
+pub(crate) use scene_file::SceneFormat;
 pub use scene_file::SceneFormats;
 pub use step::{CodeView, Step};
+#[cfg(all(test, feature = "gui"))]
+pub(crate) use {
+    sink::Sink,
+    toml_fields::{Fields, number},
+};

@@ -111,7 +111,7 @@ pub(super) fn text<'t>(item: &'t Item<'t>, sink: &mut Sink<'_>) -> Option<&'t st
 }
 
 /// A finite number, whole or not.
-pub(super) fn number(item: &Item<'_>, expect: &'static str, sink: &mut Sink<'_>) -> Option<f64> {
+pub(crate) fn number(item: &Item<'_>, expect: &'static str, sink: &mut Sink<'_>) -> Option<f64> {
     let number = match item.get_ref() {
         DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse(),
         DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())

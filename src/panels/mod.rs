@@ -2,12 +2,14 @@
 
 mod lab_panel;
 mod lines;
+mod moved;
 mod pickers;
 mod polygons;
 mod seeded;
 mod spots;
 
 pub use lab_panel::{Bench, LabPanel, PanelAsk, panel_of, work};
+pub use moved::moved_to;
 pub use pickers::{compare_picker, method_picker};
 pub use seeded::Seeded;
 pub use spots::{Reach, spots};

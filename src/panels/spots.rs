@@ -3,6 +3,7 @@
 use egui::Pos2;
 
 use crate::{
+    figure::Lens,
     labs::{Handle, Lock, Scene},
     paint::Viewport,
     widgets::{Look, Snap, Spot},
@@ -20,6 +21,8 @@ const MOST_NEAR: usize = 64;
 pub struct Reach<'a> {
     /// The part of the world that is seen.
     pub viewport: &'a Viewport,
+    /// What it is seen through.
+    pub lens: Lens,
     /// Where the pointer is, if it is on the stage.
     pub pointer: Option<Pos2>,
     /// The handle that has the keyboard's focus: its neighbours are within reach of Tab.
@@ -45,7 +48,7 @@ pub fn spots(
         let handle = *handles.get(index)?;
         Some(Spot {
             index,
-            at: plane(scene.document().position(handle)?),
+            at: reach.at(scene, handle)?,
             name: look.catalog.message(&handle.name()),
             locked: locks.iter().any(|lock| lock.holds(handle)),
             snap: if handle.kind().is_whole {
@@ -65,12 +68,13 @@ pub fn spots(
     whole.chain(vertices).filter_map(spot).collect()
 }
 
-/// Where a handle of a lab of the plane lies.
-const fn plane([x, y, _]: [f64; 3]) -> [f64; 2] {
-    [x, y]
-}
-
 impl Reach<'_> {
+    /// Where a handle lies on the drawing.
+    fn at(&self, scene: &Scene, handle: Handle) -> Option<[f64; 2]> {
+        let world = scene.document().position(handle)?;
+        self.lens.drawing_from_world(world)
+    }
+
     /// Indices of the vertices within reach, in order.
     fn vertices(&self, scene: &Scene, handles: &[Handle]) -> Vec<usize> {
         let index_of = |handle: Handle| handles.iter().position(|&known| known == handle);
@@ -86,9 +90,7 @@ impl Reach<'_> {
         within.extend(self.gripped);
         if let Some(pointer) = self.pointer {
             let distance = |i: usize| {
-                let at = self
-                    .viewport
-                    .to_screen(plane(scene.document().position(handles[i])?));
+                let at = self.viewport.to_screen(self.at(scene, handles[i])?);
                 Some((at.distance(pointer), i)).filter(|(d, _)| *d <= NEAR_PTS)
             };
             let mut near: Vec<(f32, usize)> = (0..handles.len()).filter_map(distance).collect();

@@ -31,6 +31,8 @@ pub struct Canvas<'a> {
     pub spots: &'a [Spot],
     /// Do handles keep to the grid?
     pub snap: bool,
+    /// Is there a grid to keep to?
+    pub has_grid: bool,
     /// What is drawn.
     pub marks: &'a [Mark],
     /// What stands out.
@@ -110,7 +112,9 @@ impl Canvas<'_> {
         let theme = self.look.theme;
         let painter = ui.painter_at(viewport.rect);
         painter.rect_filled(viewport.rect, 0.0, theme.background);
-        grid::draw(&painter, &viewport, step, theme.hairline);
+        if self.has_grid {
+            grid::draw(&painter, &viewport, step, theme.hairline);
+        }
         paint::stage(
             &painter,
             &viewport,

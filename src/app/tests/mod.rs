@@ -7,6 +7,7 @@ mod frames;
 mod hands;
 mod keys;
 mod polygons;
+mod third_lab;
 
 use egui::{
     Context, Event, Key, Modifiers, PointerButton, Pos2, RawInput, Rect, Vec2, ViewportId, pos2,

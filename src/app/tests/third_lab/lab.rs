@@ -1,0 +1,193 @@
+//! The third lab in its layers: scene, spelling in files, panel.
+
+use egui::Ui;
+
+use crate::{
+    case::{self, Field, Refusal, Solve, Solver, Told},
+    figure::{Mark, Run},
+    labs::{
+        Click, Document, Edit, Handle, HandleKind, Lab, MethodCard, Motion, Own, Scene, record,
+    },
+    lesson::{Fields, SceneFormat, Sink, number},
+    panels::{LabPanel, PanelAsk},
+    text::{Diagnostic, Message},
+    widgets::Look,
+};
+
+use super::corners::{Corners, Input, NInside};
+
+/// A box around the origin, and the plane x = c.
+pub static LAB: &dyn Lab = &Boxes;
+
+struct Boxes;
+
+impl Lab for Boxes {
+    fn id(&self) -> &'static str {
+        "boxes"
+    }
+
+    fn name_key(&self) -> &'static str {
+        "object-window"
+    }
+
+    fn about_key(&self) -> &'static str {
+        "object-window"
+    }
+
+    fn methods(&self) -> Vec<&'static MethodCard> {
+        vec![&CARD]
+    }
+
+    fn first_scene(&self) -> Scene {
+        BoxScene { half: 1.0, c: 0.5 }.into()
+    }
+
+    fn lock_groups(&self) -> &'static [&'static str] {
+        &["box"]
+    }
+}
+
+static CARD: MethodCard = MethodCard::of::<Corners>();
+
+/// The face at x = half moves along x.
+static FACE: HandleKind = HandleKind {
+    motion: Motion::Axis([1.0, 0.0, 0.0]),
+    ..HandleKind::new("face", "box", |_| Message::new("handle-window"))
+};
+
+/// The handle of the face at x = half.
+pub fn face() -> Handle {
+    FACE.at([0, 0])
+}
+
+#[derive(Clone, PartialEq, Debug)]
+pub struct BoxScene {
+    pub half: f64,
+    pub c: f64,
+}
+
+impl Document for BoxScene {
+    fn lab(&self) -> &'static dyn Lab {
+        LAB
+    }
+
+    fn methods(&self) -> Vec<&'static MethodCard> {
+        vec![&CARD]
+    }
+
+    fn set_method(&mut self, _: &str) {}
+
+    fn set_compare(&mut self, _: Option<&str>) {}
+
+    fn record(&self) -> Vec<Box<dyn Run>> {
+        let &Self { half, c } = self;
+        vec![record::<Corners>(Input { half, c })]
+    }
+
+    fn backdrop(&self, _: usize, _: bool) -> Vec<Mark> {
+        Vec::new()
+    }
+
+    fn bounds(&self) -> [[f64; 2]; 2] {
+        [[-1.0; 2], [1.0; 2]]
+    }
+
+    fn handles(&self) -> Vec<Handle> {
+        vec![face()]
+    }
+
+    fn position(&self, handle: Handle) -> Option<[f64; 3]> {
+        handle.is(&FACE).then_some([self.half, 0.0, 0.0])
+    }
+
+    fn drag(&mut self, _: Handle, [x, ..]: [f64; 3]) -> Result<(), Diagnostic> {
+        if !x.is_finite() || x <= 0.0 {
+            return Err(Message::new("error-not-finite").into());
+        }
+        self.half = x;
+        Ok(())
+    }
+
+    fn add(&mut self, _: Option<Handle>) -> Result<Option<Handle>, Diagnostic> {
+        Ok(None)
+    }
+
+    fn remove(&mut self, _: Option<Handle>) -> Result<(), Diagnostic> {
+        Ok(())
+    }
+
+    fn click(&self, _: &Click<'_>) -> Option<Own> {
+        None
+    }
+
+    fn size(&self) -> usize {
+        8
+    }
+}
+
+/// How it is spelt: `method`, `half`, `c`.
+pub struct BoxFormat;
+
+impl SceneFormat for BoxFormat {
+    fn lab(&self) -> &'static dyn Lab {
+        LAB
+    }
+
+    fn fields(&self) -> &'static [&'static str] {
+        &["method", "half", "c"]
+    }
+
+    fn own_field(&self) -> &'static str {
+        "half"
+    }
+
+    fn room(&self) -> usize {
+        100
+    }
+
+    fn read(&self, fields: &Fields<'_>, room: &mut usize, sink: &mut Sink<'_>) -> Option<Scene> {
+        *room -= 8;
+        let mut read = |name| {
+            let item = fields.require(name, sink)?;
+            number(item, "expect-point", sink)
+        };
+        let (half, c) = (read("half")?, read("c")?);
+        Some(BoxScene { half, c }.into())
+    }
+
+    fn write(&self, scene: &Scene) -> Option<String> {
+        let BoxScene { half, c } = scene.get()?;
+        Some(format!("half = {half:?}\nc = {c:?}\n"))
+    }
+}
+
+pub struct BoxPanel;
+
+impl LabPanel for BoxPanel {
+    fn lab(&self) -> &'static dyn Lab {
+        LAB
+    }
+
+    fn menu(&mut self, ui: &mut Ui, look: Look<'_>, _: &Scene) -> Option<PanelAsk> {
+        let pressed = ui.button(look.say("object-window")).clicked();
+        pressed.then(|| PanelAsk::Edit(Edit::Drag(face(), [2.0, 0.0, 0.0])))
+    }
+}
+
+/// How a case gives it: `half`, `c`.
+pub static SOLVERS: [Solver; 1] = [Solver::of::<Corners>()];
+
+impl Solve for Corners {
+    const FIELDS: &'static [Field] = &[Field::required("half"), Field::required("c")];
+
+    fn read(fields: &case::Fields<'_>) -> Result<(Input, Told), Refusal> {
+        let number = |name| fields.need(name)?.number();
+        let (half, c) = (number("half")?, number("c")?);
+        let input = Input { half, c };
+        Ok((input, Box::new(Vec::new)))
+    }
+
+    fn verdict(_: &NInside) -> Message {
+        Message::new("sh-inside")
+    }
+}

@@ -1,0 +1,190 @@
+//! A third lab, as small as can be and in three dimensions, handed in through the tables alone: it goes through file, run,
+//! figure, window and case, and nothing else in the house knows of it.
+
+mod corners;
+mod lab;
+
+use egui::{Key, vec2};
+
+use super::{Bench, SIZE};
+use crate::{
+    app::{App, Command, Kit, Settings},
+    case::{Detail, Format, Solver, Solvers, Style, trace},
+    export,
+    figure::{Body, Moment, Run, project},
+    labs::Scene,
+    lesson::{Course, FileError, Files, SceneFormat, SceneFormats},
+    paint::{Headless, ThemeKind},
+    text::Lang,
+};
+
+use corners::corner;
+use lab::{BoxFormat, BoxPanel, BoxScene, LAB, SOLVERS};
+
+static FORMATS: [&dyn SceneFormat; 1] = [&BoxFormat];
+
+fn kit() -> Kit {
+    Kit {
+        panels: vec![Box::new(BoxPanel)],
+        formats: SceneFormats::new(&FORMATS),
+    }
+}
+
+/// A course of one lesson, in memory.
+struct Lesson;
+
+const TOML: &str = r#"
+lab = "boxes"
+source = "kept under tests"
+
+[scenes.box]
+method = "box-corners"
+half = 1.0
+c = 0.5
+
+[[step]]
+id = "second"
+scene = "box"
+at = "corner #2"
+lock = ["box"]
+"#;
+
+const TEXT: &str = "# A box\n\n## second: The second corner\n\nIt is inside.\n";
+
+impl Files for Lesson {
+    fn list(&self) -> Result<Vec<String>, FileError> {
+        Ok(vec![
+            "01-box/lesson.toml".to_owned(),
+            "01-box/en.md".to_owned(),
+        ])
+    }
+
+    fn read(&self, path: &str) -> Result<Vec<u8>, FileError> {
+        let text = if path.ends_with(".toml") { TOML } else { TEXT };
+        Ok(text.as_bytes().to_vec())
+    }
+
+    fn shown(&self, path: &str) -> String {
+        path.to_owned()
+    }
+}
+
+fn bench() -> Bench {
+    let app = App::with_kit(Course::default(), Settings::default(), kit());
+    Bench::with(app, SIZE)
+}
+
+fn half(bench: &Bench) -> f64 {
+    let scene: &BoxScene = bench.app.scene().get().expect("a box");
+    scene.half
+}
+
+#[test]
+fn its_lessons_are_read_and_its_scenes_written() {
+    let loaded = Course::check_with(&Lesson, kit().formats);
+    let errors: Vec<String> = loaded
+        .problems
+        .iter()
+        .filter(|problem| problem.severity == crate::lesson::Severity::Error)
+        .map(|problem| problem.what.message.key.to_owned())
+        .collect();
+    assert!(errors.is_empty(), "{errors:?}");
+    let step = &loaded.course.lessons[0].steps[0];
+    assert_eq!(step.moment.to_string(), "corner #2");
+    let written = kit().formats.write(&step.scene);
+    let again = kit().formats.read("box.toml", written.as_bytes());
+    assert_eq!(again.expect("as it was written"), *step.scene);
+    let broken = kit().formats.read("box.toml", b"half = \"wide\"\nc = 0");
+    assert_eq!(broken.expect_err("a word is no number").len(), 1);
+}
+
+#[test]
+fn its_run_is_stepped() {
+    let runs = LAB.first_scene().document().record();
+    let run: &dyn Run = &*runs[0];
+    assert_eq!(run.n_steps(), 9);
+    let third: Moment = "corner #3".parse().expect("a moment");
+    assert_eq!(run.find(&third), Some(3));
+    assert_eq!(run.output_json()["n_inside"], 4);
+}
+
+#[test]
+fn its_figure_is_a_cube_with_hidden_edges_dashed() {
+    let scene = LAB.first_scene();
+    let frame = scene.document().record()[0].frame(1);
+    let Body::Space(space) = &frame.views[0].body else {
+        panic!("space first, not {:?}", frame.views[0].id);
+    };
+    let marks = project(space, &space.eye);
+    assert_eq!(marks.iter().filter(|mark| mark.is_dashed).count(), 3);
+    let picture = export::Picture {
+        scene: &scene,
+        step: 1,
+        lang: Lang::En,
+        theme: ThemeKind::Light,
+        size_px: [480, 270],
+        title: None,
+    };
+    let image = export::draw(&mut Headless::new(ThemeKind::Light), &picture);
+    let png = image.to_png();
+    let blank = png.len();
+    assert!(blank > 2_000, "{blank} bytes: something is drawn");
+}
+
+#[test]
+fn its_window_turns_steps_drags_and_undoes() {
+    let mut bench = bench();
+    assert_eq!(bench.app.scene().document().lab(), LAB);
+    bench.key(Key::ArrowRight);
+    assert_eq!(bench.app.position(), 1);
+    let before = bench.app.on_screen([1.0, 1.0]);
+    let empty = bench.app.on_screen([-2.2, 0.0]).expect("on stage");
+    bench.drag(empty, empty + vec2(60.0, 0.0));
+    assert_ne!(
+        bench.app.on_screen([1.0, 1.0]),
+        before,
+        "the eye went round"
+    );
+    bench.command(Command::FitView);
+    assert_eq!(bench.app.on_screen([1.0, 1.0]), before, "and back");
+    let [from, to] = [1.0, 1.5].map(|x| bench.app.on_screen([x, 0.0]).expect("on stage"));
+    bench.drag(from, to);
+    assert!((half(&bench) - 1.5).abs() < 0.1, "{}", half(&bench));
+    bench.command(Command::Undo);
+    assert_eq!(half(&bench), 1.0);
+    assert_eq!(corner(1.0, 7), [1.0; 3]);
+}
+
+#[test]
+fn its_tab_opens_it_and_an_unknown_one_opens_nothing() {
+    let mut bench = bench();
+    let before: Scene = bench.app.scene().clone();
+    bench.command(Command::Lab("lines"));
+    assert_eq!(*bench.app.scene(), before);
+    bench.command(Command::Lab(LAB.id()));
+    assert_eq!(*bench.app.scene(), before);
+}
+
+#[test]
+fn its_cases_are_answered_and_refused() {
+    static TABLES: [&[Solver]; 1] = [&SOLVERS];
+    let cases = b"{\"algorithm\": \"box-corners\", \"half\": 2, \"c\": -2}\n{\"algorithm\": \"liang-barsky\"}\n";
+    let style = Style {
+        format: Format::Json,
+        detail: Detail::Answers,
+        lang: Lang::En,
+    };
+    let mut answers = Vec::new();
+    trace(
+        Solvers::new(&TABLES),
+        &cases[..],
+        &mut answers,
+        style,
+        |_| {},
+    )
+    .expect("written");
+    let answers = String::from_utf8(answers).expect("text");
+    let lines: Vec<&str> = answers.lines().collect();
+    assert!(lines[0].contains("{\"n_inside\":8}"), "{answers}");
+    assert!(lines[1].contains("unknown-algorithm"), "{answers}");
+}
