@@ -5,10 +5,11 @@ use serde::Serialize;
 use crate::{algo::line::Ratio, geom::Point};
 
 use super::{
-    List, Relation,
-    labels::{Label, Side},
+    answer::Relation,
+    input::List,
     meeting::Contact,
     rings::RingKind,
+    side::{Label, Side},
 };
 
 /// What happens, in order. Vertices and edges are numbered through all rings of [`Region::rings`](crate::geom::Region::rings); intersections

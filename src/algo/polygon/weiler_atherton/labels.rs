@@ -13,67 +13,18 @@
 //! and it bounds nothing. So the label of each intersection is decided on the spot; Foster, Hormann and Popa
 //! carry undecided ones along a shared chain to its end ("delayed crossing", "delayed bouncing").
 
-use serde::Serialize;
-
 use crate::{
     geom::{Point, Rings},
     trace::Real,
 };
 
 use super::{
-    WeilerAthertonEvent as Event,
+    event::WeilerAthertonEvent as Event,
     lists::{Lists, Node},
     meeting::Contact,
     predicate::{Ray, ray},
+    side::{Label, Labelled, Side, bounds_the_result},
 };
-
-/// Where an edge runs, by the other polygon, close to an intersection.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Side {
-    /// Through the interior.
-    Inside,
-    /// Through the outside.
-    Outside,
-    /// Along the other border in the same direction.
-    Along,
-    /// Along the other border in the opposite direction.
-    Against,
-}
-
-/// What happens to the walk at an intersection.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Label {
-    /// The subject goes from outside to inside: from here the result follows the subject.
-    Entering,
-    /// The subject goes from inside to outside: from here the result follows the clip polygon.
-    Leaving,
-    /// The subject stays inside, or outside: the walk goes on in its list.
-    Touching,
-    /// Both borders pass through the inside of the other and touch: two corners of the result meet here, and
-    /// the walk changes lists so that each piece keeps to its own.
-    Pinching,
-}
-
-/// An intersection's label and what it comes from.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Labelled {
-    /// For the walk.
-    pub label: Label,
-    /// The subject's edges before and after.
-    pub subject: [Side; 2],
-    /// The clip polygon's edges before and after.
-    pub clip: [Side; 2],
-}
-
-impl Labelled {
-    /// Does the subject run along an edge of the clip polygon here, in the same direction?
-    #[must_use]
-    pub fn shares_an_edge(&self) -> bool {
-        self.subject.contains(&Side::Along)
-    }
-}
 
 /// Labels every intersection, in the order of the subject's list.
 pub fn label<R: Real>(
@@ -137,11 +88,6 @@ fn of_node<R: Real>(subject: &Rings, clip: &Rings, node: &Node) -> Labelled {
         subject,
         clip,
     }
-}
-
-/// Of the subject's edges. Of the clip polygon's only those inside do.
-pub const fn bounds_the_result(side: Side) -> bool {
-    matches!(side, Side::Inside | Side::Along)
 }
 
 /// A point of a border, with the vertices before and after it.

@@ -18,8 +18,9 @@ use crate::{
 };
 
 use super::{
-    List, WeilerAthertonEvent as Event,
+    event::WeilerAthertonEvent as Event,
     grid::Grid,
+    input::List,
     meeting::{Meeting, meetings},
     predicate::side,
 };

@@ -22,7 +22,7 @@ use crate::{
     trace::Real,
 };
 
-use super::{List, predicate::side};
+use super::{input::List, predicate::side};
 
 /// How two edges meet: Foster, Hormann and Popa's X, T and V.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]

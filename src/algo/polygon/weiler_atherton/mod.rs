@@ -55,20 +55,21 @@
 //! # Ok::<(), clipscope::geom::GeomError>(())
 //! ```
 
+mod answer;
 mod event;
 mod grid;
+mod input;
 mod labels;
 mod lists;
 mod meeting;
 mod predicate;
 mod rings;
+mod side;
 mod state;
 mod walk;
 
-use serde::Serialize;
-
 use crate::{
-    geom::{Location, Point, Region, Rings, SimplePolygon},
+    geom::{Location, Rings},
     trace::{Algorithm, Real},
 };
 
@@ -77,87 +78,17 @@ use lists::{Lists, NONE};
 use rings::{Ring, owners, pieces};
 use walk::{Walker, kind, whole_ring, whole_ring_bounds};
 
+pub use answer::{Clipped, Piece, Relation};
 pub use event::WeilerAthertonEvent;
-pub use labels::{Label, Labelled, Side};
+pub use input::{List, WeilerAthertonInput};
 pub use meeting::Contact;
 pub use rings::RingKind;
+pub use side::{Label, Labelled, Side};
 pub use state::{ListEntry, ListNode, NodeLabel, Passed, StateRing, WeilerAthertonState};
 
 /// The algorithm; see the module.
 #[derive(Clone, Copy, Debug)]
 pub struct WeilerAtherton;
-
-/// What to clip, and against what.
-#[derive(Clone, PartialEq, Debug)]
-pub struct WeilerAthertonInput {
-    /// With its holes.
-    pub subject: Region,
-    /// A window or a convex polygon will do.
-    pub clip: SimplePolygon,
-}
-
-/// One of the two lists, and the polygon that it belongs to.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum List {
-    /// The polygon that is clipped.
-    Subject,
-    /// The polygon that it is clipped against.
-    Clip,
-}
-
-impl List {
-    /// Place in a pair that belongs to both.
-    #[must_use]
-    pub const fn idx(self) -> usize {
-        self as usize
-    }
-
-    /// The other one.
-    #[must_use]
-    pub const fn other(self) -> Self {
-        match self {
-            Self::Subject => Self::Clip,
-            Self::Clip => Self::Subject,
-        }
-    }
-}
-
-/// How the two lie, exactly.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Relation {
-    /// No point in common.
-    Disjoint,
-    /// Common points or edges, and no common area.
-    Touching,
-    /// The subject is part of the clip polygon, and is the answer. Borders may touch.
-    SubjectInside,
-    /// The clip polygon is part of the subject, and is the answer. Borders may touch.
-    ClipInside,
-    /// The same set of points.
-    Equal,
-    /// A common area, and neither is part of the other.
-    Crossing,
-}
-
-/// A polygon of the answer.
-#[derive(Clone, PartialEq, Debug, Serialize)]
-pub struct Piece {
-    /// Counter-clockwise.
-    pub outer: Vec<Point>,
-    /// Clockwise.
-    pub holes: Vec<Vec<Point>>,
-}
-
-/// The answer.
-#[derive(Clone, PartialEq, Debug, Serialize)]
-pub struct Clipped {
-    /// Of the two as given.
-    pub relation: Relation,
-    /// With disjoint interiors. None where there is no common area, or none is left after rounding.
-    pub pieces: Vec<Piece>,
-}
 
 impl Algorithm for WeilerAtherton {
     type Input = WeilerAthertonInput;

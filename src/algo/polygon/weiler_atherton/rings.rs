@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::geom::{Location, Point, locate};
 
-use super::Piece;
+use super::answer::Piece;
 
 /// What a closed ring is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]

@@ -5,10 +5,12 @@ use std::sync::Arc;
 use crate::{algo::line::Ratio, geom::Point, trace::Log};
 
 use super::{
-    Clipped, List, Relation, WeilerAthertonEvent as Event,
-    labels::{Label, Side},
+    answer::{Clipped, Relation},
+    event::WeilerAthertonEvent as Event,
+    input::List,
     meeting::Contact,
     rings::{RingKind, pieces},
+    side::{Label, Side},
 };
 
 /// A place in one of the two lists.

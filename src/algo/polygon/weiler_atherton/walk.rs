@@ -18,10 +18,11 @@ use std::cmp::Ordering;
 use crate::geom::{Point, Rings, winding};
 
 use super::{
-    List, WeilerAthertonEvent as Event,
-    labels::{Label, Labelled, Side, bounds_the_result},
+    event::WeilerAthertonEvent as Event,
+    input::List,
     lists::{Entry, Lists, NONE},
     rings::{Ring, RingKind},
+    side::{Label, Labelled, Side, bounds_the_result},
 };
 
 /// Walks over both lists.
