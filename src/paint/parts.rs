@@ -8,7 +8,10 @@ use crate::{
     geom::Axis,
 };
 
-use super::{Viewport, pen::HEAD};
+use super::Viewport;
+
+/// Length of an arrowhead, in points.
+pub const HEAD: f32 = 9.0;
 
 /// Radius of the arc of an angle, and side of the square of a right one, in points.
 const ARC_RADIUS: f32 = 32.0;

@@ -4,10 +4,11 @@ use egui::{Color32, Stroke};
 
 use crate::figure::{Mark, Role, Shape};
 
-use super::{Theme, parts::Marker};
+use super::{
+    Theme,
+    parts::{HEAD, Marker},
+};
 
-/// Length of an arrowhead, in points.
-pub const HEAD: f32 = 9.0;
 const DOT_RADIUS: f32 = 5.5;
 /// A given vertex, whose place matters and not what happens there.
 const SMALL_DOT_RADIUS: f32 = 3.5;

@@ -16,8 +16,8 @@ use super::{
     labels::{Labels, Obstacle, Placed},
     layers::{Layer, Piece, pieces},
     line::Line,
-    parts::{Marker, Part},
-    pen::{HEAD, Pen, radius},
+    parts::{HEAD, Marker, Part},
+    pen::{Pen, radius},
 };
 
 /// Draws the marks, then their labels where they cover nothing. What is about `lit` stands out.

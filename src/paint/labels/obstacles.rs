@@ -5,8 +5,8 @@ use egui::{Pos2, Rect};
 use crate::paint::{
     Theme, Viewport,
     layers::{Layer, Piece},
-    parts::Part,
-    pen::{HEAD, Pen, radius},
+    parts::{HEAD, Part},
+    pen::{Pen, radius},
 };
 
 use super::anchor::edges_of;
