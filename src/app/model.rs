@@ -6,6 +6,10 @@ use super::{Dialog, Settings, notice::Notice, place::Place, playback::Playback, 
 
 /// The app as its panels see it.
 #[derive(Clone, Copy)]
+#[allow(
+    clippy::struct_excessive_bools,
+    reason = "each is a question that panels ask, and none decides another"
+)]
 pub struct Model<'a> {
     /// Colours and words.
     pub look: Look<'a>,

@@ -210,7 +210,9 @@ fn phases(run: &dyn Run) -> Vec<usize> {
 }
 
 /// The run of the scene's method, the one beside it, and how they differ.
-fn runs(scene: &Scene) -> (Box<dyn Run>, Option<Box<dyn Run>>, Option<Difference>) {
+type Runs = (Box<dyn Run>, Option<Box<dyn Run>>, Option<Difference>);
+
+fn runs(scene: &Scene) -> Runs {
     let runs = scene.document().record();
     let all: Vec<&dyn Run> = runs.iter().map(|run| &**run).collect();
     let difference = Difference::between(&scene.document().methods(), &all);

@@ -121,7 +121,7 @@ impl Page<'_> {
         let title = title.map(|title| headline(ui.painter(), theme, title, width));
         let n = columns.len().max(1) as f32;
         let column_width = (width - (n - 1.0) * GUTTER_PTS) / n;
-        let costs = self.costs(columns);
+        let costs = Self::costs(columns);
         let bars: Vec<_> = costs
             .iter()
             .map(|cost| Bars::new(ui.painter(), self.look, cost, column_width))
@@ -157,7 +157,7 @@ impl Page<'_> {
     }
 
     /// What each method has done, where two are compared.
-    fn costs(&self, columns: &[Column]) -> Vec<Cost<'static>> {
+    fn costs(columns: &[Column]) -> Vec<Cost<'static>> {
         if columns.len() < 2 {
             return Vec::new();
         }

@@ -17,6 +17,8 @@ const CROSS_RADIUS: f32 = 6.0;
 
 /// Up to this number the segments out of focus are part of the point that is made, and as strong as the one in focus.
 const FEW: usize = 3;
+/// And so many can still be told apart.
+const SOME: usize = 50;
 /// Up to this number, segments out of focus can be told apart.
 const FEW_ENOUGH: usize = 2_000;
 
@@ -56,8 +58,8 @@ impl Pen {
         let pen = Self::of(theme, mark);
         let is_living = mark.role == Role::Accent;
         let (width, strength) = match n {
-            ..=FEW => (3.0, 1.0),
-            ..=50 => (if is_living { 2.0 } else { 1.25 }, 1.0),
+            n if n <= FEW => (3.0, 1.0),
+            n if n <= SOME => (if is_living { 2.0 } else { 1.25 }, 1.0),
             ..=FEW_ENOUGH => (if is_living { 2.0 } else { 1.0 }, 0.35),
             // So many cover every point several times over: what lies beneath still shows.
             n => (1.0, 0.35 * (FEW_ENOUGH as f32 / n as f32).powf(0.75)),

@@ -136,6 +136,10 @@ impl Typeset {
     }
 
     /// Paints it with this corner, edge or middle of its box at `at`; the box.
+    #[expect(
+        clippy::must_use_candidate,
+        reason = "painting is what it is called for"
+    )]
     pub fn paint(&self, painter: &Painter, at: Pos2, align: Align2) -> Rect {
         let rect = align.anchor_size(at, self.size());
         painter.galley(rect.min, self.galley.clone(), self.colour);

@@ -140,7 +140,7 @@ impl Quantity {
     fn form(self, kind: Kind) -> Form {
         match self {
             Self::Number(x) => form(x.abs(), kind),
-            Self::Ratio(num, den) if den == 0.0 => Form::ByZero(num),
+            Self::Ratio(num, 0.0) => Form::ByZero(num),
             Self::Ratio(num, den) => match reduced(num.abs(), den.abs()) {
                 Some((n, d)) if d > 1 && kind != Kind::Decimals => Form::Fraction(n, d),
                 _ => form((num / den).abs(), kind),

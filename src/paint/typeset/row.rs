@@ -183,9 +183,9 @@ impl<'a> Stacker<'a> {
         if !glyph.uv_rect.is_nothing() {
             let first = glyph.first_vertex as usize;
             let vertices = &mut self.row.visuals.mesh.vertices[first..first + 4];
-            vertices
-                .iter_mut()
-                .for_each(|vertex| change(&mut vertex.pos));
+            for vertex in vertices.iter_mut() {
+                change(&mut vertex.pos);
+            }
         }
     }
 

@@ -56,7 +56,7 @@ impl Plan {
         let names = rows.map(|row| width(&row.name, Face::Strong, NAME_SIZE));
         let titles = bits.columns.iter();
         let titles = titles.map(|title| width(title, Face::Strong, HEADER_SIZE));
-        let cell = titles.fold(slate.pts(CELL), |cell, title| cell.max(title));
+        let cell = titles.fold(slate.pts(CELL), f32::max);
         Self {
             names: names.fold(0.0, f32::max).max(slate.pts(32.0)) + slate.pts(20.0),
             step: cell + slate.pts(GAP),

@@ -23,6 +23,10 @@ use links::Links;
 use on_slate::OnSlate;
 
 /// Draws a view of any kind but the drawing in `rect`, from its top; what it shows under the pointer.
+#[expect(
+    clippy::must_use_candidate,
+    reason = "drawing is what it is called for"
+)]
 pub fn view(ui: &Ui, look: Look<'_>, rect: Rect, shown: &View, lit: Option<Link>) -> Option<Link> {
     if let Body::Space(body) = &shown.body {
         return space::space(ui, look, rect, (shown.id, body, &body.eye), lit);

@@ -5,7 +5,7 @@ use glam::DVec2;
 use crate::{
     algo::line::{CyrusBeck, CyrusBeckEvent as Event, CyrusBeckRow as Row},
     figure::{Mark, Measured, Product, Products, Role, Shape, Vector},
-    geom::{Segment, extent},
+    geom::{Point, Segment, extent},
     labs::{Step, words::name},
     text::{Formula, Message, Value},
 };
@@ -88,7 +88,7 @@ struct Vectors {
 
 impl Vectors {
     fn new(row: &Row, segment: &Segment) -> Self {
-        let [p1, p2, origin] = [segment.p1, segment.p2, row.origin].map(|p| p.to_array());
+        let [p1, p2, origin] = [segment.p1, segment.p2, row.origin].map(Point::to_array);
         let vector = |symbol: &str, to: [f64; 2], role| Vector {
             name: name(symbol),
             to,
@@ -169,7 +169,7 @@ fn outside_marks(edge_idx: usize, [a, b]: [[f64; 2]; 2]) -> [Mark; 3] {
 
 /// n, D, E and P₁ − E where they are, as long as they are.
 fn vector_marks(edge: [[f64; 2]; 2], row: &Row, segment: &Segment) -> Vec<Mark> {
-    let [p1, p2, origin] = [segment.p1, segment.p2, row.origin].map(|p| p.to_array());
+    let [p1, p2, origin] = [segment.p1, segment.p2, row.origin].map(Point::to_array);
     let mut marks = Vec::new();
     if p1 != origin {
         let ends = [origin, p1];

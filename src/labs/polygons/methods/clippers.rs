@@ -118,11 +118,11 @@ mod tests {
 
     fn row(frame: Frame) -> ClipperRow {
         let bodies = frame.views.into_iter().map(|view| view.body);
-        let rows = bodies.filter_map(|body| match body {
+        let mut rows = bodies.filter_map(|body| match body {
             Body::Clippers(row) => Some(row),
             _ => None,
         });
-        rows.last().expect("a row of clippers")
+        rows.next_back().expect("a row of clippers")
     }
 
     #[test]

@@ -275,11 +275,11 @@ mod tests {
         let mut steps = (1..=run.n_steps()).filter(|&step| run.event_json(step)["event"] == event);
         let step = steps.nth(nth - 1).expect("such an event");
         let bodies = run.frame(step).views.into_iter().map(|view| view.body);
-        let lists = bodies.filter_map(|body| match body {
+        let mut lists = bodies.filter_map(|body| match body {
             Body::Lists(lists) => Some(lists),
             _ => None,
         });
-        lists.last().expect("two lists")
+        lists.next_back().expect("two lists")
     }
 
     fn taken(lists: &Lists) -> Vec<[usize; 2]> {
