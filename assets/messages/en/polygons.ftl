@@ -75,7 +75,6 @@ ear-done =
        *[other] Done: { $n } triangles, two fewer than there were vertices.
     }
 ear-list-ring = What is left
-ear-list-rivals = Not convex
 ear-list-triangles = Triangles
 ear-inside = inside
 ear-outside = outside

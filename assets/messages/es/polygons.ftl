@@ -75,7 +75,6 @@ ear-done =
        *[other] Listo: { $n } triángulos, dos menos que los vértices que había.
     }
 ear-list-ring = Lo que queda
-ear-list-rivals = No convexos
 ear-list-triangles = Triángulos
 ear-inside = dentro
 ear-outside = fuera

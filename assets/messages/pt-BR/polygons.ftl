@@ -75,7 +75,6 @@ ear-done =
        *[other] Pronto: { $n } triângulos, dois a menos que os vértices.
     }
 ear-list-ring = O que resta
-ear-list-rivals = Não convexos
 ear-list-triangles = Triângulos
 ear-inside = dentro
 ear-outside = fora

@@ -75,7 +75,6 @@ ear-done =
        *[other] 完成：共 { $n } 个三角形，比顶点数少 2。
     }
 ear-list-ring = 剩余部分
-ear-list-rivals = 非凸顶点
 ear-list-triangles = 三角形
 ear-inside = 在内
 ear-outside = 在外

@@ -140,9 +140,10 @@ fn marks(step: &Step<'_, TriangulateAndClip>) -> Vec<Mark> {
     let mut marks = triangle_marks(state);
     marks.extend(piece_marks(&state.pieces));
     if let (Some(clip), Some(corners)) = (&state.clip, corners(state)) {
-        let event = match step.event {
-            Some(Event::Clip(event)) => Some(event),
-            _ => None,
+        let event = if let Some(Event::Clip(event)) = step.event {
+            Some(event)
+        } else {
+            None
         };
         let input = SutherlandHodgmanInput {
             region: state.region.clone(),
@@ -156,9 +157,10 @@ fn marks(step: &Step<'_, TriangulateAndClip>) -> Vec<Mark> {
 
 /// The triangulation alone.
 fn ears<'a>(step: &Step<'a, TriangulateAndClip>) -> Step<'a, EarClipping> {
-    let event = match step.event {
-        Some(Event::Triangulate(event)) => Some(event),
-        _ => None,
+    let event = if let Some(Event::Triangulate(event)) = step.event {
+        Some(event)
+    } else {
+        None
     };
     Step {
         input: &step.input.polygon,

@@ -97,8 +97,8 @@ fn turn([before, at, after]: [Point; 3]) -> Vec<Mark> {
     ]
 }
 
-/// A dot for a convex vertex, a ring for any other, grey where it has been cut off. Where there are many only this
-/// step's have one.
+/// A dot for a convex vertex, small where nothing happens to it, a ring for any other, grey where it has been cut off.
+/// Where there are many only this step's have one.
 fn vertex_marks(step: &Step<'_, EarClipping>) -> Vec<Mark> {
     let state = step.state;
     let this_step: Vec<usize> = match step.event {
@@ -111,7 +111,8 @@ fn vertex_marks(step: &Step<'_, EarClipping>) -> Vec<Mark> {
             vertex_idx, by_idx, ..
         }) => vec![vertex_idx, by_idx],
         Some(Event::Candidate { triangle }) => vec![triangle[1]],
-        _ => Vec::new(),
+        Some(Event::Round { .. } | Event::Cut { .. } | Event::Last { .. } | Event::Done { .. })
+        | None => Vec::new(),
     };
     let cut_off = state.cut_off.triangles().iter().map(|triangle| triangle[1]);
     let shown: Vec<usize> = if state.corners.len() <= FEW_ENOUGH {
@@ -121,17 +122,18 @@ fn vertex_marks(step: &Step<'_, EarClipping>) -> Vec<Mark> {
         this_step.clone()
     };
     let mark = |i: usize| {
-        let role = if this_step.contains(&i) {
-            Role::Signal
-        } else if state.ring.contains(i) {
-            Role::Ink
-        } else {
-            Role::Soft
-        };
+        let at = state.cut_off.at(i);
         let is_convex = state.corners[i].is_none_or(|corner| corner == Corner::Convex);
-        vertex_mark(role, is_convex, state.cut_off.at(i))
-            .labelled(vertex_name(i))
-            .linked(vertex_link(i))
+        let is_left = !state.is_done && state.ring.contains(i);
+        let mark = if this_step.contains(&i) {
+            vertex_mark(Role::Signal, is_convex, at)
+        } else if is_convex || !is_left {
+            let role = if is_left { Role::Ink } else { Role::Soft };
+            Mark::new(role, Shape::Vertex(at.to_array()))
+        } else {
+            vertex_mark(Role::Ink, false, at)
+        };
+        mark.labelled(vertex_name(i)).linked(vertex_link(i))
     };
     shown.into_iter().map(mark).collect()
 }

@@ -1,4 +1,4 @@
-//! What ear clipping holds: the ring of what is left, the vertices that may lie in an ear, and the triangles.
+//! What ear clipping holds: the ring of what is left, and the triangles that are cut off it.
 
 use crate::{
     algo::polygon::{
@@ -22,20 +22,25 @@ pub const VIEW: &str = "ring";
 const FEW_ENOUGH: usize = 12;
 
 pub fn lists(step: &Step<'_, EarClipping>) -> Lists {
-    let rivals = rivals(step);
     let (ring, tip) = ring(step);
-    let links = match (step.event, tip, rivals.focus) {
-        (Some(Event::Blocked { .. }), Some(tip), Some(rival)) => vec![ListLink {
-            from: [1, rival],
-            to: [0, tip],
+    let triangles = triangles(step);
+    let links = match (cuts(step.event), tip, triangles.focus) {
+        (true, Some(tip), Some(triangle)) => vec![ListLink {
+            from: [0, tip],
+            to: [1, triangle],
             role: Role::Signal,
         }],
-        _ => Vec::new(),
+        (true | false, ..) => Vec::new(),
     };
     Lists {
-        lists: vec![ring, rivals, triangles(step)],
+        lists: vec![ring, triangles],
         links,
     }
+}
+
+/// Does a triangle come to those that are cut off?
+const fn cuts(event: Option<Event>) -> bool {
+    matches!(event, Some(Event::Cut { .. } | Event::Last { .. }))
 }
 
 /// The corner that this step is about, its tip in the middle.
@@ -62,32 +67,20 @@ fn ring(step: &Step<'_, EarClipping>) -> (List, Option<usize>) {
     let state = step.state;
     let corner = corner(step);
     let n = step.input.vertices().len();
-    let (vertices, tip, n_before) = if n <= FEW_ENOUGH {
+    let (vertices, n_before, focus) = if n <= FEW_ENOUGH {
         let given = (0..n).map(|i| step.input.given_vertex(i));
-        let vertices: Vec<usize> = given.collect();
-        let tip = corner.and_then(|[_, tip, _]| vertices.iter().position(|&i| i == tip));
-        (vertices, tip, 0)
+        (given.collect(), 0, None)
     } else {
-        let stand = corner.map(|[_, tip, _]| tip).or(state.stand);
-        let place = stand.and_then(|stand| state.ring.iter().position(|i| i == stand));
-        let reach = List::reach(state.ring.len(), place);
-        let shown = state.ring.iter().skip(reach.start).take(reach.len());
-        let tip = place.map(|place| place - reach.start);
-        (shown.collect(), tip, reach.start)
+        about(state, corner)
     };
     let n_shown = vertices.len();
+    let tip = corner.and_then(|[_, tip, _]| vertices.iter().position(|&i| i == tip));
     let entry = |i: usize| {
-        let is_left = !state.is_done && state.ring.contains(i);
-        let role = match corner {
-            Some([_, tip, _]) if tip == i => Role::Signal,
-            Some(corner) if corner.contains(&i) => Role::Accent,
-            _ if !is_left => Role::Discarded,
-            _ => Role::Soft,
-        };
+        let fate = fate(step, i);
         ListEntry {
-            details: vec![state.corners[i].map(corner_name)],
+            details: vec![fate.or(state.corners[i].map(corner_name))],
             marker: marker(state, i),
-            role,
+            role: role(step, corner, i),
             link: Some(vertex_link(i)),
             ..ListEntry::new(vertex_name(i))
         }
@@ -97,13 +90,98 @@ fn ring(step: &Step<'_, EarClipping>) -> (List, Option<usize>) {
         n_before,
         n_after: state.ring.len().saturating_sub(n_before + n_shown),
         is_ring: true,
-        focus: tip,
+        focus: tip.or(focus),
         ..List::new(
             Value::Term("ear-list-ring"),
             vertices.into_iter().map(entry).collect(),
         )
     };
     (list, tip)
+}
+
+/// Of a long ring the vertices about this step's one, how many come before them, and its place among them. Where it
+/// has just been cut off, about the one before it.
+fn about(state: &State, corner: Option<Triangle>) -> (Vec<usize>, usize, Option<usize>) {
+    let tip = corner.map(
+        |[prev, tip, _]| {
+            if state.ring.contains(tip) { tip } else { prev }
+        },
+    );
+    let place = tip
+        .or(state.stand)
+        .and_then(|stand| state.ring.iter().position(|i| i == stand));
+    let reach = List::reach(state.ring.len(), place);
+    let shown = state.ring.iter().skip(reach.start).take(reach.len());
+    (
+        shown.collect(),
+        reach.start,
+        place.map(|place| place - reach.start),
+    )
+}
+
+/// What a vertex is at this step: its corner's tip, beside it, in its triangle, or about to be asked whether it is.
+fn role(step: &Step<'_, EarClipping>, corner: Option<Triangle>, vertex_idx: usize) -> Role {
+    let state = step.state;
+    let is_left = !state.is_done && state.ring.contains(vertex_idx);
+    let [is_tip, is_beside] = corner.map_or([false; 2], |corner| {
+        [corner[1] == vertex_idx, corner.contains(&vertex_idx)]
+    });
+    let blocks = matches!(step.event, Some(Event::Blocked { by_idx, .. }) if by_idx == vertex_idx);
+    if is_tip || blocks {
+        Role::Signal
+    } else if is_beside {
+        Role::Accent
+    } else if !is_left {
+        Role::Discarded
+    } else if is_rival(step, vertex_idx) {
+        Role::Ink
+    } else {
+        Role::Soft
+    }
+}
+
+/// May this vertex lie in the triangle that is asked about? Only one that is left and not convex, and no corner of it.
+fn is_rival(step: &Step<'_, EarClipping>, vertex_idx: usize) -> bool {
+    let state = step.state;
+    let is_asked = match step.event {
+        Some(Event::Candidate { .. } | Event::Blocked { .. } | Event::Ear { .. }) => true,
+        Some(
+            Event::Classify { .. }
+            | Event::Round { .. }
+            | Event::Pass { .. }
+            | Event::Cut { .. }
+            | Event::Last { .. }
+            | Event::Done { .. },
+        )
+        | None => false,
+    };
+    let is_own = state
+        .candidate
+        .is_some_and(|candidate| candidate.contains(&vertex_idx));
+    let is_convex = state.corners[vertex_idx].is_none_or(|corner| corner == Corner::Convex);
+    is_asked && !is_own && !is_convex && state.ring.contains(vertex_idx)
+}
+
+/// Where a rival lies, once that is known.
+fn fate(step: &Step<'_, EarClipping>, vertex_idx: usize) -> Option<Value> {
+    let is_in = match step.event? {
+        Event::Blocked { by_idx, .. } if by_idx == vertex_idx => true,
+        Event::Ear { .. } if is_rival(step, vertex_idx) => false,
+        Event::Classify { .. }
+        | Event::Round { .. }
+        | Event::Pass { .. }
+        | Event::Candidate { .. }
+        | Event::Blocked { .. }
+        | Event::Ear { .. }
+        | Event::Cut { .. }
+        | Event::Last { .. }
+        | Event::Done { .. } => return None,
+    };
+    Some(Value::Term(if is_in {
+        "ear-inside"
+    } else {
+        "ear-outside"
+    }))
 }
 
 /// As in the drawing: a dot for a convex vertex, a ring for any other.
@@ -114,68 +192,15 @@ fn marker(state: &State, vertex_idx: usize) -> Option<Marker> {
     })
 }
 
-/// The vertices that are left and not convex, by x: those alone may lie in an ear. What is known of them once the
-/// candidate has been decided; its own corners are none.
-fn rivals(step: &Step<'_, EarClipping>) -> List {
-    let state = step.state;
-    let is_candidate = matches!(step.event, Some(Event::Candidate { .. }));
-    let is_ear = matches!(step.event, Some(Event::Ear { .. }));
-    let is_blocked = matches!(step.event, Some(Event::Blocked { .. }));
-    let is_asked = is_candidate || is_ear || is_blocked;
-    let candidate = state.candidate.filter(|_| is_asked);
-    let blocks = state.blocked_by.filter(|_| is_blocked);
-    let is_rival = |&i: &usize| {
-        let is_not_convex = state.corners[i].is_some_and(|corner| corner != Corner::Convex);
-        is_not_convex && !state.is_done
-    };
-    let mut vertices: Vec<usize> = state.ring.iter().filter(is_rival).collect();
-    let x = |i: usize| state.cut_off.at(i).x();
-    vertices.sort_by(|&i, &j| x(i).total_cmp(&x(j)));
-    let place = blocks.and_then(|by_idx| vertices.iter().position(|&i| i == by_idx));
-    let reach = List::reach(vertices.len(), place);
-    let entry = |&i: &usize| {
-        let is_own = candidate.is_some_and(|candidate| candidate.contains(&i));
-        let (role, fate) = if is_own {
-            (Role::Discarded, None)
-        } else if blocks == Some(i) {
-            (Role::Signal, Some("ear-inside"))
-        } else if is_ear {
-            (Role::Soft, Some("ear-outside"))
-        } else if is_candidate {
-            (Role::Ink, None)
-        } else {
-            (Role::Soft, None)
-        };
-        ListEntry {
-            details: vec![fate.map(Value::Term)],
-            marker: Some(Marker::Ring),
-            role,
-            link: Some(vertex_link(i)),
-            ..ListEntry::new(vertex_name(i))
-        }
-    };
-    List {
-        columns: vec![candidate.map_or_else(|| name(""), triangle_name)],
-        n_before: reach.start,
-        n_after: vertices.len() - reach.end,
-        focus: place.map(|place| place - reach.start),
-        ..List::new(
-            Value::Term("ear-list-rivals"),
-            vertices[reach].iter().map(entry).collect(),
-        )
-    }
-}
-
 /// The triangles that have been cut off, and a place for each that is still to come.
 fn triangles(step: &Step<'_, EarClipping>) -> List {
     let cut_off = step.state.cut_off.triangles();
     let n = step.input.vertices().len() - 2;
     let last = cut_off.len().checked_sub(1);
-    let is_new = matches!(step.event, Some(Event::Cut { .. } | Event::Last { .. }));
     let reach = List::reach(n, last);
     let entry = |triangle_idx: usize| match cut_off.get(triangle_idx) {
         Some(&triangle) => ListEntry {
-            role: if is_new && last == Some(triangle_idx) {
+            role: if cuts(step.event) && last == Some(triangle_idx) {
                 Role::Signal
             } else {
                 Role::Accepted

@@ -36,22 +36,28 @@ fn names_of(list: &List, role: Option<Role>) -> String {
 }
 
 #[test]
-fn a_rival_that_blocks_points_at_the_corner() {
+fn what_blocks_stands_out_in_the_ring_and_what_is_cut_off_goes_to_the_triangles() {
     let blocked = at(&*run(&FORK), "blocked");
-    let [ring, rivals, triangles] = &blocked.lists[..] else {
-        panic!("three lists: {blocked:?}");
+    let [ring, triangles] = &blocked.lists[..] else {
+        panic!("two lists: {blocked:?}");
     };
     assert_eq!(names_of(ring, None), "V₁ V₂ V₃ V₄ V₅ V₆");
-    assert_eq!(names_of(ring, Some(Role::Signal)), "V₃");
+    assert_eq!(names_of(ring, Some(Role::Signal)), "V₃ V₅");
     assert_eq!(names_of(ring, Some(Role::Accent)), "V₂ V₄");
     assert_eq!(names_of(ring, Some(Role::Discarded)), "V₁");
-    assert_eq!(names_of(rivals, Some(Role::Signal)), "V₅");
+    let inside = Some(Value::Term("ear-inside"));
+    assert_eq!(
+        ring.entries[4].details,
+        [inside],
+        "in the corner's triangle"
+    );
     assert_eq!(names_of(triangles, Some(Role::Accepted)), "V₆V₁V₂");
     assert_eq!(triangles.entries.len(), 4, "with a place for each to come");
-    let [link] = blocked.links[..] else {
-        panic!("one link: {blocked:?}");
+    let cut = at(&*run(&FORK), "cut");
+    let [link] = cut.links[..] else {
+        panic!("one link: {cut:?}");
     };
-    assert_eq!((link.from, link.to), ([1, 0], [0, 2]));
+    assert_eq!((link.from, link.to), ([0, 0], [1, 0]));
 }
 
 #[test]

@@ -110,18 +110,25 @@ fn entry(
 
 /// What heads the intersections' details: as long as none is labelled, t or u, which decide the order along an edge.
 fn column(step: &Step<'_, WeilerAtherton>, list: List) -> Value {
+    let is_labelled = !step.state.labels.is_empty();
     match list {
-        _ if !step.state.labels.is_empty() => name(""),
+        List::Subject | List::Clip if is_labelled => name(""),
         List::Subject => name("t"),
         List::Clip => name("u"),
     }
 }
 
-/// Of an intersection its label; as long as none has one, where on its edge it lies.
+/// Of an intersection whether the subject comes in or goes out, where it does; as long as none is labelled, where on
+/// its edge it lies.
 fn detail(step: &Step<'_, WeilerAtherton>, list: List, entry: &ListEntry) -> Option<Value> {
     let node_idx = entry.node?;
-    if let Some(label) = standing::label(step.state, node_idx) {
-        return Some(Value::Term(names::label_key(label)));
+    match standing::label(step.state, node_idx) {
+        Some(label @ (Label::Entering | Label::Leaving)) => {
+            return Some(Value::Term(names::label_key(label)));
+        }
+        // The marker says so, and the name is long: it is also a vertex's.
+        Some(Label::Touching | Label::Pinching) => return None,
+        None => {}
     }
     let is_on_edge = entry.vertex.is_none() && step.state.labels.is_empty();
     let node = step.state.nodes.get(node_idx as usize);
@@ -156,7 +163,7 @@ fn links(step: &Step<'_, WeilerAtherton>, ranges: &[Range<usize>; 2]) -> Vec<Lis
         let (is_taken, [from, to]) = match taken {
             Some((taken, List::Clip)) if taken == node => (true, [ends[1], ends[0]]),
             Some((taken, List::Subject)) if taken == node => (true, ends),
-            _ => (false, ends),
+            Some((_, List::Subject | List::Clip)) | None => (false, ends),
         };
         let role = if is_taken { Role::Signal } else { Role::Soft };
         Some(ListLink { from, to, role })
@@ -169,13 +176,15 @@ fn focus(step: &Step<'_, WeilerAtherton>, list: List) -> Option<usize> {
     let here = |list: List| {
         let mut current = standing::current(step).into_iter();
         let current = current.find(|&(at, _)| at == list).map(|(_, place)| place);
-        let whole = match step.event {
-            Some(Event::Whole {
-                list: whole,
-                places: [start, _],
-                ..
-            }) if whole == list => Some(start as usize),
-            _ => None,
+        let whole = if let Some(Event::Whole {
+            list: whole,
+            places: [start, _],
+            ..
+        }) = step.event
+        {
+            (whole == list).then_some(start as usize)
+        } else {
+            None
         };
         let walk = step.state.position.filter(|&(at, _)| at == list);
         current.or(whole).or(walk.map(|(_, place)| place as usize))

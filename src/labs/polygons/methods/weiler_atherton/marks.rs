@@ -1,12 +1,14 @@
 //! What Weiler–Atherton draws: intersections by what they are, the walk, and the pieces so far.
 
+use std::cmp::Ordering;
+
 use crate::{
     algo::polygon::weiler_atherton::{
         Label, List, ListNode, RingKind, StateRing, WeilerAtherton, WeilerAthertonEvent as Event,
         WeilerAthertonState as State,
     },
     figure::{Mark, Role, Shape},
-    geom::Point,
+    geom::{Point, orientation},
     labs::{Step, words::name},
 };
 
@@ -54,7 +56,8 @@ fn outline(ring: &StateRing) -> Vec<[f64; 2]> {
     ring.points.iter().map(|p| p.to_array()).collect()
 }
 
-/// Which way the edges run, but for those that a walk is on: it has heads of its own.
+/// Which way the edges run, but for those that a walk is on: it has heads of its own. Where the subject runs along an
+/// edge of the clip polygon, the same way, one head is for both.
 fn headings(step: &Step<'_, WeilerAtherton>) -> Vec<Mark> {
     let state = step.state;
     let edge_of = |list: List, place: u32| {
@@ -74,7 +77,13 @@ fn headings(step: &Step<'_, WeilerAtherton>) -> Vec<Mark> {
             (_, List::Clip) => Role::Ink,
         };
         let border = names::border(step.input, list);
-        let edges = (0..border.points().len()).filter(|edge_idx| !walked.contains(edge_idx));
+        let is_along = |edge_idx: usize| {
+            let clip = names::border(step.input, List::Clip);
+            let mut others = (0..clip.points().len()).map(|other| clip.edge(other));
+            list == List::Subject && others.any(|other| runs_along(border.edge(edge_idx), other))
+        };
+        let edges = (0..border.points().len())
+            .filter(|edge_idx| !walked.contains(edge_idx) && !is_along(*edge_idx));
         let heading = |edge_idx| Shape::Heading(border.edge(edge_idx).map(Point::to_array));
         let headings: Vec<Mark> = edges
             .map(|edge_idx| Mark::new(role, heading(edge_idx)))
@@ -82,6 +91,18 @@ fn headings(step: &Step<'_, WeilerAtherton>) -> Vec<Mark> {
         headings
     };
     BOTH.into_iter().flat_map(of).collect()
+}
+
+/// Does an edge lie on the line of another one, go the same way, and have its middle on it?
+fn runs_along([from, to]: [Point; 2], other: [Point; 2]) -> bool {
+    let is_on_line = |at: Point| orientation(other[0], other[1], at) == Ordering::Equal;
+    let [start, end] = other.map(Point::to_array);
+    let along = |[x, y]: [f64; 2]| {
+        (x - start[0]) * (end[0] - start[0]) + (y - start[1]) * (end[1] - start[1])
+    };
+    let [before, after] = [from, to].map(|at| along(at.to_array()));
+    let middle = 0.5 * (before + after);
+    is_on_line(from) && is_on_line(to) && before < after && (0.0..=along(end)).contains(&middle)
 }
 
 /// The path since the walk started; its last edge where it was walked at this step.

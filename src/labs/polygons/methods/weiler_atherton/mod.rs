@@ -106,7 +106,10 @@ impl Demo for WeilerAtherton {
             Event::Whole { kind: None, .. } => Tick::Reject,
             Event::Done { relation } => match relation {
                 Relation::Disjoint | Relation::Touching => Tick::Reject,
-                _ => Tick::Accept,
+                Relation::SubjectInside
+                | Relation::ClipInside
+                | Relation::Equal
+                | Relation::Crossing => Tick::Accept,
             },
         }
     }
@@ -222,15 +225,25 @@ fn current_place(step: &Step<'_, WeilerAtherton>, list: List) -> Option<usize> {
             found.map(|[_, place]| *place as usize)
         }
     };
-    match step.event? {
-        Event::Vertex { list: built, .. } if built == list => last,
-        Event::Found { .. } if list == List::Subject => last,
-        Event::Inserted { .. } if list == List::Clip => last,
-        Event::Inserted { node_idx, .. }
-        | Event::Labelled { node_idx, .. }
-        | Event::Start { node_idx }
-        | Event::Switch { node_idx, .. } => of_node(node_idx),
-        _ => {
+    match (step.event?, list) {
+        (Event::Vertex { list: built, .. }, _) => last.filter(|_| built == list),
+        (Event::Found { .. }, List::Subject) | (Event::Inserted { .. }, List::Clip) => last,
+        (Event::Found { .. }, List::Clip) => None,
+        (
+            Event::Inserted { node_idx, .. }
+            | Event::Labelled { node_idx, .. }
+            | Event::Start { node_idx }
+            | Event::Switch { node_idx, .. },
+            _,
+        ) => of_node(node_idx),
+        (
+            Event::Visit { .. }
+            | Event::Closed { .. }
+            | Event::Whole { .. }
+            | Event::Hole { .. }
+            | Event::Done { .. },
+            _,
+        ) => {
             let (walked, place) = state.position?;
             (walked == list).then_some(place as usize)
         }
