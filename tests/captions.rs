@@ -121,6 +121,13 @@ fn said_in(body: &Body, catalog: &Catalog) -> Vec<String> {
             let labels = space.marks.iter().filter_map(|mark| mark.label.as_ref());
             labels.map(|label| value(&label.text)).collect()
         }
+        Body::Raster(raster) => {
+            let stored = raster
+                .pixels
+                .iter()
+                .filter_map(|pixel| pixel.value.as_ref());
+            stored.chain([&raster.title]).map(value).collect()
+        }
         Body::Bits(bits) => {
             let rows = bits.rows.iter().chain(&bits.result);
             let names = bits.columns.iter().chain(rows.map(|row| &row.name));

@@ -40,6 +40,14 @@ impl View {
     pub fn need(&self) -> Need {
         let (stand, least, natural) = match &self.body {
             Body::Plane(_) | Body::Space(_) => (Stand::Drawing, [22.0, 11.0], [30.0, 24.0]),
+            Body::Raster(raster) => {
+                let [columns, rows] = raster.size.map(|n| n as f32);
+                (
+                    Stand::Drawing,
+                    [columns.max(8.0), rows + 2.2],
+                    [(3.0 * columns).max(8.0), 3.0 * rows + 2.2],
+                )
+            }
             Body::NumberLine(_) => (Stand::Under, [14.0, 6.0], [f32::MAX, 8.0]),
             Body::Clippers(_) => (Stand::Under, [14.0, 8.6], [f32::MAX, 8.6]),
             Body::Bits(bits) => {

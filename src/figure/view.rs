@@ -3,7 +3,7 @@
 
 use crate::text::{Formula, Value};
 
-use super::{Bits, Link, Lists, Mark, Products, Space, Table};
+use super::{Bits, Link, Lists, Mark, Products, Raster, Space, Table};
 
 /// A name that a view keeps from step to step, and from one method to the one beside it: pan, zoom and orbit are
 /// remembered under it.
@@ -49,6 +49,8 @@ pub enum Body {
     Plane(Vec<Mark>),
     /// Solids and marks in space.
     Space(Space),
+    /// Large pixels, and what is stored at them.
+    Raster(Raster),
     /// Codes over each other, bit by bit.
     Bits(Bits),
     /// Rows and columns of values.

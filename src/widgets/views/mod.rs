@@ -8,6 +8,7 @@ mod lists;
 mod number_line;
 mod on_slate;
 mod products;
+mod raster;
 mod slate;
 mod space;
 mod table;
@@ -52,6 +53,7 @@ pub fn view(ui: &Ui, look: Look<'_>, rect: Rect, shown: &View, lit: Option<Link>
 fn body_of(shown: &View) -> Option<&dyn OnSlate> {
     Some(match &shown.body {
         Body::Plane(_) | Body::Space(_) => return None,
+        Body::Raster(body) => body,
         Body::Bits(body) => body,
         Body::Table(body) => body,
         Body::Lists(body) => body,

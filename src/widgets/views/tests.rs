@@ -160,6 +160,7 @@ fn room_on_a_page(view: &View) -> Vec2 {
         Body::NumberLine(_) | Body::Clippers(_) => vec2(540.0, 112.0),
         Body::Plane(_)
         | Body::Space(_)
+        | Body::Raster(_)
         | Body::Bits(_)
         | Body::Table(_)
         | Body::Lists(_)

@@ -5,8 +5,8 @@ use serde_json::{Value as Json, json};
 
 use crate::{
     figure::{
-        Body, Caption, Cell, Facet, Mark3, Role, Shape3, Space, Table, TableRow, Tick, View, Watch,
-        WatchRow, WatchSection,
+        Body, Caption, Cell, Facet, Mark3, Pixel, Raster, Role, Shape3, Space, Table, TableRow,
+        Tick, View, Watch, WatchRow, WatchSection,
     },
     geom::Orbit,
     labs::{Answer, CodeLine, Demo, Step},
@@ -150,6 +150,7 @@ impl Demo for Corners {
         vec![
             View::new("space", Body::Space(space)),
             View::new("distances", Body::Table(table(step.state, current))),
+            View::new("raster", Body::Raster(raster(step.state, current))),
         ]
     }
 
@@ -176,6 +177,24 @@ fn table(state: &State, current: Option<usize>) -> Table {
         header: vec![Formula::default().sym("V"), Formula::default().sym("d")],
         rows: (0..8).map(row).collect(),
         notes: Vec::new(),
+    }
+}
+
+/// The corners as pixels, four by two, with their distances in them.
+fn raster(state: &State, current: Option<usize>) -> Raster {
+    let pixel = |idx: usize| match state.distances.get(idx) {
+        Some(&distance) => Pixel {
+            role: Some(Role::Accent),
+            shade: distance.abs(),
+            value: Some(Value::Number(distance)),
+        },
+        None => Pixel::EMPTY,
+    };
+    Raster {
+        title: Value::Name("d".to_owned()),
+        size: [4, 2],
+        pixels: (0..8).map(pixel).collect(),
+        current: current.map(|idx| [idx % 4, idx / 4]),
     }
 }
 

@@ -122,13 +122,15 @@ fn its_figure_is_a_cube_with_hidden_edges_dashed() {
         step: 1,
         lang: Lang::En,
         theme: ThemeKind::Light,
-        size_px: [480, 270],
+        size_px: [1280, 720],
         title: None,
     };
     let image = export::draw(&mut Headless::new(ThemeKind::Light), &picture);
     let png = image.to_png();
-    let blank = png.len();
-    assert!(blank > 2_000, "{blank} bytes: something is drawn");
+    assert!(png.len() > 2_000, "{} bytes: something is drawn", png.len());
+    if let Some(folder) = std::env::var_os("CLIPSCOPE_SAMPLES") {
+        std::fs::write(std::path::Path::new(&folder).join("third-lab.png"), png).unwrap();
+    }
 }
 
 #[test]

@@ -1,0 +1,116 @@
+//! A raster in large pixels: squares with what is stored in them, the current one ringed.
+
+use egui::{Align2, Color32, Painter, Pos2, Rect, Stroke, StrokeKind, Vec2, vec2};
+
+use crate::{
+    figure::{Pixel, Raster, Role},
+    paint::Theme,
+    widgets::Look,
+};
+
+use super::{
+    links::Links,
+    on_slate::OnSlate,
+    slate::{Face, Slate},
+};
+
+/// Pixels are at most this wide, in points before any scale.
+const MOST_WIDTH: f32 = 40.0;
+/// Room for the title.
+const TITLE: f32 = 28.0;
+/// What is stored is written in pixels of at least this width, in points.
+const READABLE: f32 = 26.0;
+/// The darkest that a shade may be under ink.
+const DARKEST: f32 = 0.45;
+
+impl OnSlate for Raster {
+    fn slate<'a>(&self, painter: &'a Painter, look: Look<'a>, _rect: Rect) -> Slate<'a> {
+        Slate::new(painter, look)
+    }
+
+    fn draw(&self, slate: &mut Slate<'_>, rect: Rect, _links: &mut Links) {
+        let theme = slate.theme();
+        let title = slate.value(&self.title, (Face::Strong, 13.0, theme.ink));
+        slate.put(&title, rect.min, Align2::LEFT_TOP);
+        let origin = rect.min + vec2(0.0, slate.pts(TITLE));
+        let width = self.pixel_width(slate, rect);
+        let hairline = theme.stroke(1.0, theme.hairline);
+        for row in 0..self.size[1] {
+            for column in 0..self.size[0] {
+                if let Some(pixel) = self.at([column, row]) {
+                    let place = square(origin, width, [column, row]);
+                    draw_pixel(slate, place, pixel, hairline);
+                }
+            }
+        }
+        if let Some(current) = self.current {
+            ring(slate, square(origin, width, current));
+        }
+    }
+
+    fn spoken(&self, look: Look<'_>) -> String {
+        let stored = self.current.and_then(|at| self.at(at));
+        let stored = stored.and_then(|pixel| pixel.value.as_ref());
+        let title = look.catalog.value(&self.title);
+        match stored {
+            Some(value) => format!("{title}: {}", look.catalog.value(value)),
+            None => title,
+        }
+    }
+}
+
+impl Raster {
+    /// Whole pixels of the screen, so that all squares are alike.
+    fn pixel_width(&self, slate: &Slate<'_>, rect: Rect) -> f32 {
+        let [columns, rows] = self.size.map(|n| n.max(1) as f32);
+        let height = rect.height() - slate.pts(TITLE);
+        let fits = (rect.width() / columns).min(height / rows);
+        fits.min(slate.pts(MOST_WIDTH)).floor().max(1.0)
+    }
+}
+
+fn square(origin: Pos2, width: f32, [column, row]: [usize; 2]) -> Rect {
+    let at = origin.round() + vec2(column as f32, row as f32) * width;
+    Rect::from_min_size(at, Vec2::splat(width))
+}
+
+fn draw_pixel(slate: &mut Slate<'_>, place: Rect, pixel: &Pixel, hairline: Stroke) {
+    let fill = pixel
+        .role
+        .map(|role| tone(slate.theme(), role, pixel.shade));
+    if let Some(fill) = fill {
+        slate.painter.rect_filled(place, 0.0, fill);
+    }
+    slate
+        .painter
+        .rect_stroke(place, 0.0, hairline, StrokeKind::Inside);
+    let Some(value) = pixel.value.as_ref().filter(|_| place.width() >= READABLE) else {
+        return;
+    };
+    let text = slate.low(value, (Face::Mono, 11.0, slate.theme().ink));
+    if text.size().x + 2.0 <= place.width() {
+        slate.put(&text, place.center(), Align2::CENTER_CENTER);
+    }
+}
+
+/// A role's tone, the darker the larger the shade, light enough for ink.
+fn tone(theme: &Theme, role: Role, shade: f64) -> Color32 {
+    let colour = match role {
+        Role::Ink | Role::Soft | Role::Faint | Role::Discarded => theme.soft,
+        Role::Accent => theme.accent,
+        Role::Signal => theme.signal,
+        Role::Accepted => theme.accepted,
+    };
+    let strength = 0.1 + (DARKEST - 0.1) * shade.clamp(0.0, 1.0) as f32;
+    colour.gamma_multiply(strength)
+}
+
+/// A gap in the background's colour inside the signal's line: seen on any tone.
+fn ring(slate: &Slate<'_>, place: Rect) {
+    let theme = slate.theme();
+    let gap = theme.stroke(4.0, theme.background);
+    let line = theme.stroke(2.0, theme.signal);
+    let painter = slate.painter;
+    painter.rect_stroke(place, 2.0, gap, StrokeKind::Inside);
+    painter.rect_stroke(place.expand(1.0), 3.0, line, StrokeKind::Outside);
+}
