@@ -114,7 +114,7 @@ pub struct NumberLine {
 
 impl NumberLine {
     /// Of what lies beyond 0 and 1, no more is shown than this.
-    const MOST: f64 = 0.5;
+    const MOST: f64 = 0.2;
 
     /// The part of an axis that shows all these crossings, as far as they are not too far out.
     #[must_use]

@@ -32,5 +32,6 @@ pub use catalog::{AREAS, Catalog, sources};
 pub use diagnostic::Diagnostic;
 pub use lang::{Lang, UnknownLang};
 pub use message::{Formula, Message, Token, Value};
+pub use number::Notation;
 pub use piece::Piece;
 pub use system::SystemError;

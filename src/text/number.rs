@@ -23,9 +23,9 @@ const SMALL: f64 = 1e-4;
 /// U+2212, as wide as a plus; the hyphen on the keyboard is not a minus.
 const MINUS: &str = "−";
 
-/// How the numbers of one point or formula are written, so that a reader can compare them.
+/// How numbers that stand beside each other are written, so that a reader can compare them.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Kind {
+pub enum Notation {
     /// Each in its own best way: they do not mix.
     Own,
     /// What is not whole is a fraction.
@@ -34,10 +34,10 @@ pub(super) enum Kind {
     Decimals,
 }
 
-impl Kind {
+impl Notation {
     /// How these numbers are written beside each other: as fractions if each of them has a short one.
-    pub(super) fn of(numbers: &[Quantity]) -> Self {
-        let is = |kind, form: fn(&Form) -> bool| move |x: &Quantity| form(&x.form(kind));
+    pub(super) fn of_quantities(numbers: &[Quantity]) -> Self {
+        let is = |notation, form: fn(&Form) -> bool| move |x: &Quantity| form(&x.form(notation));
         let are_mixed = numbers.iter().any(is(Self::Own, Form::is_fraction))
             && numbers.iter().any(is(Self::Own, Form::is_decimal));
         if !are_mixed {
@@ -86,11 +86,11 @@ impl fmt::Display for Written {
 
 impl Quantity {
     /// As people of this language write it.
-    pub(super) fn written(self, lang: Lang, kind: Kind) -> Written {
+    pub(super) fn written(self, lang: Lang, notation: Notation) -> Written {
         let sign = if self.is_negative() { MINUS } else { "" };
         let line = |text: &str| Written::Line(format!("{sign}{text}"));
         let magnitude = self.value().abs();
-        match self.form(kind) {
+        match self.form(notation) {
             Form::NotANumber => Written::Line("NaN".to_owned()),
             Form::Infinite => line("∞"),
             Form::Integer => line(&format!("{magnitude:.0}")),
@@ -100,7 +100,7 @@ impl Quantity {
                 den: den.to_string(),
             },
             Form::ByZero(num) => {
-                Written::Line(format!("{}/0", Self::Number(num).written(lang, kind)))
+                Written::Line(format!("{}/0", Self::Number(num).written(lang, notation)))
             }
             Form::Decimal => line(&localized(lang, &magnitude.to_string())),
             Form::Rounded => line(&localized(lang, &rounded(magnitude))),
@@ -109,8 +109,8 @@ impl Quantity {
     }
 
     /// Whether [`written`](Self::written) shows this very number, not one rounded to fewer digits.
-    pub(super) fn is_exact(self, kind: Kind) -> bool {
-        match self.form(kind) {
+    pub(super) fn is_exact(self, notation: Notation) -> bool {
+        match self.form(notation) {
             Form::Rounded => false,
             Form::Scientific => significant_digits(self.value().abs()) <= DIGITS,
             Form::NotANumber
@@ -137,13 +137,13 @@ impl Quantity {
         }
     }
 
-    fn form(self, kind: Kind) -> Form {
+    fn form(self, notation: Notation) -> Form {
         match self {
-            Self::Number(x) => form(x.abs(), kind),
+            Self::Number(x) => form(x.abs(), notation),
             Self::Ratio(num, 0.0) => Form::ByZero(num),
             Self::Ratio(num, den) => match reduced(num.abs(), den.abs()) {
-                Some((n, d)) if d > 1 && kind != Kind::Decimals => Form::Fraction(n, d),
-                _ => form((num / den).abs(), kind),
+                Some((n, d)) if d > 1 && notation != Notation::Decimals => Form::Fraction(n, d),
+                _ => form((num / den).abs(), notation),
             },
         }
     }
@@ -172,7 +172,7 @@ impl Form {
     }
 }
 
-fn form(magnitude: f64, kind: Kind) -> Form {
+fn form(magnitude: f64, notation: Notation) -> Form {
     if magnitude.is_nan() {
         return Form::NotANumber;
     }
@@ -191,10 +191,10 @@ fn form(magnitude: f64, kind: Kind) -> Form {
     };
     let simple = as_fraction(PLAIN_DENOMINATOR).filter(|_| magnitude < 1.0);
     let decimal = is_short_decimal(magnitude).then_some(Form::Decimal);
-    let found = match kind {
-        Kind::Own => simple.or(decimal).or_else(|| as_fraction(MAX_DENOMINATOR)),
-        Kind::Fractions => as_fraction(MAX_DENOMINATOR).or(decimal),
-        Kind::Decimals => decimal,
+    let found = match notation {
+        Notation::Own => simple.or(decimal).or_else(|| as_fraction(MAX_DENOMINATOR)),
+        Notation::Fractions => as_fraction(MAX_DENOMINATOR).or(decimal),
+        Notation::Decimals => decimal,
     };
     found.unwrap_or(Form::Rounded)
 }

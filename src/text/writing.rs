@@ -2,25 +2,29 @@
 
 use super::catalog::Catalog;
 use super::message::{Formula, Token, Value};
-use super::number::{Kind, Quantity, Written};
+use super::number::{Notation, Quantity, Written};
 use super::piece::Piece;
 
 impl Catalog {
     /// A value as it stands alone, to be set: in a table, beside a mark.
     #[must_use]
     pub fn value_pieces(&self, value: &Value) -> Vec<Piece> {
+        self.value_pieces_as(value, Notation::of([value]))
+    }
+
+    /// A value to be set beside others that are written in the same way.
+    #[must_use]
+    pub fn value_pieces_as(&self, value: &Value, notation: Notation) -> Vec<Piece> {
+        let writer = self.writer(notation);
         match value {
             Value::Count(n) => vec![Piece::Text(n.to_string())],
-            Value::Number(x) => self.writer(Kind::Own).number(Quantity::Number(*x)),
-            Value::Ratio { num, den } => {
-                let ratio = Quantity::Ratio(*num, *den);
-                self.writer(Kind::Own).number(ratio)
-            }
-            Value::Point(p) => self.point_pieces(*p),
+            Value::Number(x) => writer.number(Quantity::Number(*x)),
+            Value::Ratio { num, den } => writer.number(Quantity::Ratio(*num, *den)),
+            Value::Point(p) => writer.point(*p),
             Value::Name(name) => Piece::words(name),
             Value::Term(key) => Piece::words(&self.term(key)),
             Value::Message(message) => self.message_pieces(message),
-            Value::Formula(formula) => self.formula_pieces(formula),
+            Value::Formula(formula) => writer.formula(formula),
         }
     }
 
@@ -29,7 +33,13 @@ impl Catalog {
     pub fn formula_pieces(&self, formula: &Formula) -> Vec<Piece> {
         let mut numbers = Vec::new();
         collect(formula, &mut numbers);
-        self.writer(Kind::of(&numbers)).formula(formula)
+        self.formula_pieces_as(formula, Notation::of_quantities(&numbers))
+    }
+
+    /// Arithmetic to be set beside values that are written in the same way.
+    #[must_use]
+    pub fn formula_pieces_as(&self, formula: &Formula, notation: Notation) -> Vec<Piece> {
+        self.writer(notation).formula(formula)
     }
 
     /// A value as it stands alone: in a table, beside a mark.
@@ -38,10 +48,22 @@ impl Catalog {
         Piece::plain(&self.value_pieces(value))
     }
 
+    /// A value beside others that are written in the same way.
+    #[must_use]
+    pub fn value_as(&self, value: &Value, notation: Notation) -> String {
+        Piece::plain(&self.value_pieces_as(value, notation))
+    }
+
     /// Arithmetic, with this language's decimal separator and words.
     #[must_use]
     pub fn formula(&self, formula: &Formula) -> String {
         Piece::plain(&self.formula_pieces(formula))
+    }
+
+    /// Arithmetic beside values that are written in the same way.
+    #[must_use]
+    pub fn formula_as(&self, formula: &Formula, notation: Notation) -> String {
+        Piece::plain(&self.formula_pieces_as(formula, notation))
     }
 
     /// A number as people write it.
@@ -51,7 +73,7 @@ impl Catalog {
     /// Below 10⁻⁴ and from 10⁹ on, `1.234×10⁹`. The minus is U+2212 and zero has no sign.
     #[must_use]
     pub fn number(&self, x: f64) -> String {
-        let written = Quantity::Number(x).written(self.lang(), Kind::Own);
+        let written = Quantity::Number(x).written(self.lang(), Notation::Own);
         written.to_string()
     }
 
@@ -59,19 +81,33 @@ impl Catalog {
     /// coordinates are fractions or both decimals, as far as they are not whole.
     #[must_use]
     pub fn point(&self, p: [f64; 2]) -> String {
-        Piece::plain(&self.point_pieces(p))
+        self.value(&Value::Point(p))
     }
 
-    fn point_pieces(&self, p: [f64; 2]) -> Vec<Piece> {
-        self.writer(Kind::of(&p.map(Quantity::Number))).point(p)
-    }
-
-    const fn writer(&self, kind: Kind) -> Writer<'_> {
+    const fn writer(&self, notation: Notation) -> Writer<'_> {
         Writer {
             catalog: self,
-            kind,
+            notation,
             is_within_quotient: false,
         }
+    }
+}
+
+impl Notation {
+    /// How the numbers of all these values are written beside each other: of points and formulas too.
+    #[must_use]
+    pub fn of<'a>(values: impl IntoIterator<Item = &'a Value>) -> Self {
+        let mut numbers = Vec::new();
+        for value in values {
+            match value {
+                Value::Number(x) => numbers.push(Quantity::Number(*x)),
+                Value::Ratio { num, den } => numbers.push(Quantity::Ratio(*num, *den)),
+                Value::Point(p) => numbers.extend(p.map(Quantity::Number)),
+                Value::Formula(formula) => collect(formula, &mut numbers),
+                Value::Count(_) | Value::Name(_) | Value::Term(_) | Value::Message(_) => {}
+            }
+        }
+        Self::of_quantities(&numbers)
     }
 }
 
@@ -102,7 +138,7 @@ fn collect(formula: &Formula, numbers: &mut Vec<Quantity>) {
 #[derive(Clone, Copy)]
 struct Writer<'a> {
     catalog: &'a Catalog,
-    kind: Kind,
+    notation: Notation,
     /// Quotients are not stacked on quotients.
     is_within_quotient: bool,
 }
@@ -139,7 +175,7 @@ impl Writer<'_> {
     }
 
     fn number(self, number: Quantity) -> Vec<Piece> {
-        match number.written(self.catalog.lang(), self.kind) {
+        match number.written(self.catalog.lang(), self.notation) {
             Written::Fraction { sign, num, den } if !self.is_within_quotient => {
                 let over = Piece::Over {
                     num: vec![Piece::Text(num), Piece::Unset("/")],
@@ -156,7 +192,7 @@ impl Writer<'_> {
     }
 
     fn is_fraction(self, x: f64) -> bool {
-        let written = Quantity::Number(x).written(self.catalog.lang(), self.kind);
+        let written = Quantity::Number(x).written(self.catalog.lang(), self.notation);
         matches!(written, Written::Fraction { .. })
     }
 
@@ -170,7 +206,7 @@ impl Writer<'_> {
     }
 
     fn equals(self, number: Quantity) -> Vec<Piece> {
-        let sign = if number.is_exact(self.kind) {
+        let sign = if number.is_exact(self.notation) {
             "= "
         } else {
             "≈ "

@@ -141,4 +141,5 @@ run-later = Let go: the run of so large a scene is recorded again then.
 
 ## Views beside the drawing
 
+view-empty = nothing is left
 view-more = … { $count } more

@@ -24,6 +24,7 @@ bf-intersect = Meet the line of the { $edge }.
 bf-keep = Nothing lies beyond the { $edge }: this crossing was not needed.
 bf-keep-parallel = Nothing lies beyond the { $edge }: this side changes nothing.
 bf-cut = { $end } lies beyond { $border }: it moves to { $to }.
+bf-note-tests = A point is inside if all four hold.
 bf-in-vain = in vain
 code-bf-each = for each side, not parallel to P₁P₂
 code-bf-intersect = X ← line P₁P₂ ∩ line of side
@@ -149,7 +150,7 @@ nln-sector-both = In by the { $enters }, out by the { $leaves }: two crossings, 
 nln-question-enters = in by which side
 nln-question-meets = in at all
 nln-question-leaves = out by which side
-nln-note-products = { $a } and { $b }: how far P₁ and P₂ lie from the corner along x and along y
+nln-note-products = From the corner: P₁ = (a₁, b₁), P₂ = (a₂, b₂)
 turn-left = left
 turn-through = on it
 turn-right = right

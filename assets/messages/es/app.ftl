@@ -141,4 +141,5 @@ run-later = Al soltar se registra de nuevo la ejecución: la escena es demasiado
 
 ## Vistas junto al dibujo
 
+view-empty = no queda nada
 view-more = … { $count } más

@@ -24,6 +24,7 @@ bf-intersect = Intersección con la recta del { $edge }.
 bf-keep = Nada queda más allá del { $edge }: esta intersección no hacía falta.
 bf-keep-parallel = Nada queda más allá del { $edge }: este lado no cambia nada.
 bf-cut = { $end } está más allá de { $border }: pasa a { $to }.
+bf-note-tests = Un punto está dentro si se cumplen las cuatro.
 bf-in-vain = en vano
 code-bf-each = para cada borde no paralelo a P₁P₂
 code-bf-intersect = X ← recta P₁P₂ ∩ recta del borde
@@ -149,7 +150,7 @@ nln-sector-both = Entra por el { $enters } y sale por el { $leaves }: dos inters
 nln-question-enters = por dónde entra
 nln-question-meets = si llega a entrar
 nln-question-leaves = por dónde sale
-nln-note-products = { $a } y { $b }: distancias de P₁ y P₂ a la esquina a lo largo de x y de y
+nln-note-products = Desde la esquina: P₁ = (a₁; b₁), P₂ = (a₂; b₂)
 turn-left = a la izquierda
 turn-through = sobre ella
 turn-right = a la derecha

@@ -141,4 +141,5 @@ run-later = Ao soltar, a execução é registrada de novo: a cena é grande dema
 
 ## Vistas ao lado do desenho
 
+view-empty = não sobra nada
 view-more = … mais { $count }

@@ -24,6 +24,7 @@ bf-intersect = Interseção com a reta da { $edge }.
 bf-keep = Nada está além da { $edge }: esta interseção não era necessária.
 bf-keep-parallel = Nada está além da { $edge }: este lado não muda nada.
 bf-cut = { $end } está além de { $border }: passa para { $to }.
+bf-note-tests = Um ponto está dentro se as quatro valem.
 bf-in-vain = em vão
 code-bf-each = para cada lado não paralelo a P₁P₂
 code-bf-intersect = X ← reta P₁P₂ ∩ reta do lado
@@ -149,7 +150,7 @@ nln-sector-both = Entra pela { $enters }, sai pela { $leaves }: duas interseçõ
 nln-question-enters = por onde entra
 nln-question-meets = se entra
 nln-question-leaves = por onde sai
-nln-note-products = { $a } e { $b }: distâncias de P₁ e P₂ ao canto ao longo de x e de y
+nln-note-products = A partir do canto: P₁ = (a₁; b₁), P₂ = (a₂; b₂)
 turn-left = à esquerda
 turn-through = sobre ela
 turn-right = à direita

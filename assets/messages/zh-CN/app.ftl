@@ -133,4 +133,5 @@ run-later = 松开后重新记录：场景太大，无法边拖动边运行。
 
 ## 图旁的视图
 
+view-empty = 什么也不剩
 view-more = …… 还有 { $count } 项

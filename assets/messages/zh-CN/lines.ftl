@@ -24,6 +24,7 @@ bf-intersect = 求与{ $edge }所在直线的交点。
 bf-keep = { $edge }外侧没有线段的任何部分：这个交点没有用上。
 bf-keep-parallel = { $edge }外侧没有线段的任何部分：不变。
 bf-cut = { $end } 在 { $border } 外侧：移到 { $to }。
+bf-note-tests = 四个不等式都成立，点就在窗口内。
 bf-in-vain = 未用上
 code-bf-each = 对每条不与 P₁P₂ 平行的边界：
 code-bf-intersect = X ← 直线 P₁P₂ ∩ 边界所在直线
@@ -149,7 +150,7 @@ nln-sector-both = 由{ $enters }进入，由{ $leaves }离开：求两个交点�
 nln-question-enters = 由哪条边界进入
 nln-question-meets = 是否进入
 nln-question-leaves = 由哪条边界离开
-nln-note-products = { $a }、{ $b }：P₁、P₂ 到角点沿 x 方向和 y 方向的有向距离
+nln-note-products = 以角点为原点：P₁ = (a₁, b₁)，P₂ = (a₂, b₂)
 turn-left = 左侧
 turn-through = 线上
 turn-right = 右侧

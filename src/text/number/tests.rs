@@ -72,7 +72,7 @@ const ON_THE_BOARD: &[(&str, f64, &str)] = &[
 ];
 
 fn number(lang: Lang, x: f64) -> String {
-    Quantity::Number(x).written(lang, Kind::Own).to_string()
+    Quantity::Number(x).written(lang, Notation::Own).to_string()
 }
 
 #[test]
@@ -116,7 +116,7 @@ fn only_what_is_not_rounded_is_exact() {
         f64::NAN,
     ] {
         assert!(
-            Quantity::Number(x).is_exact(Kind::Own),
+            Quantity::Number(x).is_exact(Notation::Own),
             "{x} is shown exactly"
         );
     }
@@ -128,7 +128,7 @@ fn only_what_is_not_rounded_is_exact() {
         std::f64::consts::PI,
     ] {
         assert!(
-            !Quantity::Number(x).is_exact(Kind::Own),
+            !Quantity::Number(x).is_exact(Notation::Own),
             "{x} is shown rounded"
         );
     }
@@ -161,7 +161,7 @@ fn quotients_are_reduced() {
         (0.0, -0.0, "0/0"),
         (f64::NAN, 1.0, "NaN"),
     ] {
-        let written = Quantity::Ratio(num, den).written(Lang::En, Kind::Own);
+        let written = Quantity::Ratio(num, den).written(Lang::En, Notation::Own);
         assert_eq!(written.to_string(), expected, "{num} / {den}");
     }
 }
@@ -190,13 +190,13 @@ fn numbers_beside_each_other_are_of_one_kind() {
         ("too small for a fraction", vec![0.5, 1e-5], "0.5 1×10⁻⁵"),
     ] {
         let numbers: Vec<Quantity> = numbers.into_iter().map(Quantity::Number).collect();
-        let kind = Kind::of(&numbers);
+        let kind = Notation::of_quantities(&numbers);
         let written: Vec<String> = numbers
             .iter()
             .map(|x| x.written(Lang::En, kind).to_string())
             .collect();
         assert_eq!(written.join(" "), expected, "{what}");
     }
-    assert!(Quantity::Ratio(1.0, 3.0).is_exact(Kind::Fractions));
-    assert!(!Quantity::Ratio(1.0, 3.0).is_exact(Kind::Decimals));
+    assert!(Quantity::Ratio(1.0, 3.0).is_exact(Notation::Fractions));
+    assert!(!Quantity::Ratio(1.0, 3.0).is_exact(Notation::Decimals));
 }

@@ -14,7 +14,10 @@ mod names;
 
 use egui::{Painter, Rect, vec2};
 
-use crate::figure::{LineTick, NumberLine, Side};
+use crate::{
+    figure::{LineTick, NumberLine, Side},
+    text::{Formula, Notation, Value},
+};
 
 use super::{super::Look, links::Links, on_slate::OnSlate, slate::Slate};
 use axis::{ABOVE, Axis};
@@ -24,7 +27,8 @@ const BELOW: f32 = 48.0;
 
 impl OnSlate for NumberLine {
     fn slate<'a>(&self, painter: &'a Painter, look: Look<'a>, rect: Rect) -> Slate<'a> {
-        Slate::fitted(painter, look, rect.size(), |slate| {
+        let slate = Slate::with_numbers(painter, look, notation(self));
+        slate.fitted_in(rect.size(), |slate| {
             vec2(0.75 * rect.width(), slate.pts(ABOVE + BELOW))
         })
     }
@@ -36,11 +40,19 @@ impl OnSlate for NumberLine {
     }
 
     fn spoken(&self, look: Look<'_>) -> String {
-        let [low, high] = [0, 1].map(|i| look.catalog.formula(&self.values[i]));
+        let notation = notation(self);
+        let said = |value: &Formula| look.catalog.formula_as(value, notation);
+        let [low, high] = [0, 1].map(|i| said(&self.values[i]));
         let symbol = self.symbol;
         let mut parts = vec![format!("{symbol}_min = {low}, {symbol}_max = {high}")];
         if self.empty {
-            parts.push(format!("{symbol}_min > {symbol}_max"));
+            // Where the line runs beside the window the bounds are still in order.
+            let is_crossed_over = self.interval[0] > self.interval[1];
+            parts.push(if is_crossed_over {
+                format!("{symbol}_min > {symbol}_max")
+            } else {
+                look.catalog.term("view-empty")
+            });
         }
         let tick = |tick: &LineTick| {
             let arrow = if tick.current { "→ " } else { "" };
@@ -49,12 +61,17 @@ impl OnSlate for NumberLine {
                 Side::Leaving => "◀",
             };
             let name = look.catalog.value(&tick.name);
-            format!(
-                "{arrow}{name} {sign} {symbol} = {}",
-                look.catalog.formula(&tick.value)
-            )
+            format!("{arrow}{name} {sign} {symbol} = {}", said(&tick.value))
         };
         parts.extend(self.ticks.iter().map(tick));
         parts.join("; ")
     }
+}
+
+/// Bounds and crossings are compared: all of them are fractions, or all decimals.
+fn notation(line: &NumberLine) -> Notation {
+    let crossings = line.ticks.iter().map(|tick| &tick.value);
+    let values = line.values.iter().chain(crossings).cloned();
+    let values: Vec<Value> = values.map(Value::Formula).collect();
+    Notation::of(&values)
 }

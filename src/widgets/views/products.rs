@@ -19,6 +19,7 @@ use egui::{Align2, Painter, Rect, Vec2, pos2, vec2};
 use crate::{
     figure::{Product, Products},
     paint::Typeset,
+    text::{Notation, Value},
 };
 
 use super::{
@@ -46,9 +47,8 @@ const AIR: f32 = 4.0;
 
 impl OnSlate for Products {
     fn slate<'a>(&self, painter: &'a Painter, look: Look<'a>, rect: Rect) -> Slate<'a> {
-        Slate::fitted(painter, look, rect.size(), |slate| {
-            wanted(slate, self, rect.width())
-        })
+        let slate = Slate::with_numbers(painter, look, notation(self));
+        slate.fitted_in(rect.size(), |slate| wanted(slate, self, rect.width()))
     }
 
     fn draw(&self, slate: &mut Slate<'_>, rect: Rect, _: &mut Links) {
@@ -78,19 +78,31 @@ impl OnSlate for Products {
     }
 
     fn spoken(&self, look: Look<'_>) -> String {
+        let notation = notation(self);
         let product = |product: &Product| {
             let arrow = if product.is_current { "→ " } else { "" };
             let decision = look.catalog.message(&product.decision);
             format!(
                 "{arrow}{decision} {}",
-                look.catalog.formula(&product.arithmetic)
+                look.catalog.formula_as(&product.arithmetic, notation)
             )
         };
         let measured = self.measured.iter();
-        let measured = measured.map(|measured| measured::spoken(look, measured));
+        let measured = measured.map(|measured| measured::spoken(look, measured, notation));
         let parts: Vec<String> = self.products.iter().map(product).chain(measured).collect();
         parts.join("; ")
     }
+}
+
+/// The same coordinates and lengths come several times: all numbers are fractions, or all decimals.
+fn notation(products: &Products) -> Notation {
+    let arithmetic = products.products.iter().map(|product| &product.arithmetic);
+    let mut values: Vec<Value> = arithmetic.cloned().map(Value::Formula).collect();
+    if let Some(measured) = &products.measured {
+        values.extend(measured.ends.iter().map(|(_, at)| Value::Number(*at)));
+        values.extend(measured.spans.iter().map(|(_, value, _)| value.clone()));
+    }
+    Notation::of(&values)
 }
 
 /// Room for two from the start: nothing moves when the second comes.

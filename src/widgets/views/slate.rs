@@ -6,7 +6,7 @@ use egui::{Align2, Color32, FontFamily, FontId, Painter, Pos2, Rect, Shape, Stro
 use crate::{
     figure::Role,
     paint::{Span, Theme, Typeset, fonts::semibold},
-    text::{Formula, Message, Value},
+    text::{Formula, Message, Notation, Piece, Value},
 };
 
 use super::super::Look;
@@ -36,6 +36,8 @@ pub struct Slate<'a> {
     pub look: Look<'a>,
     /// Factor on every length, text included.
     pub scale: f32,
+    /// How the numbers of the view are written.
+    notation: Notation,
     /// Where text stands.
     pub texts: Vec<Rect>,
     /// What text keeps clear of.
@@ -49,6 +51,7 @@ impl<'a> Slate<'a> {
             painter,
             look,
             scale: look.theme.text_scale,
+            notation: Notation::Own,
             texts: Vec::new(),
             strokes: Vec::new(),
         }
@@ -61,7 +64,18 @@ impl<'a> Slate<'a> {
         room: Vec2,
         wanted: impl Fn(&Self) -> Vec2,
     ) -> Self {
-        let mut slate = Self::new(painter, look);
+        Self::new(painter, look).fitted_in(room, wanted)
+    }
+
+    /// The same where numbers stand beside each other.
+    pub fn with_numbers(painter: &'a Painter, look: Look<'a>, notation: Notation) -> Self {
+        let slate = Self::new(painter, look);
+        Self { notation, ..slate }
+    }
+
+    /// See [`fitted`](Self::fitted).
+    pub fn fitted_in(self, room: Vec2, wanted: impl Fn(&Self) -> Vec2) -> Self {
+        let mut slate = self;
         let least = LEAST_SCALE * slate.scale;
         // Text does not shrink evenly, as glyphs stand on whole pixels: what comes out is measured again.
         for _ in 0..6 {
@@ -97,13 +111,25 @@ impl<'a> Slate<'a> {
     /// A value, set.
     pub fn value(&self, value: &Value, (face, size, colour): Style) -> Typeset {
         let font = self.font(face, size);
-        Typeset::value(self.painter, self.look.catalog, value, font, colour)
+        let pieces = self.look.catalog.value_pieces_as(value, self.notation);
+        self.set(pieces, font, colour)
     }
 
     /// A formula, set.
     pub fn formula(&self, formula: &Formula, (face, size, colour): Style) -> Typeset {
         let font = self.font(face, size);
-        Typeset::formula(self.painter, self.look.catalog, formula, font, colour)
+        let catalog = self.look.catalog;
+        let pieces = catalog.formula_pieces_as(formula, self.notation);
+        self.set(pieces, font, colour)
+    }
+
+    fn set(&self, pieces: Vec<Piece>, font: FontId, colour: Color32) -> Typeset {
+        let span = Span {
+            pieces,
+            font,
+            colour,
+        };
+        Typeset::line(self.painter, &[span])
     }
 
     /// Words, set.
@@ -114,7 +140,7 @@ impl<'a> Slate<'a> {
 
     /// A value on one plain line, its quotients not stacked: where rows are low.
     pub fn low(&self, value: &Value, style: Style) -> Typeset {
-        self.words(self.look.catalog.value(value), style)
+        self.words(self.look.catalog.value_as(value, self.notation), style)
     }
 
     /// A sentence, on as many lines as it takes.

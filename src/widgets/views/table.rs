@@ -6,7 +6,7 @@ use egui::{Align2, Painter, Rect, Stroke, pos2, vec2};
 
 use crate::{
     figure::{Cell, Role, Table, TableRow},
-    text::{Formula, Message, Token, Value},
+    text::{Formula, Message, Notation, Token, Value},
 };
 
 use super::{
@@ -32,6 +32,12 @@ const NOTE_GAP: f32 = 14.0;
 const LEAST_ROWS: usize = 3;
 /// Above this scale text shrinks; below it rows are folded.
 const FOLD_BELOW: f32 = 0.8;
+
+/// Numbers in a column, and in its neighbours, are compared: all of them are fractions, or all decimals.
+fn notation(table: &Table) -> Notation {
+    let cells = table.rows.iter().flat_map(|row| &row.cells);
+    Notation::of(cells.filter_map(|cell| cell.value.as_ref()))
+}
 
 /// A column: its width at a slate's scale, and to which side things stand in it.
 struct Column {
@@ -122,7 +128,8 @@ impl OnSlate for Table {
     fn slate<'a>(&self, painter: &'a Painter, look: Look<'a>, rect: Rect) -> Slate<'a> {
         let room = rect.size();
         let n_rows = self.rows.len();
-        Slate::fitted(painter, look, room, |slate| {
+        let slate = Slate::with_numbers(painter, look, notation(self));
+        slate.fitted_in(room, |slate| {
             let plan = Plan::of(slate, self, room.x - 2.0 * slate.pts(PAD));
             let row = plan.row + 2.0 * slate.pts(AIR[0]);
             let height = |n_rows: usize| row * (n_rows + 1) as f32 + plan.notes;
@@ -278,7 +285,8 @@ pub fn more(count: usize) -> Message {
 
 /// `edge, p, q; → left: p = −8, q = −3; …`.
 fn spoken(look: Look<'_>, table: &Table) -> String {
-    let said = |value: &Value| look.catalog.value(value);
+    let notation = notation(table);
+    let said = |value: &Value| look.catalog.value_as(value, notation);
     let titles: Vec<String> = table
         .header
         .iter()

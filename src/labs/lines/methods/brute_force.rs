@@ -6,8 +6,8 @@ use crate::{
         WindowInput,
     },
     figure::{
-        Body, Caption, Cell, Mark, Role, Shape, Table, TableRow, Tick, View, Watch, WatchRow,
-        WatchSection,
+        Body, Caption, Cell, Mark, Role, Shape, Table, TableNote, TableRow, Tick, View, Watch,
+        WatchRow, WatchSection,
     },
     geom::{Edge, Segment},
     labs::{
@@ -122,7 +122,13 @@ impl Demo for BruteForce {
     fn views(step: &Step<'_, Self>) -> Vec<View> {
         vec![
             View::plane(marks(step)),
-            View::new(CROSSINGS_VIEW, Body::Table(crossing_table(step))),
+            View::new(
+                CROSSINGS_VIEW,
+                Body::Table(match step.event {
+                    None => tests_table(step.input),
+                    Some(_) => crossing_table(step),
+                }),
+            ),
         ]
     }
 
@@ -152,6 +158,40 @@ fn crossing_values(state: &State, edge: Edge) -> [Option<Value>; 2] {
         crossing.map(|(_, Ratio { num, den })| Value::Ratio { num, den }),
         crossing.map(|(at, _)| Value::Point(at.to_array())),
     ]
+}
+
+/// Before the first crossing: the four tests that make a window, on both ends. What fails stands out.
+fn tests_table(WindowInput { window, segment }: &WindowInput) -> Table {
+    let test = |end: End, edge: Edge| {
+        let ([x, _], c) = (along(end.of(segment), edge.axis()), window.border(edge));
+        let (fails, relation) = match edge.is_max() {
+            true if x > c => (true, " > "),
+            true => (false, " ≤ "),
+            false if x < c => (true, " < "),
+            false => (false, " ≥ "),
+        };
+        let said = Formula::default().num(x).sym(relation).num(c);
+        let role = if fails { Role::Signal } else { Role::Ink };
+        Cell::new(role, Some(said))
+    };
+    let row = |edge: Edge| TableRow {
+        name: Value::Term(side_key(edge)),
+        cells: End::BOTH.map(|end| test(end, edge)).to_vec(),
+        is_current: false,
+        link: Some(edge_link(edge)),
+    };
+    Table {
+        header: vec![
+            Formula::default().term("table-edge"),
+            Formula::default().sym(end_symbol(End::P1)),
+            Formula::default().sym(end_symbol(End::P2)),
+        ],
+        rows: Edge::ALL.map(row).to_vec(),
+        notes: vec![TableNote {
+            text: Message::new("bf-note-tests"),
+            applies: true,
+        }],
+    }
 }
 
 /// Every crossing, and what it was good for.

@@ -193,9 +193,7 @@ fn corner_table(step: &Step<'_, NichollLeeNicholl>) -> Table {
         ],
         rows: rows.collect(),
         notes: vec![TableNote {
-            text: Message::new("nln-note-products")
-                .with("a", name("a"))
-                .with("b", name("b")),
+            text: Message::new("nln-note-products"),
             applies: is_asking,
         }],
     }

@@ -169,9 +169,15 @@ fn side_row(edge: Edge, step: &Step<'_, LiangBarsky>, above: [f64; 2]) -> TableR
     };
     let role = |is_now: bool| if is_now { Role::Signal } else { Role::Ink };
     let r = row.and_then(|row| Some(value_of(quotient(row.q, row.p, row.r?))));
+    // Before the first row: what p and q are.
+    let is_before = step.state.rows.iter().all(Option::is_none);
+    let of_row = |i: usize, known: Option<f64>| match known {
+        None if is_before => Cell::new(Role::Soft, Some(name(meaning(edge)[i]))),
+        known => Cell::new(role(now.p_and_q), known),
+    };
     let mut cells = vec![
-        Cell::new(role(now.p_and_q), row.map(|row| row.p)),
-        Cell::new(role(now.p_and_q), row.map(|row| row.q)),
+        of_row(0, row.map(|row| row.p)),
+        of_row(1, row.map(|row| row.q)),
         Cell::new(role(now.r), r),
         Cell::new(Role::Soft, row.map(|row| Value::Term(direction(row.p)))),
     ];
@@ -181,6 +187,16 @@ fn side_row(edge: Edge, step: &Step<'_, LiangBarsky>, above: [f64; 2]) -> TableR
         cells,
         is_current,
         link: Some(edge_link(edge)),
+    }
+}
+
+/// p and q of a side: u · p ≤ q says that P(u) is inside it.
+const fn meaning(edge: Edge) -> [&'static str; 2] {
+    match edge {
+        Edge::Left => ["−Δx", "x₁ − xmin"],
+        Edge::Right => ["Δx", "xmax − x₁"],
+        Edge::Bottom => ["−Δy", "y₁ − ymin"],
+        Edge::Top => ["Δy", "ymax − y₁"],
     }
 }
 

@@ -17,6 +17,8 @@ const BEYOND: f64 = 0.12;
 const RING: f32 = 5.0;
 /// Length of a bound's arrowhead.
 const HEAD: f32 = 12.0;
+/// Length of the arrow to a crossing beyond the axis.
+const ARROW: f32 = 8.0;
 /// The arms of the cross over an empty interval.
 const CROSS: f32 = 6.0;
 
@@ -64,6 +66,18 @@ impl Axis {
     pub fn at(&self, u: f64) -> Pos2 {
         let u = u.clamp(self.shown[0], self.shown[1]);
         pos2(self.transform.position_from_point_x(u).round(), self.y)
+    }
+
+    /// Where the mark of a crossing stands: beyond the axis, beside P₁ or P₂ and not over it.
+    pub fn mark_of(&self, slate: &Slate<'_>, u: f64) -> Pos2 {
+        let aside = slate.pts(RING + 4.0 + 0.5 * ARROW);
+        let along = if u < self.shown[0] { -aside } else { aside };
+        let at = self.at(u);
+        if self.shows(u) {
+            at
+        } else {
+            at + vec2(along, 0.0)
+        }
     }
 
     /// All strokes.
@@ -182,10 +196,8 @@ impl Axis {
             return;
         }
         let along = if tick.u < self.shown[0] { -1.0 } else { 1.0 };
-        let length = slate.pts(8.0);
-        // Beside P₁ or P₂, not over it.
-        let tip = at + vec2(along * (length + slate.pts(RING + 4.0)), 0.0);
-        slate.head(tip, vec2(along, 0.0), length, colour);
+        let tip = self.mark_of(slate, tick.u) + vec2(along * slate.pts(0.5 * ARROW), 0.0);
+        slate.head(tip, vec2(along, 0.0), slate.pts(ARROW), colour);
     }
 }
 

@@ -147,7 +147,7 @@ fn inside(room: Rect, centre: Pos2, half: f32) -> Pos2 {
 
 /// The border's name over its crossing, with the parameter where it is no bound.
 fn crossing(slate: &mut Slate<'_>, axis: &Axis, tick: &LineTick, links: &mut Links) {
-    let at = axis.at(tick.u);
+    let at = axis.mark_of(slate, tick.u);
     let reach = vec2(slate.pts(8.0), slate.pts(14.0));
     if links.touch(Rect::from_center_size(at, 2.0 * reach), tick.link) {
         let ring = slate.stroke(1.5, slate.theme().accent);
@@ -162,19 +162,30 @@ fn crossing(slate: &mut Slate<'_>, axis: &Axis, tick: &LineTick, links: &mut Lin
         Face::Plain
     };
     let style = (face, TICK_SIZE, text_colour(slate.theme(), role_of(tick)));
-    let text = if tick.holds {
-        slate.value(&tick.name, style)
-    } else {
-        let name = slate.look.catalog.value(&tick.name);
-        let mut formula = Formula::default().sym(name).sym("  ");
-        formula.0.extend_from_slice(&tick.value.0);
-        slate.formula(&formula, style)
-    };
+    if tick.holds {
+        let name = slate.value(&tick.name, style);
+        put_near(slate, axis, at, &name);
+        return;
+    }
+    let name = slate.look.catalog.value(&tick.name);
+    let mut formula = Formula::default().sym(name).sym("  ");
+    formula.0.extend_from_slice(&tick.value.0);
+    let stacked = slate.formula(&formula, style);
+    if !put_near(slate, axis, at, &stacked) {
+        // On one line there is room for it over the names of the ends.
+        let low = slate.low(&Value::Formula(formula), style);
+        put_near(slate, axis, at, &low);
+    }
+}
+
+/// Puts a crossing's name over it, as near as there is room, or under it; was there any?
+fn put_near(slate: &mut Slate<'_>, axis: &Axis, at: Pos2, text: &Typeset) -> bool {
     let half = 0.5 * text.size();
-    let off = slate.pts(OFF);
+    let off = slate.pts(OFF) + half.y;
     let row = slate.pts(1.5 * TICK_SIZE);
-    let heights = [0.0, 0.5, 1.0].map(|lane| at.y - off - half.y - lane * row);
-    let centres = heights.into_iter().flat_map(|y| {
+    let over = [0.0, 0.5, 1.0].map(|lane| at.y - off - lane * row);
+    let heights = over.into_iter().chain([at.y + off, at.y + off + row]);
+    let centres = heights.flat_map(|y| {
         (0..=10).flat_map(move |nth| {
             let aside = nth as f32 / 10.0 * half.x;
             [aside, -aside].map(|aside| pos2(at.x + aside, y))
@@ -183,5 +194,5 @@ fn crossing(slate: &mut Slate<'_>, axis: &Axis, tick: &LineTick, links: &mut Lin
     let centres: Vec<Pos2> = centres
         .map(|centre| inside(axis.room, centre, half.x))
         .collect();
-    slate.put_free(&text, axis.room, centres);
+    slate.put_free(text, axis.room, centres).is_some()
 }

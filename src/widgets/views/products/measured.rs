@@ -5,7 +5,7 @@ use egui::{Align2, Color32, Pos2, Rangef, Rect, Stroke, pos2, vec2};
 use crate::{
     figure::{Measured, Role},
     paint::Typeset,
-    text::Value,
+    text::{Notation, Value},
 };
 
 use super::super::{
@@ -206,16 +206,15 @@ fn length(
 }
 
 /// `Measured along n, from the edge: P₁ −9, P₂ 18; 9; n·D = 27`.
-pub fn spoken(look: Look<'_>, measured: &Measured) -> String {
+pub fn spoken(look: Look<'_>, measured: &Measured, notation: Notation) -> String {
+    let said = |value: &Value| look.catalog.value_as(value, notation);
     let ends = measured
         .ends
         .iter()
-        .map(|(name, at)| format!("{} {}", look.catalog.value(name), look.catalog.number(*at)));
+        .map(|(name, at)| format!("{} {}", said(name), said(&Value::Number(*at))));
     let ends: Vec<String> = ends.collect();
     let spans = measured.spans.iter();
-    let spans: Vec<String> = spans
-        .map(|(_, value, _)| look.catalog.value(value))
-        .collect();
+    let spans: Vec<String> = spans.map(|(_, value, _)| said(value)).collect();
     let title = look.catalog.message(&measured.title);
     format!("{title}: {}; {}", ends.join(", "), spans.join("; "))
 }
