@@ -12,7 +12,7 @@ use super::{
     document::Gesture,
     notice::Notice,
     platform::Picture,
-    room::{Room, is_narrow},
+    room::{Room, is_narrow, wants_strip},
 };
 
 impl App {
@@ -209,7 +209,9 @@ impl App {
     }
 
     fn apply_shown(&mut self, ctx: &Context, command: &Command) {
-        let is_narrow = is_narrow(ctx.content_rect().size());
+        let size = ctx.content_rect().size();
+        let is_narrow = is_narrow(size);
+        let has_strip = wants_strip(self.look().theme, size.x);
         match *command {
             Command::Present => self.shown.presenting ^= true,
             Command::Cancel => self.cancel(),
@@ -217,6 +219,7 @@ impl App {
             Command::Inspector if is_narrow => {
                 self.shown.room = self.shown.room.toggled(Room::Inspector);
             }
+            Command::Course if self.settings.course && has_strip => self.shown.unfolded ^= true,
             Command::Course => self.settings.course ^= true,
             Command::Inspector => self.settings.inspector ^= true,
             Command::Language(lang) => self.settings.lang = lang,

@@ -14,14 +14,17 @@ use crate::{
     },
 };
 
-use super::{Command, model::Model, room::Room};
+use super::{
+    Command,
+    model::Model,
+    room::{COURSE, CoursePart, Room},
+};
 
 /// Name, labs and methods at the left; menus at the right.
 pub fn top(
     model: &Model<'_>,
     ui: &mut Ui,
     panels: &mut [Box<dyn LabPanel>],
-    course_width: f32,
     commands: &mut Vec<Command>,
 ) {
     let look = model.look;
@@ -45,8 +48,8 @@ pub fn top(
                         .heading()
                         .size(15.0 * look.theme.text_scale),
                 );
-                let tabs = bar.left() + course_width + 8.0 - ui.cursor().left();
-                ui.add_space(if model.settings.course {
+                let tabs = bar.left() + COURSE + 8.0 - ui.cursor().left();
+                ui.add_space(if model.course == CoursePart::Whole {
                     tabs.max(16.0)
                 } else {
                     24.0
@@ -118,7 +121,8 @@ fn menus(
     ui.menu_button(look.say("panel-scene"), |ui| {
         scene(model, ui, panels, commands);
     });
-    if !(model.settings.course && model.settings.inspector) {
+    let is_all = model.course == CoursePart::Whole && model.settings.inspector;
+    if !is_all || model.has_strip {
         sides(model, ui, commands);
     }
 }
@@ -161,7 +165,8 @@ fn sides(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
     for (icon, key, command) in SIDES.iter().rev() {
         let is_open = match command {
             Command::Course => {
-                model.room == Room::Course || (!model.is_narrow && model.settings.course)
+                model.room == Room::Course
+                    || (!model.is_narrow && model.course == CoursePart::Whole)
             }
             _ => model.room == Room::Inspector || (!model.is_narrow && model.settings.inspector),
         };

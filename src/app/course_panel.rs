@@ -30,7 +30,7 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
             });
     }
     ui.spacing_mut().item_spacing.y = 0.0;
-    let most = if model.is_narrow { 0.4 } else { 0.5 } * ui.available_height();
+    let most = 0.38 * ui.available_height();
     ScrollArea::vertical()
         .id_salt("lessons")
         .max_height(most)
@@ -174,7 +174,8 @@ fn steps(model: &Model<'_>, ui: &mut Ui, lesson: &Lesson, commands: &mut Vec<Com
     ui.add_space(12.0);
 }
 
-fn disc(ui: &mut Ui, look: Look<'_>, number: usize, title: &str, is_open: bool) -> bool {
+/// A step's number; was it clicked?
+pub(super) fn disc(ui: &mut Ui, look: Look<'_>, number: usize, title: &str, is_open: bool) -> bool {
     let theme = look.theme;
     let size = (22.0 * theme.text_scale.sqrt()).round();
     let (rect, response) = ui.allocate_exact_size(Vec2::splat(size), Sense::click());

@@ -5,13 +5,16 @@ use egui::{CentralPanel, Frame, Margin, Panel, Ui};
 use crate::panels::LabPanel;
 
 use super::{
-    Command, bars, course_panel, inspector, model::Model, overlays, room::Room, stage,
+    Command, bars, course_panel, course_strip, inspector,
+    model::Model,
+    overlays,
+    room::{COURSE, CoursePart, INSPECTOR, Room, panel_scale},
+    stage,
     stage_state::StageState,
 };
 
-/// Widths of the side panels: they leave the stage 60 % of 1280.
-const COURSE: f32 = 216.0;
-const INSPECTOR: f32 = 296.0;
+/// Width of the course folded to the numbers of its steps.
+const STRIP: f32 = 48.0;
 
 /// Draws the window; what is asked for is pushed onto `commands`.
 pub fn show(
@@ -88,7 +91,7 @@ fn top(
         .exact_size(height.round())
         .frame(frame)
         .show(ui, |ui| {
-            bars::top(model, ui, panels, COURSE, commands);
+            bars::top(model, ui, panels, commands);
         });
 }
 
@@ -109,32 +112,35 @@ fn bottom(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
 fn sides(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &mut Vec<Command>) {
     let width = ui.ctx().content_rect().width();
     let widest = 0.28 * width;
-    // Larger text wants wider panels, as far as three fifths are left to the stage.
-    let scale = model.look.theme.text_scale.sqrt();
-    let scale = scale.min(0.4 * width / (COURSE + INSPECTOR)).max(1.0);
+    let scale = panel_scale(model.look.theme);
     let frame = Frame::new().fill(model.look.theme.panel);
-    if model.settings.course {
-        Panel::left("course")
-            .default_size((COURSE * scale).round())
-            .size_range(160.0..=widest.max(COURSE * scale))
-            .frame(frame.inner_margin(Margin {
-                left: 8,
-                right: 8,
-                top: 12,
-                bottom: 8,
-            }))
-            .show(ui, |ui| course_panel::show(model, ui, commands));
+    let margin = |side: i8| Margin {
+        left: side,
+        right: side,
+        top: 12,
+        bottom: 8,
+    };
+    match model.course {
+        CoursePart::Hidden => {}
+        CoursePart::Strip => {
+            Panel::left("course strip")
+                .exact_size(STRIP)
+                .frame(frame.inner_margin(margin(8)))
+                .show(ui, |ui| course_strip::show(model, ui, commands));
+        }
+        CoursePart::Whole => {
+            Panel::left("course")
+                .default_size((COURSE * scale).round())
+                .size_range(160.0..=widest.max(COURSE * scale))
+                .frame(frame.inner_margin(margin(8)))
+                .show(ui, |ui| course_panel::show(model, ui, commands));
+        }
     }
     if model.settings.inspector {
         Panel::right("inspector")
             .default_size((INSPECTOR * scale).round())
             .size_range(220.0..=widest.max(INSPECTOR * scale))
-            .frame(frame.inner_margin(Margin {
-                left: 16,
-                right: 16,
-                top: 12,
-                bottom: 8,
-            }))
+            .frame(frame.inner_margin(margin(16)))
             .show(ui, |ui| inspector::show(model, ui, state, commands));
     }
 }

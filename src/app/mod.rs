@@ -12,9 +12,11 @@
 
 mod apply;
 mod bars;
+mod caption_room;
 mod clicks;
 mod command;
 mod course_panel;
+mod course_strip;
 mod dialog;
 mod document;
 mod drop;
@@ -73,7 +75,7 @@ use model::Model;
 use notice::{Notice, Notices};
 use place::Place;
 use playback::Playback;
-use room::Room;
+use room::{CoursePart, Room};
 use stage_state::StageState;
 use stopwatch::Stopwatch;
 
@@ -100,6 +102,8 @@ struct Shown {
     is_measuring: bool,
     /// Stage, caption and a small transport alone.
     presenting: bool,
+    /// Is the course open where it is a strip else?
+    unfolded: bool,
     /// In a narrow window, the one place there is room for.
     room: Room,
     /// The theme that the context has been given.
@@ -140,6 +144,7 @@ impl App {
                 dialog: None,
                 is_measuring: false,
                 presenting: false,
+                unfolded: false,
                 room: Room::Stage,
                 theme: None,
             },
@@ -327,8 +332,10 @@ impl App {
     /// What panels may read, in a window of this size.
     fn model(&self, size: egui::Vec2) -> Model<'_> {
         let is_narrow = room::is_narrow(size);
+        let look = self.look();
+        let has_strip = room::wants_strip(look.theme, size.x);
         Model {
-            look: self.look(),
+            look,
             settings: &self.settings,
             place: &self.place,
             scene: self.document.now(),
@@ -343,6 +350,12 @@ impl App {
             } else {
                 Room::Stage
             },
+            course: match (self.settings.course, has_strip && !self.shown.unfolded) {
+                (false, _) => CoursePart::Hidden,
+                (true, true) => CoursePart::Strip,
+                (true, false) => CoursePart::Whole,
+            },
+            has_strip,
             is_presenting: self.shown.presenting,
             dialog: self.shown.dialog.as_ref(),
             notices: self.notices.shown(),

@@ -2,7 +2,13 @@
 
 use crate::{labs::Scene, lesson::CodeView, widgets::Look};
 
-use super::{Dialog, Settings, notice::Notice, place::Place, playback::Playback, room::Room};
+use super::{
+    Dialog, Settings,
+    notice::Notice,
+    place::Place,
+    playback::Playback,
+    room::{CoursePart, Room},
+};
 
 /// The app as its panels see it.
 #[derive(Clone, Copy)]
@@ -33,6 +39,10 @@ pub struct Model<'a> {
     pub can_travel: [bool; 2],
     /// What a narrow window shows; else the stage.
     pub room: Room,
+    /// What of the course stands beside the stage.
+    pub course: CoursePart,
+    /// Is the course a strip until it is asked for?
+    pub has_strip: bool,
     /// Stage, caption and a small transport alone.
     pub is_presenting: bool,
     /// The open dialog.

@@ -24,6 +24,8 @@ pub struct Playback {
     framed_at: Option<usize>,
     /// What the views of each run want; empty until a frame of it is made.
     needs: Vec<Vec<Need>>,
+    /// Another number for every recording.
+    recording: u64,
     /// How many of the last recordings one after the other took too long for a drag.
     n_slow: usize,
     /// The scene has changed since: what is recorded is of an earlier one.
@@ -56,6 +58,7 @@ impl Playback {
             frames: Vec::new(),
             framed_at: None,
             needs: Vec::new(),
+            recording: 0,
             n_slow: 0,
             is_late: false,
             clock: None,
@@ -78,6 +81,7 @@ impl Playback {
         (self.main, self.other, self.difference) = (main, other, difference);
         self.baseline = scene.document().baseline();
         self.framed_at = None;
+        self.recording += 1;
         self.needs.clear();
     }
 
@@ -111,6 +115,17 @@ impl Playback {
     #[must_use]
     pub fn main(&self) -> &dyn Run {
         &*self.main
+    }
+
+    /// All that is on stage: one run, or two.
+    pub fn runs(&self) -> impl Iterator<Item = &dyn Run> {
+        std::iter::once(&*self.main).chain(self.other.as_deref())
+    }
+
+    /// Another number whenever the scene has been recorded again.
+    #[must_use]
+    pub const fn recording(&self) -> u64 {
+        self.recording
     }
 
     /// Where the methods that stand side by side first differ, if one of them is wrong on purpose.
@@ -154,8 +169,7 @@ impl Playback {
             .collect();
         self.framed_at = Some(position);
         if self.needs.is_empty() {
-            let runs = std::iter::once(&*self.main).chain(self.other.as_deref());
-            self.needs = runs.map(needs).collect();
+            self.needs = self.runs().map(needs).collect();
         }
     }
 

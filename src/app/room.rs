@@ -2,6 +2,8 @@
 
 use egui::Vec2;
 
+use crate::paint::Theme;
+
 /// In windows narrower than this, in points, the course and the inspector take the stage's place.
 const NARROW: f32 = 860.0;
 
@@ -28,4 +30,34 @@ impl Room {
 #[must_use]
 pub fn is_narrow(size: Vec2) -> bool {
     size.x < NARROW
+}
+
+/// Widths of the side panels: they leave the stage 60 % of 1280.
+pub const COURSE: f32 = 216.0;
+/// See above.
+pub const INSPECTOR: f32 = 296.0;
+/// Of the window's width the stage keeps three fifths.
+const BESIDE: f32 = 0.4;
+
+/// How much of the course stands beside the stage.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum CoursePart {
+    /// Nothing.
+    Hidden,
+    /// The numbers of the lesson's steps.
+    Strip,
+    /// All of it.
+    Whole,
+}
+
+/// Do the panels, as wide as this theme's text wants them, leave the stage too little of such a window?
+#[must_use]
+pub fn wants_strip(theme: &Theme, width: f32) -> bool {
+    (COURSE + INSPECTOR) * panel_scale(theme) > BESIDE * width
+}
+
+/// Larger text wants wider panels.
+#[must_use]
+pub fn panel_scale(theme: &Theme) -> f32 {
+    theme.text_scale.sqrt()
 }

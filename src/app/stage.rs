@@ -10,12 +10,12 @@ use crate::{
     panels::{Reach, spots},
     text::Message,
     widgets::{
-        Canvas, CanvasShown, Spot, TEXT_PTS, Words, beside_the_drawing, caption_height,
-        caption_text, gripped, headline, rect_of, slot_of,
+        Canvas, CanvasShown, Spot, TEXT_PTS, Words, beside_the_drawing, caption_text, gripped,
+        headline, rect_of, slot_of,
     },
 };
 
-use super::{Command, clicks, model::Model, sketch, stage_state::StageState};
+use super::{Command, clicks, model::Model, room::CoursePart, sketch, stage_state::StageState};
 
 /// What can be taken hold of.
 struct Hands<'a> {
@@ -27,22 +27,22 @@ struct Hands<'a> {
 
 /// White space beside words, and around what stands beside the drawing.
 const INDENT: f32 = 24.0;
+/// Height of the strip that names a method, with room for two lines.
+const NAME: f32 = 44.0;
 
 /// The step's title, where nothing else on the screen says it.
 fn title(model: &Model<'_>, ui: &Ui, rect: Rect) -> Option<Typeset> {
-    let is_said = model.settings.course && !model.is_presenting && !model.is_narrow;
+    let is_said = model.course == CoursePart::Whole && !model.is_presenting && !model.is_narrow;
     let title = model.place.title(model.settings.lang)?;
     let is_shown = !is_said && model.is_untouched && !model.is_low;
     let width = rect.width() - 2.0 * INDENT;
     is_shown.then(|| headline(ui.painter(), model.look.theme, title, width))
 }
 
-/// What the stage is laid out on.
-fn sheet(model: &Model<'_>, rect: Rect, title: Option<&Typeset>) -> Sheet {
+/// What the stage is laid out on, where each caption takes so much height.
+fn sheet(model: &Model<'_>, rect: Rect, title: Option<&Typeset>, caption: f32) -> Sheet {
     let theme = model.look.theme;
-    let n_columns = model.playback.frames().len().max(1);
-    let n_rows = caption_rows(model, rect.width() / n_columns as f32);
-    let is_comparison = n_columns > 1;
+    let is_comparison = model.playback.frames().len() > 1;
     Sheet {
         area: slot_of(rect),
         em: TEXT_PTS * theme.text_scale,
@@ -51,20 +51,14 @@ fn sheet(model: &Model<'_>, rect: Rect, title: Option<&Typeset>) -> Sheet {
         gutter: 0.0,
         title: title.map_or(0.0, |title| title.size().y + INDENT),
         name: if is_comparison {
-            36.0 * theme.text_scale
+            NAME * theme.text_scale
         } else {
             0.0
         },
         over_caption: 0.0,
-        caption: caption_height(theme, n_rows),
+        caption,
         cost: 0.0,
     }
-}
-
-/// A caption that has little width gets another line.
-fn caption_rows(model: &Model<'_>, width: f32) -> usize {
-    let wide = 560.0 * model.look.theme.text_scale;
-    if width < wide && !model.is_low { 3 } else { 2 }
 }
 
 /// Draws the stage into all the room there is.
@@ -90,8 +84,12 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
     state.handle_ids.clear();
     let look = model.look;
     let title = title(model, ui, rect);
-    let sheet = sheet(model, rect, title.as_ref());
+    let width = rect.width() / frames.len().max(1) as f32 - 2.0 * INDENT;
+    let caption = state.captions.height(model, ui, width);
+    let sheet = sheet(model, rect, title.as_ref(), caption);
     let layout = sheet.lay_out(model.playback.needs());
+    let views = layout.columns.iter().flat_map(|column| &column.views);
+    state.places = views.copied().collect();
     ui.painter().rect_filled(rect, 0.0, look.theme.background);
     if let Some(title) = title {
         let at = pos2(rect.left() + INDENT, rect.top() + 0.5 * INDENT);
@@ -168,7 +166,6 @@ impl Column<'_> {
             name: name.as_deref(),
             note: note.as_deref(),
             said,
-            n_rows: caption_rows(model, self.places.caption.size()[0]),
             indent: INDENT,
         };
         let pointed = beside_the_drawing(ui, look, self.places, &frame.views, &words, state.lit);

@@ -5,14 +5,14 @@ use std::{borrow::Cow, collections::BTreeMap};
 use egui::{Context, Id, Pos2, Rect};
 
 use crate::{
-    figure::{Body, Frame, Lens, Link, Mark, View, ViewId, project},
+    figure::{Body, Frame, Lens, Link, Mark, Slot, View, ViewId, project},
     geom::Orbit,
     labs::{Handle, Scene, Sketch},
     paint::Viewport,
     widgets::PanZoom,
 };
 
-use super::{Command, model::Model};
+use super::{Command, caption_room::CaptionRoom, model::Model};
 
 /// What the stage remembers between frames. None of it is part of the document.
 #[derive(Default)]
@@ -39,12 +39,16 @@ pub struct StageState {
     pub selected: Option<Handle>,
     /// Half an outline, while one is drawn.
     pub sketch: Option<Sketch>,
+    /// The room that is kept for the captions.
+    pub captions: CaptionRoom,
     /// Does the scene come from elsewhere than the lesson's step?
     pub is_foreign: bool,
     /// The drawing that was shown last, and its lens.
     drawn: Option<(ViewId, Lens)>,
     /// As they were drawn last.
     seen: BTreeMap<ViewId, Viewport>,
+    /// Where the views of the stage stood last, column by column.
+    pub places: Vec<(ViewId, Slot)>,
     layers: Vec<Layers>,
 }
 

@@ -3,7 +3,7 @@
 use egui::{Align2, Rect, Ui, vec2};
 
 use crate::{
-    figure::{Caption, ColumnLayout, Frame, Need, Run, Sheet, ViewId, needs},
+    figure::{ColumnLayout, Frame, Need, Run, Sheet, ViewId, needs, sentences},
     labs::{Difference, MethodCard, Scene},
     paint::{Headless, Image, Theme, ThemeKind, Viewport, stage},
     text::{Catalog, Lang},
@@ -29,11 +29,6 @@ const NAME_PTS: f32 = 36.0;
 const OVER_COST_PTS: f32 = 8.0;
 /// Over the hairline.
 const OVER_CAPTION_PTS: f32 = 18.0;
-/// A sentence may take this many lines: more than any needs.
-const MAX_ROWS: usize = 8;
-/// Of a longer run's sentences so many are asked how much room they want.
-const MOST_ASKED: usize = 200;
-
 /// What to draw, and how.
 #[derive(Clone, Copy, Debug)]
 pub struct Picture<'a> {
@@ -121,6 +116,7 @@ impl Page<'_> {
         let title = title.map(|title| headline(ui.painter(), theme, title, width));
         let n = columns.len().max(1) as f32;
         let column_width = (width - (n - 1.0) * GUTTER_PTS) / n;
+        let said = self.runs.iter().flat_map(|&run| sentences(run));
         let costs = Self::costs(columns);
         let bars: Vec<_> = costs
             .iter()
@@ -137,7 +133,7 @@ impl Page<'_> {
                 .map_or(0.0, |title| title.size().y + UNDER_TITLE_PTS),
             name: bars.first().map_or(0.0, |_| NAME_PTS * theme.text_scale),
             over_caption: OVER_CAPTION_PTS,
-            caption: height_for_all(ui.painter(), self.look, self.captions(), column_width),
+            caption: height_for_all(ui.painter(), self.look, said, column_width),
             cost: bars
                 .first()
                 .map_or(0.0, |bars| bars.height() + OVER_COST_PTS),
@@ -171,15 +167,6 @@ impl Page<'_> {
         counts.iter().map(cost).collect()
     }
 
-    /// The sentences of the runs, so that each has the room of the highest.
-    fn captions(&self) -> impl Iterator<Item = Caption> {
-        self.runs.iter().flat_map(|run| {
-            let stride = run.n_steps().div_ceil(MOST_ASKED).max(1);
-            let steps = (0..run.n_steps()).step_by(stride).chain([run.n_steps()]);
-            steps.map(|step| run.caption(step))
-        })
-    }
-
     fn column(&self, ui: &mut Ui, index: usize, column: &Column, places: &ColumnLayout) {
         let Look { catalog, .. } = self.look;
         if let Some(first) = column.frame.views.first()
@@ -201,7 +188,6 @@ impl Page<'_> {
             name: name.as_deref(),
             note: note.as_deref(),
             said: &column.frame.caption,
-            n_rows: MAX_ROWS,
             indent: 0.0,
         };
         beside_the_drawing(ui, self.look, places, &column.frame.views, &words, None);

@@ -1,10 +1,12 @@
 //! How much room views want, from their data alone: so that it is settled for a whole run before anything is drawn.
 
-use super::{Body, Run, View, ViewId};
+use super::{Body, Caption, Run, View, ViewId};
 
 /// Of a run's steps so many are asked what they show, the first and the last among them: a view that comes or grows is
 /// there at one of them, or has had its room from the start.
 const MOST_ASKED: usize = 24;
+/// So many are asked what they say: a sentence costs less than what is shown.
+const MOST_SAID: usize = 200;
 /// A run of more steps is asked at its ends alone: its frames are large, and a drag has no time for them.
 const LONG: usize = 1024;
 /// Entries of a list beyond these are folded wherever it stands.
@@ -100,11 +102,8 @@ impl View {
 /// from one to the next.
 #[must_use]
 pub fn needs(run: &dyn Run) -> Vec<Need> {
-    let n_steps = run.n_steps();
-    let n_asked = if n_steps > LONG { 1 } else { MOST_ASKED };
-    let stride = n_steps.div_ceil(n_asked).max(1);
     let mut needs: Vec<Need> = Vec::new();
-    for step in (0..n_steps).step_by(stride).chain([n_steps]) {
+    for step in asked(run, MOST_ASKED) {
         for view in &run.frame(step).views {
             let more = view.need();
             match needs.iter_mut().find(|need| need.id == more.id) {
@@ -114,6 +113,19 @@ pub fn needs(run: &dyn Run) -> Vec<Need> {
         }
     }
     needs
+}
+
+/// The sentences of a run, of a longer one some: so that each has the room of the highest.
+pub fn sentences(run: &dyn Run) -> impl Iterator<Item = Caption> {
+    asked(run, MOST_SAID).map(|step| run.caption(step))
+}
+
+/// The steps of a run that are asked: `most` of them, and the last.
+fn asked(run: &dyn Run, most: usize) -> impl Iterator<Item = usize> + use<> {
+    let n_steps = run.n_steps();
+    let n_asked = if n_steps > LONG { 1 } else { most };
+    let stride = n_steps.div_ceil(n_asked).max(1);
+    (0..n_steps).step_by(stride).chain([n_steps])
 }
 
 impl Need {

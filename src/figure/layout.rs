@@ -217,8 +217,8 @@ impl Sheet {
         let drawn = Slot::new(left.min, [size[0].min(most[0]), high.min(most[1])]);
         let mut slots = vec![(drawing.id, drawn)];
         let mut below = Slot {
-            min: [drawn.min[0], drawn.max[1]],
-            max: [drawn.max[0], stage.max[1]],
+            min: [drawn.min[0] + self.inset, drawn.max[1]],
+            max: [drawn.max[0] - self.inset, stage.max[1]],
         };
         below.take_top(gap_y);
         slots.extend(self.stack(below, &under, &strips));

@@ -19,7 +19,7 @@ mod watch;
 mod words;
 
 pub use bits::{BitRow, Bits};
-pub use extent::{Need, Stand, needs};
+pub use extent::{Need, Stand, needs, sentences};
 pub use frame::{Caption, Frame};
 pub use layout::{ColumnLayout, Layout, Sheet, Slot};
 pub use lists::{List, ListEntry, ListLink, Lists, Marker};

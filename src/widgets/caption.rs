@@ -1,6 +1,6 @@
 //! A step's sentence: the decision semibold, the arithmetic after it.
 
-use egui::{Label, Painter, Rect, TextStyle, Ui, UiBuilder, pos2, vec2};
+use egui::{Label, Painter, Rect, TextStyle, Ui, UiBuilder, Vec2, pos2, vec2};
 
 use crate::{
     figure::Caption,
@@ -18,13 +18,8 @@ const MARGIN_PTS: f32 = 8.0;
 /// Of many captions so many are set to see how high they are.
 const MOST_MEASURED: usize = 4;
 
-/// Height of the bar that holds a caption of up to `n_rows`: the same at every step, so that nothing moves.
-#[must_use]
-pub fn caption_height(theme: &Theme, n_rows: usize) -> f32 {
-    (2.0 * MARGIN_PTS + ROW_PTS * n_rows as f32 * theme.text_scale).ceil()
-}
-
-/// Height of the bar that has room for each of these captions, whole, in lines of at most `width` points.
+/// Height of the bar that has room for each of these captions, whole, in lines of at most `width` points: the same at
+/// every step, so that nothing moves.
 #[must_use]
 pub fn height_for_all(
     painter: &Painter,
@@ -40,7 +35,7 @@ pub fn height_for_all(
     // The highest is one of the longest.
     by_length.truncate(MOST_MEASURED);
     let height = |(_, caption): &(usize, Caption)| {
-        CaptionLayout::new(painter, look, caption, width, usize::MAX).height()
+        CaptionLayout::new(painter, look, caption, vec2(width, f32::INFINITY)).height()
     };
     let one = ROW_PTS * look.theme.text_scale;
     let most = by_length.iter().map(height).fold(one, f32::max);
@@ -55,11 +50,11 @@ pub fn caption_text(catalog: &Catalog, caption: &Caption) -> String {
     catalog.message(&caption.decision) + &Piece::plain(&arithmetic)
 }
 
-/// Draws the caption in `rect` on as many lines as it takes, `n_rows` at most. Its first line stands where it stands at
-/// every other step.
-pub fn caption(ui: &mut Ui, look: Look<'_>, rect: Rect, n_rows: usize, shown: &Caption) {
+/// Draws the caption in `rect` on as many lines as it takes and there is room for. Its first line stands where it stands
+/// at every other step.
+pub fn caption(ui: &mut Ui, look: Look<'_>, rect: Rect, shown: &Caption) {
     let inner = rect.shrink2(vec2(0.0, MARGIN_PTS).min(rect.size() * 0.1));
-    let layout = CaptionLayout::new(ui.painter(), look, shown, inner.width(), n_rows);
+    let layout = CaptionLayout::new(ui.painter(), look, shown, inner.size());
     let top = layout.top(inner, look.theme);
     let place = Rect::from_min_size(
         pos2(inner.left(), top),
@@ -76,16 +71,10 @@ pub fn caption(ui: &mut Ui, look: Look<'_>, rect: Rect, n_rows: usize, shown: &C
 pub struct CaptionLayout(Typeset);
 
 impl CaptionLayout {
-    /// Sets a caption in lines of at most `width` points. Where it does not fit into `max_rows` of them, steps are left
-    /// out from the middle of its arithmetic; the decision is always whole.
+    /// Sets a caption in lines. Where it does not fit into the room, steps are left out from the middle of its
+    /// arithmetic; the decision is always whole.
     #[must_use]
-    pub fn new(
-        painter: &Painter,
-        look: Look<'_>,
-        caption: &Caption,
-        width: f32,
-        max_rows: usize,
-    ) -> Self {
+    pub fn new(painter: &Painter, look: Look<'_>, caption: &Caption, room: Vec2) -> Self {
         let style = painter.ctx().global_style();
         let font = |of: TextStyle| of.resolve(&style);
         let decision = Span::message(
@@ -100,11 +89,11 @@ impl CaptionLayout {
                 font: font(theme::caption()),
                 colour: look.theme.soft,
             };
-            Typeset::wrapped(painter, &[decision.clone(), arithmetic], width)
+            Typeset::wrapped(painter, &[decision.clone(), arithmetic], room.x)
         };
         let fitting = shorter_and_shorter(look.catalog, caption)
             .map(set)
-            .find(|typeset| typeset.n_rows() <= max_rows);
+            .find(|typeset| typeset.size().y <= room.y);
         Self(fitting.unwrap_or_else(|| set(Vec::new())))
     }
 

@@ -23,8 +23,6 @@ pub struct Words<'a> {
     pub note: Option<&'a str>,
     /// The step's sentence.
     pub said: &'a Caption,
-    /// Lines that it may take.
-    pub n_rows: usize,
     /// White space on the left and right of words.
     pub indent: f32,
 }
@@ -60,7 +58,7 @@ pub fn beside_the_drawing(
     let hairline = Stroke::new(1.0, look.theme.hairline);
     ui.painter()
         .hline(rest.x_range(), rest.top() + 0.5, hairline);
-    caption(ui, look, inside(places.caption), words.n_rows, words.said);
+    caption(ui, look, inside(places.caption), words.said);
     pointed
 }
 

@@ -22,7 +22,7 @@ mod views;
 mod watch;
 
 pub use canvas::{Canvas, CanvasShown, Click, place_at};
-pub use caption::{caption, caption_height, caption_text, height_for_all};
+pub use caption::{caption, caption_text, height_for_all};
 pub use composed::{TEXT_PTS, Words, beside_the_drawing, headline, rect_of, slot_of};
 pub use cost::{Bars, Cost, cost, most_of_a_kind};
 pub use handles::{Gesture, Moved, Snap, Spot, gripped};

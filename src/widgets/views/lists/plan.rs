@@ -127,12 +127,16 @@ impl Plan {
 /// As large as the room lets it be: entries are folded before their text becomes too small.
 pub fn slate<'a>(painter: &'a Painter, look: Look<'a>, room: Vec2, lists: &Lists) -> Slate<'a> {
     let n_rows = lists.lists.iter().map(|list| list.entries.len()).max();
-    let n_rows = n_rows.unwrap_or(1).max(LEAST_ROWS);
+    let n_rows = n_rows.unwrap_or(1).max(1);
     Slate::fitted(painter, look, room, |slate| {
         let height = |n_rows: usize| slate.pts(TITLE + STEPS[0] * n_rows as f32);
         let would_be = room.y / height(n_rows) * slate.scale;
         let folds = would_be < FOLD_BELOW * look.theme.text_scale;
-        let n_rows = if folds { LEAST_ROWS } else { n_rows };
+        let n_rows = if folds {
+            LEAST_ROWS.min(n_rows)
+        } else {
+            n_rows
+        };
         let widths = widths(slate, lists, 0);
         vec2(width(slate, lists, &widths), height(n_rows))
     })

@@ -1,0 +1,34 @@
+//! The course where there is no room for it beside the stage: the numbers of the open lesson's steps, and a button that
+//! opens the rest.
+
+use egui::{Align, Layout, ScrollArea, Ui};
+
+use crate::widgets::{Icon, icon_button};
+
+use super::{Command, course_panel::disc, model::Model};
+
+/// Draws the strip.
+pub fn show(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
+    let look = model.look;
+    ui.with_layout(Layout::top_down(Align::Center), |ui| {
+        let open = look.say("panel-course");
+        if icon_button(ui, look, Icon::LeftPanel, &open, true).clicked() {
+            commands.push(Command::Course);
+        }
+        let Some(lesson) = model.place.lesson() else {
+            return;
+        };
+        ui.add_space(12.0);
+        ScrollArea::vertical().show(ui, |ui| {
+            ui.spacing_mut().item_spacing.y = 8.0;
+            let [lesson_idx, open] = model.place.indices();
+            let titles = &lesson.text(model.settings.lang).steps;
+            for i in 0..lesson.steps.len() {
+                let title = titles.get(i).map_or("", |step| &step.title);
+                if disc(ui, look, i + 1, title, i == open) {
+                    commands.push(Command::Open([lesson_idx, i]));
+                }
+            }
+        });
+    });
+}
