@@ -36,9 +36,10 @@ pub fn codes(step: &Step<'_, CohenSutherland>) -> Bits {
         result: combined.map(|(operator, code)| BitRow {
             name: name(operator),
             bits: bits(code, order),
-            role: match step.event {
-                Some(Event::Or { .. } | Event::And { .. }) => Role::Signal,
-                _ => Role::Ink,
+            role: if matches!(step.event, Some(Event::Or { .. } | Event::And { .. })) {
+                Role::Signal
+            } else {
+                Role::Ink
             },
             link: None,
         }),

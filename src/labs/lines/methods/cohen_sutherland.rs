@@ -153,12 +153,13 @@ impl Demo for CohenSutherland {
 
     fn watch(step: &Step<'_, Self>) -> Watch {
         let mut scalars = ends_rows(step.state.ends);
-        let t = match step.event {
-            Some(Event::Cut { u, .. }) => Some(Value::Ratio {
+        let t = if let Some(Event::Cut { u, .. }) = step.event {
+            Some(Value::Ratio {
                 num: u.num,
                 den: u.den,
-            }),
-            _ => None,
+            })
+        } else {
+            None
         };
         scalars.push(WatchRow::new(name("t"), t));
         vec![
@@ -201,9 +202,11 @@ fn marks(step: &Step<'_, CohenSutherland>) -> Vec<Mark> {
         marks.extend(outside_marks(&window, edge));
     }
     // A bit in common rejects as soon as it is seen.
-    let verdict = match step.event {
-        Some(Event::And { and }) if !and.is_inside() => Some(None),
-        _ => step.state.verdict,
+    let is_rejected = matches!(step.event, Some(Event::And { and }) if !and.is_inside());
+    let verdict = if is_rejected {
+        Some(None)
+    } else {
+        step.state.verdict
     };
     marks.extend(segment_marks(&segment, step.state.ends, verdict));
     match step.event {
@@ -211,7 +214,14 @@ fn marks(step: &Step<'_, CohenSutherland>) -> Vec<Mark> {
         Some(Event::Cut { end, u, to, .. }) => {
             marks.push(crossing_mark(to, "t", u).linked(end_link(end)));
         }
-        _ => {}
+        Some(
+            Event::Or { .. }
+            | Event::And { .. }
+            | Event::Choose { .. }
+            | Event::Accept { .. }
+            | Event::Reject { .. },
+        )
+        | None => {}
     }
     marks
 }

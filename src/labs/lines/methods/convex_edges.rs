@@ -71,9 +71,10 @@ pub fn interval(state: &State, event: Option<Event>) -> Interval {
         crossing_symbol: "t",
         bounds: state.interval,
         crossings: crossings.collect(),
-        verdict: match event {
-            Some(Event::Parallel { inside: false, .. }) => Some(None),
-            _ => state.verdict,
+        verdict: if matches!(event, Some(Event::Parallel { inside: false, .. })) {
+            Some(None)
+        } else {
+            state.verdict
         },
         vector: edge_in_hand(state, event).map(|_| "D"),
     }

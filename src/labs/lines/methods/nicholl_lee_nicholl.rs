@@ -220,7 +220,10 @@ fn marks(step: &Step<'_, NichollLeeNicholl>) -> Vec<Mark> {
     let current = match step.event {
         Some(Event::Side { line, .. }) => Some(line.corner),
         Some(Event::Reject { corner, .. }) => corner,
-        _ => None,
+        Some(
+            Event::Region { .. } | Event::Sector { .. } | Event::Cut { .. } | Event::Accept { .. },
+        )
+        | None => None,
     };
     let asked = state.lines.iter().flatten().map(|(_, line)| line.corner);
     let asked: Vec<Point> = asked.filter(|&corner| corner != p1).collect();
@@ -248,7 +251,10 @@ fn marks(step: &Step<'_, NichollLeeNicholl>) -> Vec<Mark> {
         Some(Event::Cut { end, u, to, .. }) => {
             marks.push(crossing_mark(to, "t", u).linked(end_link(end)));
         }
-        _ => {}
+        Some(
+            Event::Side { .. } | Event::Sector { .. } | Event::Accept { .. } | Event::Reject { .. },
+        )
+        | None => {}
     }
     marks
 }

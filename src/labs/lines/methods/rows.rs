@@ -69,9 +69,10 @@ pub fn edge_in_hand(state: &State, event: Option<Event>) -> Option<Edge> {
 
 /// The answer that a step shows: what lies outside a parallel side is rejected as soon as that is seen.
 fn verdict(state: &State, event: Option<Event>) -> Option<Visible> {
-    match event {
-        Some(Event::Parallel { inside: false, .. }) => Some(None),
-        _ => state.verdict,
+    if matches!(event, Some(Event::Parallel { inside: false, .. })) {
+        Some(None)
+    } else {
+        state.verdict
     }
 }
 

@@ -68,9 +68,12 @@ fn name(eye: DVec2, far: DVec2, window: &Window) -> Option<Value> {
         segment,
     };
     let run = Trace::<NichollLeeNicholl>::record(input);
-    let sector = run.events().iter().find_map(|event| match *event {
-        Event::Sector { enters, leaves } => Some((enters, leaves)),
-        _ => None,
+    let sector = run.events().iter().find_map(|event| {
+        if let Event::Sector { enters, leaves } = *event {
+            Some((enters, leaves))
+        } else {
+            None
+        }
     });
     let (enters, leaves) = sector?;
     let side = |formula: Formula, edge: Option<Edge>| match edge {

@@ -67,8 +67,15 @@ impl Demo for Pipeline {
             Event::Done {
                 outcome: RingOutcome::Empty | RingOutcome::Degenerate,
             } => Tick::Reject,
-            Event::Done { .. } => Tick::Accept,
-            _ => Tick::Test,
+            Event::Done {
+                outcome: RingOutcome::Whole | RingOutcome::Cut,
+            } => Tick::Accept,
+            Event::Enter {
+                vertex_idx: None, ..
+            }
+            | Event::First { .. }
+            | Event::Test { .. }
+            | Event::Output { .. } => Tick::Test,
         }
     }
 
