@@ -1,7 +1,7 @@
 //! What every entry of the two lists is at a step: this step's, walked, kept, dropped, or still to come; the same in
 //! the lists as in the drawing.
 
-use std::{collections::HashMap, ops::Range};
+use std::ops::Range;
 
 use crate::{
     algo::polygon::weiler_atherton::{
@@ -65,10 +65,7 @@ impl Standing {
 
     /// What walks have passed: kept where its ring is closed.
     fn walked(&mut self, state: &State) {
-        let in_clip_list: HashMap<u32, usize> = self.ranges[List::Clip.idx()]
-            .clone()
-            .filter_map(|place| Some((state.lists[List::Clip.idx()].get(place)?.node?, place)))
-            .collect();
+        let twins = self.twins(state);
         let kept = state
             .kept
             .iter()
@@ -77,23 +74,33 @@ impl Standing {
         for (list, place, role) in kept.chain(state.passed.iter().map(on_path)) {
             self.set(list, place as usize, role);
             // The walk changes lists where it enters, leaves or pinches: there it has been in both.
-            let entry = state.lists[list.idx()].get(place as usize);
-            let Some(node) = entry.and_then(|entry| entry.node) else {
+            let Some(&Some((node, twin))) = twins[list.idx()].get(place as usize) else {
                 continue;
             };
             let is_start = list == List::Subject && state.start == Some(node);
             let stays = label(state, node).is_none_or(|label| label == Label::Touching);
-            if stays || is_start && role == Role::Accent {
-                continue;
-            }
-            let twin = match list {
-                List::Subject => in_clip_list.get(&node).copied(),
-                List::Clip => place_of(state, List::Subject, node),
-            };
-            if let Some(twin) = twin {
+            if !stays && !(is_start && role == Role::Accent) {
                 self.set(list.other(), twin, role);
             }
         }
+    }
+
+    /// For each place of both lists the intersection there and its place in the other list, where that is in range.
+    fn twins(&self, state: &State) -> [Vec<Option<(u32, usize)>>; 2] {
+        let mut twins = BOTH.map(|list| vec![None; state.lists[list.idx()].len()]);
+        for &[node, in_clip] in state.inserted.iter() {
+            let Some(in_subject) = place_of(state, List::Subject, node) else {
+                continue;
+            };
+            let places = [in_subject, in_clip as usize];
+            for list in BOTH {
+                let twin = places[list.other().idx()];
+                if self.ranges[list.other().idx()].contains(&twin) {
+                    twins[list.idx()][places[list.idx()]] = Some((node, twin));
+                }
+            }
+        }
+        twins
     }
 }
 
