@@ -122,9 +122,10 @@ impl Desk {
 
     /// Where it lies in the world.
     pub fn first_place(&self) -> [f64; 2] {
-        let scene = self.app.scene();
+        let scene = self.app.scene().document();
         let first = scene.handles()[0];
-        scene.position(first).expect("a handle of the scene")
+        let [x, y, _] = scene.position(first).expect("a handle of the scene");
+        [x, y]
     }
 
     /// Takes hold of what lies at `at`.

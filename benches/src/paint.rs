@@ -25,7 +25,12 @@ pub fn run() {
         let (secs, mut table) = timed(|| Headless::new(ThemeKind::Light));
         new.push(secs);
         for step in &steps {
-            let (secs, image) = timed(|| draw(&mut table, &picture(&step.scene, step.position().unwrap_or_default())));
+            let (secs, image) = timed(|| {
+                draw(
+                    &mut table,
+                    &picture(&step.scene, step.position().unwrap_or_default()),
+                )
+            });
             drawn.push(secs);
             let (secs, png) = timed(|| image.to_png());
             packed.push(secs);
@@ -54,6 +59,7 @@ fn picture(scene: &Scene, step: usize) -> Picture<'_> {
         lang: Lang::En,
         theme: ThemeKind::Light,
         size_px: SIZE_PX,
+        title: None,
     }
 }
 

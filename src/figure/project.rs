@@ -74,7 +74,7 @@ pub fn project(space: &Space, eye: &Orbit) -> Vec<Mark> {
     };
     let mut marks = seen.faces();
     for ends in edges(&space.facets) {
-        marks.extend(seen.segment(&ends, Role::Ink, |mark| mark));
+        marks.extend(seen.segment(&ends, Role::Ink, |ends| Shape::Path(ends.to_vec())));
     }
     for mark in &space.marks {
         marks.extend(seen.mark(mark));
@@ -182,18 +182,27 @@ impl Seen<'_> {
             drawn.map(finished).into_iter().collect()
         };
         match &mark.shape {
-            Shape3::Segment(ends) => self.segment(ends, mark.role, finished),
+            Shape3::Segment(ends) => {
+                let mut drawn = self.segment(ends, mark.role, Shape::Segment);
+                // Its name stands once, where it is seen.
+                let named = drawn.iter().position(|part| !part.is_dashed).unwrap_or(0);
+                for (i, part) in drawn.iter_mut().enumerate() {
+                    part.link = mark.link;
+                    part.label = mark.label.clone().filter(|_| i == named);
+                }
+                drawn
+            }
             Shape3::Dot(at) => point(at, Shape::Dot),
             Shape3::Ring(at) => point(at, Shape::Ring),
         }
     }
 
-    /// The visible parts of a segment, finished as asked, and its hidden ones, dashed and soft.
+    /// The hidden parts of a segment, dashed and soft, and its visible ones, of this shape and role.
     fn segment(
         &self,
         ends: &[[f64; 3]; 2],
         role: Role,
-        finish: impl Fn(Mark) -> Mark,
+        shape: impl Fn([[f64; 2]; 2]) -> Shape,
     ) -> Vec<Mark> {
         let ends = ends.map(|at| DVec3::from(self.eye.view_from_world(at)));
         let before_eye = [(DVec3::NEG_Z, self.eye.near())];
@@ -206,13 +215,14 @@ impl Seen<'_> {
             .iter()
             .filter_map(|facet| inside(ends, facet.shadow()));
         let hidden = union(hidden.collect());
-        let drawn = |[from, to]: [f64; 2], role: Role| {
-            let part = [from, to].map(|t| self.on_picture(ends[0].lerp(ends[1], t)));
-            Mark::new(role, Shape::Segment(part))
-        };
+        let part =
+            |[from, to]: [f64; 2]| [from, to].map(|t| self.on_picture(ends[0].lerp(ends[1], t)));
         let visible = complement(&hidden);
-        let visible = visible.into_iter().map(|part| finish(drawn(part, role)));
-        let hidden = hidden.iter().map(|&part| drawn(part, Role::Soft).dashed());
+        let visible = visible.into_iter().map(|t| Mark::new(role, shape(part(t))));
+        let hidden = hidden.iter().map(|&t| {
+            let under = Shape::Path(part(t).to_vec());
+            Mark::new(Role::Soft, under).dashed()
+        });
         hidden.chain(visible).collect()
     }
 }
@@ -310,7 +320,7 @@ mod tests {
                 "{angles:?}"
             );
             let edges = [
-                n(|mark| matches!(mark.shape, Shape::Segment(_)) && !mark.is_dashed),
+                n(|mark| matches!(mark.shape, Shape::Path(_)) && !mark.is_dashed),
                 n(|mark| mark.is_dashed),
             ];
             assert_eq!(edges, [9, 3], "{angles:?}");
@@ -327,11 +337,14 @@ mod tests {
         let marks = seen(vec![line], &eye);
         let drawn: Vec<(bool, [[f64; 2]; 2])> = marks
             .iter()
-            .filter_map(|mark| match mark.shape {
-                Shape::Segment(ends) if ends[0][1] == 0.0 && ends[1][1] == 0.0 => {
-                    Some((mark.is_dashed, ends))
-                }
-                _ => None,
+            .filter_map(|mark| {
+                let ends = match &mark.shape {
+                    Shape::Segment(ends) => *ends,
+                    Shape::Path(points) => [points[0], points[1]],
+                    _ => return None,
+                };
+                let is_level = ends[0][1] == 0.0 && ends[1][1] == 0.0;
+                is_level.then_some((mark.is_dashed, ends))
             })
             .collect();
         // From the left edge of the front, behind which it goes in and comes out, to the right one.

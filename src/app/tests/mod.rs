@@ -6,6 +6,7 @@ mod files;
 mod frames;
 mod hands;
 mod keys;
+mod labs;
 mod places;
 mod polygons;
 mod third_lab;
