@@ -35,7 +35,10 @@ fn every_lab_has_a_format_solvers_a_panel_and_words() {
             let at = scene.document().position(handle);
             assert!(at.is_some(), "{id}: {handle:?} lies nowhere");
             let group = handle.group();
-            assert!(lab.lock_groups().contains(&group), "{id}: nothing locks {group}");
+            assert!(
+                lab.lock_groups().contains(&group),
+                "{id}: nothing locks {group}"
+            );
         }
     }
 }
