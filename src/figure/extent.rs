@@ -66,7 +66,8 @@ impl View {
             Body::Table(table) => {
                 let columns = table.header.len().saturating_sub(1) as f32;
                 let (rows, notes) = (table.rows.len() as f32, table.notes.len() as f32);
-                let least = [4.5 + 2.8 * columns, 3.0 + 1.8 * rows + 1.5 * notes];
+                // Rows are folded where there is no room for all.
+                let least = [4.5 + 2.8 * columns, 3.0 + 1.8 * rows.min(4.0) + 1.5 * notes];
                 let natural = [6.0 + 4.0 * columns, 4.5 + 3.8 * rows + 2.0 * notes];
                 (Stand::Beside, least, natural)
             }
@@ -81,10 +82,10 @@ impl View {
             Body::Products(products) => {
                 let rows = products.products.len() as f32;
                 let [low, high] = match products.measured {
-                    Some(_) => [8.0, 11.5],
+                    Some(_) => [5.6, 11.5],
                     None => [0.0, 0.0],
                 };
-                let least = [19.0, 5.5 * rows + low];
+                let least = [17.0, 3.7 * rows + low];
                 (Stand::Beside, least, [28.0, 9.5 * rows + high])
             }
         };

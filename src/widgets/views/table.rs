@@ -86,12 +86,15 @@ impl Plan {
     }
 }
 
-/// As wide as what stands in it, and as a short number at least, so that it stays where it is when one comes.
+/// As wide as what stands in it; one of numbers as a short one at least, so that it stays where it is when one comes.
 fn column(slate: &Slate<'_>, table: &Table, idx: usize, title: &Formula) -> Column {
     let ink = slate.theme().ink;
     let is_words = idx == 0 || title.0.iter().all(|token| matches!(token, Token::Term(_)));
     let width = |value: &Value| slate.value(value, (Face::Strong, SIZE, ink)).size().x;
-    let least = slate.words("−0.88", (Face::Plain, SIZE, ink)).size().x;
+    let least = match title.0[..] {
+        [] => 0.0,
+        _ => slate.words("−0.88", (Face::Plain, SIZE, ink)).size().x,
+    };
     let title = slate.formula(title, (Face::Strong, SIZE, ink)).size().x;
     let values = table.rows.iter().filter_map(|row| match idx {
         0 => Some(&row.name),

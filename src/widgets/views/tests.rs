@@ -189,3 +189,47 @@ fn nothing_overlaps_in_the_figures_of_the_course() {
     }
     assert!(faults.is_empty(), "{faults:#?}");
 }
+
+/// Has it a digit, this sign and a digit?
+fn has_number(said: &str, sign: char) -> bool {
+    let digits = |at: usize| {
+        let before = said[..at].chars().next_back();
+        let after = said[at + sign.len_utf8()..].chars().next();
+        [before, after].map(|c| c.is_some_and(|c| c.is_ascii_digit()))
+    };
+    let mut places = said.match_indices(sign);
+    places.any(|(at, _)| digits(at) == [true, true])
+}
+
+#[test]
+fn numbers_of_a_view_are_all_fractions_or_all_decimals() {
+    let look = Look {
+        theme: Headless::new(ThemeKind::Light).theme(),
+        catalog: Catalog::of(Lang::En),
+    };
+    let course = Course::embedded();
+    for lesson in &course.lessons {
+        for step in lesson.steps.iter().filter(|step| step.figure.is_some()) {
+            for run in step.scene.document().record() {
+                for nth in 0..=run.n_steps() {
+                    for view in &run.frame(nth).views {
+                        let compared = match &view.body {
+                            Body::Table(table) => table.spoken(look),
+                            Body::Products(products) => products.spoken(look),
+                            Body::NumberLine(line) => line.spoken(look),
+                            Body::Plane(_)
+                            | Body::Space(_)
+                            | Body::Raster(_)
+                            | Body::Bits(_)
+                            | Body::Lists(_)
+                            | Body::Clippers(_) => continue,
+                        };
+                        let is_mixed = ['/', '.'].map(|sign| has_number(&compared, sign));
+                        let place = format!("{}, step {nth}: {compared}", step.id);
+                        assert_ne!(is_mixed, [true, true], "{place}");
+                    }
+                }
+            }
+        }
+    }
+}

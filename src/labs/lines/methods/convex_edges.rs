@@ -76,6 +76,7 @@ pub fn interval(state: &State, event: Option<Event>) -> Interval {
         } else {
             state.verdict
         },
+        goes_on: false,
         vector: edge_in_hand(state, event).map(|_| "D"),
     }
 }

@@ -41,6 +41,8 @@ pub struct Interval {
     pub crossings: Vec<Crossing>,
     /// The answer, once known.
     pub verdict: Option<Visible>,
+    /// Is the segment's line drawn beyond its ends, with the crossings there?
+    pub goes_on: bool,
     /// At this step the segment is seen as a vector of this name, from P₁ to P₂.
     pub vector: Option<&'static str>,
 }
@@ -64,6 +66,7 @@ impl Interval {
         let mut marks = self.parts(segment);
         for crossing in &self.crossings {
             let at = on_line(segment, crossing.at);
+            let is_drawn = self.goes_on || (0.0..=1.0).contains(&crossing.at);
             let on_end = End::BOTH.iter().any(|end| end.of(segment).to_array() == at);
             let mark = if crossing.holds {
                 self.bound_mark(crossing, segment)
@@ -75,8 +78,8 @@ impl Interval {
                 Mark::new(Role::Signal, Shape::Cross(at))
                     .labelled(label)
                     .strong()
-            } else if on_end {
-                // The end itself is enough.
+            } else if on_end || !is_drawn {
+                // The end itself is enough; a cross on no line says nothing.
                 continue;
             } else {
                 Mark::new(Role::Discarded, Shape::Cross(at))

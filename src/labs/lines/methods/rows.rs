@@ -44,6 +44,7 @@ pub fn interval(state: &State, event: Option<Event>) -> Interval {
         bounds: state.interval,
         crossings: crossings.collect(),
         verdict: verdict(state, event),
+        goes_on: true,
         vector: None,
     }
 }
