@@ -24,7 +24,7 @@ bf-intersect = Intersección con la recta del { $edge }.
 bf-keep = Nada queda más allá del { $edge }: esta intersección no hacía falta.
 bf-keep-parallel = Nada queda más allá del { $edge }: este lado no cambia nada.
 bf-cut = { $end } está más allá de { $border }: pasa a { $to }.
-bf-note-tests = Un punto está dentro si se cumplen las cuatro.
+bf-note-tests = Un punto está dentro si cumple las cuatro condiciones.
 bf-in-vain = en vano
 code-bf-each = para cada borde no paralelo a P₁P₂
 code-bf-intersect = X ← recta P₁P₂ ∩ recta del borde
@@ -48,8 +48,8 @@ cs-choose = El último 1 es el del { $edge }: { $end } está más allá.
 cs-cut = { $end } se recorta en { $border }.
 cs-reject = Se rechaza: los dos extremos están { $region }; AND = { $and }.
 cs-note-code = Un 1 por cada borde más allá del cual está el punto.
-cs-note-or = OR pone un 1 donde lo tiene alguno de los dos códigos.
-cs-note-and = AND conserva un 1 solo donde lo tienen los dos códigos.
+cs-note-or = OR pone un 1 donde lo tiene alguno de los dos.
+cs-note-and = AND conserva un 1 solo donde lo tienen los dos.
 code-cs-codes = code₁ ← code(P₁); code₂ ← code(P₂)
 code-cs-loop = repetir
 code-cs-accept = si code₁ OR code₂ = 0: aceptar
