@@ -117,7 +117,7 @@ impl Page<'_> {
         let n = columns.len().max(1) as f32;
         let column_width = (width - (n - 1.0) * GUTTER_PTS) / n;
         let said = self.runs.iter().flat_map(|&run| sentences(run));
-        let costs = Self::costs(columns);
+        let costs = self.costs(columns);
         let bars: Vec<_> = costs
             .iter()
             .map(|cost| Bars::new(ui.painter(), self.look, cost, column_width))
@@ -131,7 +131,11 @@ impl Page<'_> {
             title: title
                 .as_ref()
                 .map_or(0.0, |title| title.size().y + UNDER_TITLE_PTS),
-            name: bars.first().map_or(0.0, |_| NAME_PTS * theme.text_scale),
+            name: if columns.len() > 1 {
+                NAME_PTS * theme.text_scale
+            } else {
+                0.0
+            },
             over_caption: OVER_CAPTION_PTS,
             caption: height_for_all(ui.painter(), self.look, said, column_width),
             cost: bars
@@ -152,9 +156,9 @@ impl Page<'_> {
         }
     }
 
-    /// What each method has done, where two are compared.
-    fn costs(columns: &[Column]) -> Vec<Cost<'static>> {
-        if columns.len() < 2 {
+    /// What each method has done, where two are compared; what a mistake costs is not what is to be seen.
+    fn costs(&self, columns: &[Column]) -> Vec<Cost<'static>> {
+        if columns.len() < 2 || self.difference.is_some() {
             return Vec::new();
         }
         let counts: Vec<_> = columns.iter().map(|column| column.frame.counts).collect();

@@ -1,6 +1,6 @@
 //! How much room views want, from their data alone: so that it is settled for a whole run before anything is drawn.
 
-use super::{Body, Caption, Run, View, ViewId};
+use super::{Body, Caption, Lists, Run, View, ViewId};
 
 /// Of a run's steps so many are asked what they show, the first and the last among them: a view that comes or grows is
 /// there at one of them, or has had its room from the start.
@@ -19,6 +19,8 @@ pub enum Stand {
     Drawing,
     /// A strip under the drawing, at its width: it measures what is drawn above it.
     Under,
+    /// A strip under all the rest, over the whole width: a row.
+    Across,
     /// Beside the drawing, from the same height.
     Beside,
 }
@@ -41,7 +43,7 @@ impl View {
     #[must_use]
     pub fn need(&self) -> Need {
         let (stand, least, natural) = match &self.body {
-            Body::Plane(_) | Body::Space(_) => (Stand::Drawing, [22.0, 11.0], [30.0, 24.0]),
+            Body::Plane(_) | Body::Space(_) => (Stand::Drawing, [22.0, 7.5], [30.0, 24.0]),
             Body::Raster(raster) => {
                 let [columns, rows] = raster.size.map(|n| n as f32);
                 (
@@ -51,7 +53,7 @@ impl View {
                 )
             }
             Body::NumberLine(_) => (Stand::Under, [14.0, 6.0], [f32::MAX, 8.0]),
-            Body::Clippers(_) => (Stand::Under, [14.0, 8.6], [f32::MAX, 8.6]),
+            Body::Clippers(_) => (Stand::Across, [43.0, 5.6], [f32::MAX, 6.8]),
             Body::Bits(bits) => {
                 let columns = bits.columns.len() as f32;
                 // The result has its room before it is asked for.
@@ -71,14 +73,7 @@ impl View {
                 let natural = [6.0 + 4.0 * columns, 4.5 + 3.8 * rows + 2.0 * notes];
                 (Stand::Beside, least, natural)
             }
-            Body::Lists(lists) => {
-                let n = lists.lists.len() as f32;
-                let entries = lists.lists.iter().map(|list| list.entries.len());
-                let rows = entries.max().unwrap_or(0).min(MOST_ENTRIES) as f32;
-                let least = [5.0 * n + 2.5 * (n - 1.0) + 2.0, 3.0 + 1.7 * rows.min(6.0)];
-                let natural = [8.0 * n + 7.0 * (n - 1.0) + 4.0, 3.5 + 2.4 * rows];
-                (Stand::Beside, least, natural)
-            }
+            Body::Lists(lists) => lists_need(lists),
             Body::Products(products) => {
                 let rows = products.products.len() as f32;
                 let [low, high] = match products.measured {
@@ -97,6 +92,19 @@ impl View {
             natural,
         }
     }
+}
+
+fn lists_need(lists: &Lists) -> (Stand, [f32; 2], [f32; 2]) {
+    let n = lists.lists.len() as f32;
+    let entries = lists.lists.iter().map(|list| list.entries.len());
+    let rows = entries.max().unwrap_or(0).min(MOST_ENTRIES) as f32;
+    let columns: usize = lists.lists.iter().map(|list| list.columns.len()).sum();
+    let least = [5.0 * n + 2.5 * (n - 1.0) + 2.0, 2.9 + 1.65 * rows.min(4.0)];
+    let width = 6.5 * n + 4.5 * columns as f32 + 5.0 * (n - 1.0);
+    let height = 3.5 + 2.0 * rows;
+    // Few entries may be larger than many.
+    let grown = (26.0 / height).clamp(1.0, 1.2);
+    (Stand::Beside, least, [grown * width, height])
 }
 
 /// What the views of a run want, in the order in which a step shows them: enough for every step, so that nothing moves

@@ -5,19 +5,25 @@
 //! │                                    │   │ method           │ method          │
 //! │ drawing                  bits      │   │ drawing          │ drawing         │
 //! │                          table     │   │                  │                 │
-//! │                          lists     │   │ number line      │ bits            │
-//! │ number line, clippers    products  │   │                  │                 │
+//! │                          lists     │   │ number line      │ lists           │
+//! │ number line              products  │   │                  │                 │
+//! │ clippers ───────────────────────── │   │ cost             │ cost            │
 //! ├────────────────────────────────────┤   ├──────────────────┼─────────────────┤
-//! │ caption                            │   │ caption, cost    │ caption, cost   │
+//! │ caption                            │   │ caption          │ caption         │
 //! └────────────────────────────────────┘   └──────────────────┴─────────────────┘
 //! ```
 //!
 //! Everything is settled by what a whole run wants ([`super::needs`]), so that no step moves anything.
 
+#[cfg(test)]
+mod tests;
+
 use super::{Need, Stand, ViewId};
 
 /// Of its column's width a drawing keeps this part at least, and of its height.
 const DRAWING: [f32; 2] = [0.45, 0.4];
+/// What is read with text of this size, in points, is worth drawing, also where a theme has larger text.
+const READABLE: f32 = 13.0;
 /// Between a drawing and what stands beside it, and under it; in ems.
 const GAP: [f32; 2] = [3.0, 1.0];
 
@@ -170,9 +176,10 @@ impl Sheet {
         let mut stage = whole;
         let most = 0.4 * whole.size()[1];
         let name = stage.take_top(self.name);
-        let cost = stage.take_bottom(self.cost.min(most));
+        // The white space that a short sentence leaves is at the foot of the page.
         let caption = stage.take_bottom(self.caption.min(most));
         stage.take_bottom(self.over_caption);
+        let cost = stage.take_bottom(self.cost.min(most));
         let column = ColumnLayout {
             whole,
             name,
@@ -184,14 +191,18 @@ impl Sheet {
     }
 
     /// The views of a column, the drawing first and no larger than `most`.
-    fn views(&self, stage: Slot, needs: &[Need], most: [f32; 2]) -> Vec<(ViewId, Slot)> {
+    fn views(&self, mut stage: Slot, needs: &[Need], most: [f32; 2]) -> Vec<(ViewId, Slot)> {
         let Some(first) = needs.iter().position(|need| need.stand == Stand::Drawing) else {
             return Vec::new();
         };
         let drawing = &needs[first];
         let others = needs[..first].iter().chain(&needs[first + 1..]);
-        let (mut under, mut beside): (Vec<&Need>, Vec<&Need>) =
-            others.partition(|need| need.stand == Stand::Under);
+        let (across, others): (Vec<&Need>, Vec<&Need>) =
+            others.partition(|need| need.stand == Stand::Across);
+        let (mut under, mut beside): (Vec<&Need>, Vec<&Need>) = others
+            .into_iter()
+            .partition(|need| need.stand == Stand::Under);
+        let across = self.across(&mut stage, drawing, across);
         let [width, height] = stage.size();
         let [gap_x, gap_y] = GAP.map(|gap| gap * self.em);
         let least_width = (drawing.least[0] * self.em).max(DRAWING[0] * width);
@@ -208,8 +219,15 @@ impl Sheet {
         if !beside.is_empty() {
             left.max[0] -= (side_width + gap_x + self.inset).round();
         }
-        let least_height = (drawing.least[1] * self.em).max(DRAWING[1] * height);
+        let least_height = least_height(drawing, height);
         let strips = self.heights(&under, height - least_height - self.inset);
+        // As far as they all are seen, the drawing keeps half.
+        let half = self.heights(&under, 0.5 * height);
+        let strips = if half.len() == strips.len() {
+            half
+        } else {
+            strips
+        };
         let taken: f32 = strips.iter().map(|strip| strip + gap_y).sum();
         let size = left.size();
         let inset = if strips.is_empty() { 0.0 } else { self.inset };
@@ -226,9 +244,38 @@ impl Sheet {
             min: [left.max[0] + gap_x.round(), stage.min[1] + self.inset],
             max: [stage.max[0] - self.inset, stage.max[1] - self.inset],
         };
-        let heights = self.heights(&beside, side.size()[1] + gap_y);
+        let mut heights = self.heights(&beside, side.size()[1] + gap_y);
+        // The last one may grow into what is left.
+        if heights.len() == beside.len()
+            && let Some(last) = heights.last_mut()
+        {
+            *last = f32::MAX;
+        }
         slots.extend(self.stack(side, &beside, &heights));
+        slots.extend(across);
         slots
+    }
+
+    /// Cuts the strips that go under all the rest off the bottom of a column.
+    fn across(
+        &self,
+        stage: &mut Slot,
+        drawing: &Need,
+        mut needs: Vec<&Need>,
+    ) -> Vec<(ViewId, Slot)> {
+        let [width, height] = stage.size();
+        needs.retain(|need| need.least[0] * READABLE <= width - 2.0 * self.inset);
+        let heights = self.heights(&needs, height - least_height(drawing, height) - self.inset);
+        if heights.is_empty() {
+            return Vec::new();
+        }
+        let gap = GAP[1] * self.em;
+        let taken: f32 = heights.iter().map(|height| height + gap).sum();
+        let mut strips = stage.take_bottom(taken + self.inset);
+        strips.min[0] += self.inset;
+        strips.max[0] -= self.inset;
+        strips.take_top(gap);
+        self.stack(strips, &needs, &heights)
     }
 
     /// Views above each other, from the top of a column.
@@ -248,16 +295,17 @@ impl Sheet {
     /// Heights of views above each other in a room of this height, each with a gap after it: between what they want at
     /// least and at most. The last ones get none where there is too little.
     fn heights(&self, needs: &[&Need], room: f32) -> Vec<f32> {
-        let [least, natural] = [|need: &Need| need.least[1], |need: &Need| need.natural[1]];
+        let least = |need: &Need| need.least[1] * READABLE.min(self.em);
+        let natural = |need: &Need| need.natural[1] * self.em;
         let gap = GAP[1] * self.em;
         let mut needs = needs.to_vec();
-        let sum = |needs: &[&Need], of: fn(&Need) -> f32| -> f32 {
-            needs.iter().map(|need| of(need) * self.em + gap).sum()
+        let sum = |needs: &[&Need], of: &dyn Fn(&Need) -> f32| -> f32 {
+            needs.iter().map(|need| of(need) + gap).sum()
         };
-        while !needs.is_empty() && sum(&needs, least) > room {
+        while !needs.is_empty() && sum(&needs, &least) > room {
             needs.pop();
         }
-        let (low, high) = (sum(&needs, least), sum(&needs, natural));
+        let (low, high) = (sum(&needs, &least), sum(&needs, &natural));
         let part = if high > room {
             (room - low) / (high - low)
         } else {
@@ -265,94 +313,13 @@ impl Sheet {
         };
         let height = |need: &&Need| {
             let [low, high] = [least(need), natural(need)];
-            (low + part * (high - low)) * self.em
+            low + part * (high - low)
         };
         needs.iter().map(height).collect()
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn need(id: &'static str, stand: Stand, least: [f32; 2], natural: [f32; 2]) -> Need {
-        let id = ViewId(id);
-        Need {
-            id,
-            stand,
-            least,
-            natural,
-        }
-    }
-
-    fn sheet(size: [f32; 2], em: f32) -> Sheet {
-        Sheet {
-            area: Slot::new([0.0; 2], size),
-            em,
-            margin: 48.0,
-            inset: 0.0,
-            gutter: 40.0,
-            title: 40.0,
-            name: 0.0,
-            over_caption: 18.0,
-            caption: 60.0,
-            cost: 0.0,
-        }
-    }
-
-    fn needs() -> Vec<Need> {
-        vec![
-            need("plane", Stand::Drawing, [22.0, 11.0], [30.0, 24.0]),
-            need("line", Stand::Under, [14.0, 6.0], [60.0, 8.0]),
-            need("table", Stand::Beside, [20.0, 12.0], [30.0, 20.0]),
-            need("note", Stand::Beside, [10.0, 4.0], [20.0, 8.0]),
-        ]
-    }
-
-    fn is_apart(a: Slot, b: Slot) -> bool {
-        (0..2).any(|i| a.max[i] <= b.min[i] || b.max[i] <= a.min[i])
-    }
-
-    #[test]
-    fn nothing_overlaps_or_leaves_the_sheet_at_any_size() {
-        for em in [13.0, 18.2] {
-            for width in (100..2000).step_by(90) {
-                for height in (80..1200).step_by(70) {
-                    let size = [width as f32, height as f32];
-                    let layout = sheet(size, em).lay_out(&[needs(), needs()[..2].to_vec()]);
-                    for column in &layout.columns {
-                        let slots: Vec<Slot> = column.views.iter().map(|(_, slot)| *slot).collect();
-                        for (i, &slot) in slots.iter().enumerate() {
-                            let others = slots[..i].iter();
-                            assert!(others.copied().all(|other| is_apart(slot, other)));
-                            assert!(slot.max[1] <= column.caption.min[1], "{size:?} {slot:?}");
-                        }
-                    }
-                    let [a, b] = [0, 1].map(|i| layout.columns[i].views[0].1.size());
-                    assert!((a[0] - b[0]).abs() <= 1.0 && a[1] == b[1], "one scale");
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn a_table_stands_beside_the_drawing_from_its_height_and_an_axis_under_it_at_its_width() {
-        let layout = sheet([960.0, 540.0], 13.0).lay_out(&[needs()]);
-        let slot = |id| layout.columns[0].slot(ViewId(id)).unwrap();
-        let [plane, line, table] = ["plane", "line", "table"].map(slot);
-        assert_eq!(table.min[1], plane.min[1]);
-        assert!(table.min[0] > plane.max[0]);
-        assert_eq!([line.min[0], line.max[0]], [plane.min[0], plane.max[0]]);
-        assert!(line.min[1] > plane.max[1]);
-    }
-
-    #[test]
-    fn what_has_no_room_is_left_out_from_the_last_on() {
-        let shown = |size| {
-            let layout = sheet(size, 13.0).lay_out(&[needs()]);
-            layout.columns[0].views.len()
-        };
-        assert_eq!(shown([960.0, 540.0]), 4);
-        assert_eq!(shown([400.0, 200.0]), 1);
-    }
+/// What a drawing keeps of a column's height.
+fn least_height(drawing: &Need, height: f32) -> f32 {
+    (drawing.least[1] * READABLE).max(DRAWING[1] * height)
 }

@@ -42,7 +42,7 @@ pub fn beside_the_drawing(
         column_title(
             &ui.painter_at(strip),
             look,
-            (strip.left_center(), Align2::LEFT_CENTER),
+            (strip.left_top(), Align2::LEFT_TOP),
             strip.width(),
             name,
             words.note,

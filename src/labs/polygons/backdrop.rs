@@ -5,22 +5,37 @@ use crate::{
     geom::{Polygon, extent},
 };
 
-use super::{Method, Scene};
+use super::{Given, Method, Scene};
 
 /// The clip region of `method`, if it has one, and the subject's outlines as they were given.
 #[must_use]
 pub fn backdrop(scene: &Scene, method: Method, at_end: bool) -> Vec<Mark> {
     let clip = region(scene, method).map(|clip| vec![outline(&clip)]);
-    let subject = scene.rings().map(outline).collect();
     let clip = clip.map(|clip| Mark::new(Role::Ink, Shape::Area(clip)).linked("window"));
-    // What is not covered by the result has been cut off.
-    let role = if at_end && method.info().clips {
-        Role::Discarded
-    } else {
-        Role::Soft
+    clip.into_iter()
+        .chain(subject(scene, method, at_end))
+        .collect()
+}
+
+/// What is not covered by the result, or by the list that a method works on, has been cut off.
+fn subject(scene: &Scene, method: Method, at_end: bool) -> Vec<Mark> {
+    let rings: Vec<_> = scene.rings().map(outline).collect();
+    let info = method.info();
+    let marks = match (at_end && info.clips, info.given) {
+        (true, _) => vec![Mark::new(Role::Discarded, Shape::Area(rings))],
+        (false, Given::Whole) => vec![Mark::new(Role::Soft, Shape::Area(rings))],
+        (false, Given::CutOff) => {
+            let outlines = rings.iter().cloned().map(Shape::Outline);
+            let outlines = outlines.map(|shape| Mark::new(Role::Discarded, shape));
+            let outlines = outlines.collect();
+            let fill = Mark::new(Role::Soft, Shape::Fill(rings));
+            [vec![fill], outlines].concat()
+        }
     };
-    let subject = Mark::new(role, Shape::Area(subject)).linked("subject");
-    clip.into_iter().chain([subject]).collect()
+    marks
+        .into_iter()
+        .map(|mark| mark.linked("subject"))
+        .collect()
 }
 
 /// The world rectangle that holds everything.

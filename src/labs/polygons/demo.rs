@@ -5,7 +5,7 @@ use crate::{
     labs::{self, Demo},
 };
 
-use super::{Refusal, Scene};
+use super::{Given, Refusal, Scene};
 
 /// A polygon clipper that can be shown.
 pub trait PolygonDemo: Demo {
@@ -13,6 +13,8 @@ pub trait PolygonDemo: Demo {
     const CLIPS: bool = true;
     /// Does it carry texture coordinates along?
     const CARRIES_TEXTURE: bool = false;
+    /// How the subject is seen while it works.
+    const GIVEN: Given = Given::Whole;
     /// Does it know holes?
     const KNOWS_HOLES: bool = false;
 

@@ -2,6 +2,15 @@
 
 use crate::{figure::Run, labs::MethodCard};
 
+/// How the subject is seen under a method's drawing, before its end.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Given {
+    /// As it is.
+    Whole,
+    /// As cut off, but for what the drawing outlines: the list that the method works on.
+    CutOff,
+}
+
 /// What is known of a method without running it.
 pub struct MethodInfo<S> {
     /// Names, source and pseudocode.
@@ -10,6 +19,8 @@ pub struct MethodInfo<S> {
     pub clips: bool,
     /// Does it carry texture coordinates along?
     pub carries_texture: bool,
+    /// How the subject is seen while it works.
+    pub given: Given,
     /// Does it know holes?
     pub knows_holes: bool,
     pub(super) record: fn(&S) -> Box<dyn Run>,

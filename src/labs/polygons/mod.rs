@@ -18,7 +18,7 @@ pub use change::{OUTLINES, PolygonsChange};
 pub use demo::PolygonDemo;
 pub use handles::Vertex;
 pub use lab::LAB;
-pub use method_info::MethodInfo;
+pub use method_info::{Given, MethodInfo};
 pub use presets::{PRESETS, Preset, REGIONS};
 pub use random::random_polygon;
 pub use refusal::{Part, Refusal};

@@ -13,6 +13,7 @@ const fn info<A: PolygonDemo>() -> MethodInfo<Scene> {
         card: MethodCard::of::<A>(),
         clips: A::CLIPS,
         carries_texture: A::CARRIES_TEXTURE,
+        given: A::GIVEN,
         knows_holes: A::KNOWS_HOLES,
         record: |scene| A::record(scene).unwrap_or_else(|refusal| refusal.run(scene)),
     }

@@ -35,7 +35,9 @@ const COORDINATE_SIZE: f32 = 12.5;
 impl OnSlate for ClipperRow {
     fn slate<'a>(&self, painter: &'a Painter, look: Look<'a>, rect: Rect) -> Slate<'a> {
         let room = rect.size();
-        Slate::fitted(painter, look, room, |slate| plan::wanted(slate, room))
+        Slate::grown(painter, look, room, plan::MOST_GROWN, |slate| {
+            plan::wanted(slate, room)
+        })
     }
 
     fn draw(&self, slate: &mut Slate<'_>, rect: Rect, links: &mut Links) {

@@ -23,7 +23,7 @@ use super::{
     table::more,
 };
 use chip::chip;
-use plan::{Column, FOLD_SIZE, LANE, Plan, TITLE_SIZE};
+use plan::{Column, FOLD_SIZE, HEADING_SIZE, LANE, Plan, TITLE_SIZE};
 
 impl OnSlate for Lists {
     fn slate<'a>(&self, painter: &'a Painter, look: Look<'a>, rect: Rect) -> Slate<'a> {
@@ -33,7 +33,7 @@ impl OnSlate for Lists {
     fn draw(&self, slate: &mut Slate<'_>, rect: Rect, links: &mut Links) {
         let plan = Plan::new(slate, rect, self);
         for (list, column) in self.lists.iter().zip(&plan.columns) {
-            title(slate, list, column);
+            title(slate, list, column, rect.top());
             loops(slate, list, column, &plan);
             connectors(slate, list, column, &plan);
             entries(slate, list, column, &plan, links);
@@ -73,12 +73,21 @@ fn spoken(look: Look<'_>, list: &List) -> String {
             ""
         };
         let name = look.catalog.value(&entry.name);
-        let details = entry.details.iter().flatten();
-        let details: Vec<String> = details.map(|detail| look.catalog.value(detail)).collect();
+        let headings = list.columns.iter().map(Some).chain(std::iter::repeat(None));
+        let details = entry.details.iter().zip(headings);
+        let details = details.filter_map(|(detail, heading)| {
+            let detail = look.catalog.value(detail.as_ref()?);
+            let heading = heading.map(|heading| look.catalog.value(heading));
+            Some(match heading.filter(|heading| !heading.is_empty()) {
+                Some(heading) => format!("{heading} {detail}"),
+                None => detail,
+            })
+        });
+        let details: Vec<String> = details.collect();
         if details.is_empty() {
             format!("{arrow}{name}")
         } else {
-            format!("{arrow}{name} ({})", details.join(" "))
+            format!("{arrow}{name} ({})", details.join(", "))
         }
     };
     let folded = |n: usize| (n > 0).then(|| look.catalog.message(&more(n)));
@@ -90,11 +99,34 @@ fn spoken(look: Look<'_>, list: &List) -> String {
     format!("{}: {}", look.catalog.value(&list.title), said.join(", "))
 }
 
-fn title(slate: &mut Slate<'_>, list: &List, column: &Column) {
+fn title(slate: &mut Slate<'_>, list: &List, column: &Column, top: f32) {
     let style = (Face::Strong, TITLE_SIZE, slate.theme().ink);
     let title = slate.value(&list.title, style);
-    let at = column.chips.center_top() - vec2(0.0, slate.pts(10.0));
-    slate.put(&title, at, Align2::CENTER_BOTTOM);
+    let at = pos2(column.chips.center().x, top);
+    slate.put(&title, at, Align2::CENTER_TOP);
+    headings(slate, list, column);
+}
+
+/// What the columns of details are, over the first entry.
+fn headings(slate: &mut Slate<'_>, list: &List, column: &Column) {
+    let ends = column.widths.columns(slate, column.chips.center().x);
+    for (nth, (heading, [left, right])) in list.columns.iter().zip(ends).enumerate() {
+        let details = list
+            .entries
+            .iter()
+            .filter_map(|entry| entry.details.get(nth)?.as_ref());
+        let (x, align) = if details.clone().any(chip::is_flush_right) {
+            (right, Align2::RIGHT_BOTTOM)
+        } else {
+            (left, Align2::LEFT_BOTTOM)
+        };
+        if details.count() > 0 {
+            let style = (Face::Plain, HEADING_SIZE, slate.theme().soft);
+            let heading = slate.low(heading, style);
+            let at = pos2(x, column.chips.top() - slate.pts(3.0));
+            slate.put(&heading, at, align);
+        }
+    }
 }
 
 /// Each ring leads back to its first entry in a thin loop on the outer side.

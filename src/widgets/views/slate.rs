@@ -67,6 +67,20 @@ impl<'a> Slate<'a> {
         Self::new(painter, look).fitted_in(room, wanted)
     }
 
+    /// As large as `room` lets it be, and at most so many times its natural size.
+    pub fn grown(
+        painter: &'a Painter,
+        look: Look<'a>,
+        room: Vec2,
+        most: f32,
+        wanted: impl Fn(&Self) -> Vec2,
+    ) -> Self {
+        let slate = Self::new(painter, look);
+        let least = LEAST_SCALE * slate.scale;
+        let scale = slate.scale * most;
+        Self { scale, ..slate }.shrunk_to(least, room, wanted)
+    }
+
     /// The same where numbers stand beside each other.
     pub fn with_numbers(painter: &'a Painter, look: Look<'a>, notation: Notation) -> Self {
         let slate = Self::new(painter, look);
@@ -75,16 +89,20 @@ impl<'a> Slate<'a> {
 
     /// See [`fitted`](Self::fitted).
     pub fn fitted_in(self, room: Vec2, wanted: impl Fn(&Self) -> Vec2) -> Self {
+        let least = LEAST_SCALE * self.scale;
+        self.shrunk_to(least, room, wanted)
+    }
+
+    fn shrunk_to(self, least: f32, room: Vec2, wanted: impl Fn(&Self) -> Vec2) -> Self {
         let mut slate = self;
-        let least = LEAST_SCALE * slate.scale;
         // Text does not shrink evenly, as glyphs stand on whole pixels: what comes out is measured again.
-        for _ in 0..6 {
+        for _ in 0..8 {
             let wanted = wanted(&slate);
             let part = (room.x / wanted.x).min(room.y / wanted.y);
             if part >= 1.0 || slate.scale <= least {
                 break;
             }
-            slate.scale = (slate.scale * part).max(least);
+            slate.scale = (0.997 * slate.scale * part).max(least);
         }
         slate
     }

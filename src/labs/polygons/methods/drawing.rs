@@ -36,6 +36,7 @@ pub fn marks<V: Corner>(
                 names(ring, Role::Accepted, &[], &[])
             }
         });
+        marks.extend(slipped(given, ring));
         return marks;
     }
     if let Some(edge_idx) = state.edge_idx {
@@ -54,9 +55,8 @@ pub fn marks<V: Corner>(
         );
     }
     if let Some(Event::Pass { .. }) = event {
-        let cut = Mark::new(Role::Discarded, Shape::Outline(outline(&state.passed)));
         let left = Mark::new(Role::Accent, Shape::Outline(outline(&state.input)));
-        marks.extend([cut, left.linked("input")]);
+        marks.push(left.linked("input"));
         marks.extend(names(&state.input, Role::Accent, &[], &[]));
         if state.input.is_empty() {
             marks.extend(names(&state.passed, Role::Discarded, &state.sides, &[]));
@@ -80,6 +80,23 @@ pub fn right_outline<V: Corner>(input: &Input<V>, state: &State<V>) -> Option<Ma
     let right = silent::<SutherlandHodgman<V>>(input).vertices;
     let shape = Shape::Outline(outline(&right));
     (right != state.input).then(|| Mark::new(Role::Ink, shape).dashed().linked("right"))
+}
+
+/// From where a vertex's place in the texture was given to where it is now: with the right rules it stays.
+fn slipped<V: Corner>(given: &[V], ring: &[V]) -> Vec<Mark> {
+    let place = |v: &V| v.uv().map(|uv| (uv, v.at()));
+    let given: Vec<_> = given.iter().filter_map(place).collect();
+    let moved = ring.iter().filter_map(place).filter_map(|(uv, now)| {
+        let home = given.iter().find(|(other, _)| *other == uv)?.1;
+        (home != now).then(|| (uv, home.to_array(), now.to_array()))
+    });
+    let marks = moved.flat_map(|(uv, home, now)| {
+        let arrow = Mark::new(Role::Ink, Shape::Arrow([home, now])).dashed();
+        let label = Formula::default().sym("uv = ").point(uv);
+        let ring = Mark::new(Role::Ink, Shape::Ring(home)).labelled(label);
+        [arrow, ring]
+    });
+    marks.collect()
 }
 
 /// What happens at this step: the edge, its ends, its crossing, the vertex put out.

@@ -7,7 +7,7 @@ use crate::{
     },
     figure::{List, ListEntry, ListLink, Lists, Marker, Role},
     labs::words::{name, vertex_symbol},
-    text::{Formula, Value},
+    text::Value,
 };
 
 use super::{
@@ -149,15 +149,15 @@ impl<V: Corner> Pair<'_, V> {
                     if is_inside { Marker::Dot } else { Marker::Ring }
                 },
             );
-            entry.details = places(&self.input[i]);
+            entry.details = vec![Some(place(&self.input[i]))];
             if !is_last {
-                let distance = self.sides.get(i).map(|&(d, _)| distance(d));
+                let distance = self.sides.get(i).map(|&(d, _)| Value::Number(d));
                 entry.details.insert(usize::from(V::IS_TEXTURED), distance);
             }
             entry.link = (!is_last).then(|| vertex_link(i));
             entry
         };
-        let mut columns = columns::<V>();
+        let mut columns = vec![column::<V>()];
         if !is_last {
             columns.insert(usize::from(V::IS_TEXTURED), name("d"));
         }
@@ -193,12 +193,12 @@ impl<V: Corner> Pair<'_, V> {
             let mut entry = ListEntry::new(name(symbol));
             entry.role = role;
             entry.marker = Some(Marker::Dot);
-            entry.details = self.output.get(i).or(found).map_or_else(Vec::new, places);
+            entry.details = vec![self.output.get(i).or(found).map(place)];
             entry.link = is_closed.then(|| vertex_link(i));
             entry
         };
         List {
-            columns: columns::<V>(),
+            columns: vec![column::<V>()],
             n_before: reach.start,
             n_after: n - reach.end,
             focus: focus.map(|focus| focus - reach.start),
@@ -210,7 +210,8 @@ impl<V: Corner> Pair<'_, V> {
         }
     }
 
-    /// What came from where, of the entries that are given.
+    /// What came from where, of the entries that are given: a crossing from both ends of its edge while that is at work,
+    /// afterwards from the outer one, in whose place it stands.
     fn links(&self, origins: &[Option<[usize; 2]>], lists: [&List; 2]) -> Vec<ListLink> {
         let is_now = matches!(self.now, Now::Finds(_) | Now::PutsOut);
         let given = |list: usize, i: usize| {
@@ -223,35 +224,29 @@ impl<V: Corner> Pair<'_, V> {
             let Some((to, [s, p])) = given(1, i).zip(*origin) else {
                 continue;
             };
-            let role = if is_now && i + 1 == origins.len() {
-                Role::Signal
-            } else {
-                Role::Soft
+            let is_inside = |i: usize| self.sides.get(i).is_some_and(|&(_, is_inside)| is_inside);
+            let (from, role) = match (is_now && i + 1 == origins.len(), is_inside(s)) {
+                (true, _) => (vec![s, p], Role::Signal),
+                (false, true) => (vec![p], Role::Soft),
+                (false, false) => (vec![s], Role::Soft),
             };
-            let from = std::iter::once(s).chain((p != s).then_some(p));
-            let from = from.filter_map(|from| given(0, from));
+            let from = from.iter().skip(usize::from(from.first() == from.get(1)));
+            let from = from.filter_map(|&from| given(0, from));
             links.extend(from.map(|from| ListLink { from, to, role }));
         }
         links
     }
 }
 
-/// Over the columns that every list has; the one that matters most is first, as there may be room for one alone.
-fn columns<V: Corner>() -> Vec<Value> {
-    let texture = V::IS_TEXTURED.then(|| name("(u, v)"));
-    texture.into_iter().chain([name("(x, y)")]).collect()
+/// Over the column that every list has: what the drawing does not tell.
+fn column<V: Corner>() -> Value {
+    name(if V::IS_TEXTURED { "(u, v)" } else { "(x, y)" })
 }
 
-/// `d = −2`.
-fn distance(d: f64) -> Value {
-    Formula::default().sym("d = ").num(d).into()
-}
-
-/// Where in the texture a vertex is, if it has a place there, and where on the stage.
-fn places<V: Corner>(vertex: &V) -> Vec<Option<Value>> {
-    let texture = V::IS_TEXTURED.then(|| vertex.uv().map(Value::Point));
-    let place = Some(Value::Point(vertex.at().to_array()));
-    texture.into_iter().chain([place]).collect()
+/// Where in the texture a vertex is, if it has a place there, else where on the stage.
+fn place<V: Corner>(vertex: &V) -> Value {
+    let at = vertex.uv().unwrap_or_else(|| vertex.at().to_array());
+    Value::Point(at)
 }
 
 #[cfg(test)]
@@ -313,7 +308,11 @@ mod tests {
         ];
         assert_eq!(roles, expected, "S and P are this step's, two are to come");
         assert_eq!(input.entries[2].marker, Some(Marker::Ring), "P is outside");
-        assert_eq!(input.entries[2].details[0], Some(distance(-2.0)), "by 2");
+        assert_eq!(
+            input.entries[2].details[0],
+            Some(Value::Number(-2.0)),
+            "by 2"
+        );
         let last = output.entries.last().expect("I");
         assert_eq!((&last.name, last.role), (&name("I"), Role::Signal));
         assert_eq!(taken(&found), [[1, 2], [2, 2]], "from S and from P");
@@ -326,7 +325,7 @@ mod tests {
     fn a_pass_keeps_what_is_linked() -> Result<(), GeomError> {
         let passed = at(&*run(&CUT_LEFT)?, "pass", 1);
         let links: Vec<[usize; 2]> = passed.links.iter().map(|l| [l.from[1], l.to[1]]).collect();
-        let expected = [[0, 0], [1, 1], [1, 2], [2, 2], [3, 3], [4, 3], [4, 4]];
+        let expected = [[0, 0], [1, 1], [2, 2], [3, 3], [4, 4]];
         assert_eq!(links, expected);
         let markers = passed.lists[0].entries.iter().map(|entry| entry.marker);
         let n_outside = markers

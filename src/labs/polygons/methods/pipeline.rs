@@ -209,7 +209,9 @@ impl Demo for Pipeline {
 fn marks(step: &Step<'_, Pipeline>) -> Vec<Mark> {
     let (input, state) = (step.input, step.state);
     if let Some(outcome) = state.outcome {
-        return result(&state.output, outcome, &input.region, &input.vertices);
+        let ring = names(&state.output, Role::Accepted, &[], &[]);
+        let left = result(&state.output, outcome, &input.region, &input.vertices);
+        return left.into_iter().chain(ring).collect();
     }
     let mut marks = Vec::new();
     if let Some(stage_idx) = state.stage_idx {

@@ -13,7 +13,7 @@ use crate::{
     geom::Point,
     labs::{
         CodeLine, Demo, Step,
-        polygons::{PolygonDemo, Refusal, Scene, Texture},
+        polygons::{Given, PolygonDemo, Refusal, Scene, Texture},
         record, record_wrong,
         words::{name, point_formula, vertex_symbol},
     },
@@ -41,6 +41,7 @@ impl Variant for Right {
 
 impl<L: Variant> PolygonDemo for SutherlandHodgman<Point, L> {
     const CARRIES_TEXTURE: bool = L::DIFFERS_KEY.is_none();
+    const GIVEN: Given = Given::CutOff;
 
     fn input(scene: &Scene) -> Result<Input, Refusal> {
         input(scene)

@@ -14,6 +14,8 @@ const LEAST_SHOWN: usize = 4;
 const MOST_SHOWN: usize = 6;
 /// White space beside the row, and above and below it.
 const MARGIN: Vec2 = vec2(4.0, 8.0);
+/// Where there is room, a row grows to so many times its natural size.
+pub const MOST_GROWN: f32 = 1.2;
 /// White space in a box.
 pub const PAD: Vec2 = vec2(7.0, 5.0);
 /// The least length of an arrow, with room for a vertex and its name.
@@ -50,9 +52,9 @@ fn natural(is_stacked: bool) -> Vec2 {
     2.0 * MARGIN + vec2(n * size.x + ends, NAME + size.y)
 }
 
-/// A coordinate stands below the other where they have no room beside each other.
+/// A coordinate stands below the other where they have no room beside each other, not even in text of plain size.
 fn is_stacked(slate: &Slate<'_>, room: Vec2) -> bool {
-    room.x < slate.pts(natural(false).x)
+    room.x < slate.scale.min(1.0) * natural(false).x
 }
 
 /// How much room it wants on a slate.

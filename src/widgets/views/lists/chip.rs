@@ -11,7 +11,7 @@ use super::super::{
     links::Links,
     slate::{Face, Slate, wash},
 };
-use super::plan::{DETAIL_GAP, DETAIL_SIZE, MARKER, NAME_SIZE, Widths};
+use super::plan::{DETAIL_SIZE, NAME_SIZE, Widths};
 
 /// How an entry of a role looks: its surface, its border, its name.
 fn look_of(slate: &Slate<'_>, role: Role) -> (Color32, Stroke, (Face, Color32)) {
@@ -62,15 +62,9 @@ pub fn chip(
             .painter
             .rect(place, corner, fill, border, StrokeKind::Inside);
     }
-    let marker = if widths.has_markers {
-        slate.pts(MARKER)
-    } else {
-        0.0
-    };
-    let details: f32 = widths.details.iter().sum();
-    let details = details + widths.details.len() as f32 * slate.pts(DETAIL_GAP);
+    let marker = widths.marker(slate);
     // What is said of the names stands under each other; a name alone stands in the middle.
-    let left = place.center().x - 0.5 * (widths.name + details + marker);
+    let left = place.center().x - 0.5 * widths.content(slate);
     let y = place.center().y;
     if let Some(kind) = entry.marker {
         let at = Pos2::new(left + 0.3 * marker, y);
@@ -89,24 +83,29 @@ pub fn chip(
     } else {
         slate.theme().soft
     };
-    let mut left = left + marker + widths.name;
-    for (width, detail) in widths.details.iter().zip(&entry.details) {
-        left += slate.pts(DETAIL_GAP);
+    let columns = widths.columns(slate, place.center().x);
+    for ([left, right], detail) in columns.into_iter().zip(&entry.details) {
         if let Some(detail) = detail {
-            let (x, align) = match detail {
-                Value::Number(_) | Value::Ratio { .. } | Value::Count(_) => {
-                    (left + width, Align2::RIGHT_CENTER)
-                }
-                Value::Point(_)
-                | Value::Name(_)
-                | Value::Term(_)
-                | Value::Formula(_)
-                | Value::Message(_) => (left, Align2::LEFT_CENTER),
+            let (x, align) = if is_flush_right(detail) {
+                (right, Align2::RIGHT_CENTER)
+            } else {
+                (left, Align2::LEFT_CENTER)
             };
             let detail = slate.low(detail, (Face::Plain, DETAIL_SIZE, soft));
             slate.put(&detail, Pos2::new(x, y), align);
         }
-        left += width;
+    }
+}
+
+/// Numbers end at the right end of their column.
+pub const fn is_flush_right(detail: &Value) -> bool {
+    match detail {
+        Value::Number(_) | Value::Ratio { .. } | Value::Count(_) => true,
+        Value::Point(_)
+        | Value::Name(_)
+        | Value::Term(_)
+        | Value::Formula(_)
+        | Value::Message(_) => false,
     }
 }
 

@@ -22,19 +22,27 @@ pub const MARKER: f32 = 16.0;
 pub const DETAIL_GAP: f32 = 10.0;
 /// Room for a loop beside a list.
 pub const LANE: f32 = 22.0;
-/// The titles' height with the white space under them.
+/// The titles' height with the white space under them, and the height of the headings under them.
 const TITLE: f32 = 30.0;
+const HEADING: f32 = 15.0;
 /// Between two lists: with links from one to the other, and without.
-const GAPS: [f32; 2] = [84.0, 36.0];
+const GAPS: [f32; 2] = [56.0, 36.0];
 /// How far apart lists may stand where there is room.
-const MOST_GAP: f32 = 160.0;
-/// Rows that are shown before text becomes smaller than [`FOLD_BELOW`].
-const LEAST_ROWS: usize = 6;
-const FOLD_BELOW: f32 = 0.85;
+const MOST_GAP: f32 = 120.0;
+/// Where there is much room, lists grow to so many times their natural size.
+const MOST_GROWN: f32 = 1.2;
+/// Entries are folded before text becomes smaller than this part of its size in a theme of plain size, and details are
+/// left out.
+const FOLD_BELOW: f32 = 0.82;
+/// So many rows at least stand in a list that is folded.
+const LEAST_ROWS: usize = 4;
+/// A column of details is no narrower.
+const LEAST_DETAIL: f32 = 18.0;
 pub const TITLE_SIZE: f32 = 13.0;
 pub const NAME_SIZE: f32 = 13.0;
 pub const FOLD_SIZE: f32 = 12.0;
 pub const DETAIL_SIZE: f32 = 12.0;
+pub const HEADING_SIZE: f32 = 12.0;
 
 /// Widths of what stands in the chips of a list.
 pub struct Widths {
@@ -46,6 +54,36 @@ pub struct Widths {
     pub has_markers: bool,
     chip: f32,
     title: f32,
+}
+
+impl Widths {
+    /// Of the name and all that stands beside it.
+    pub fn content(&self, slate: &Slate<'_>) -> f32 {
+        let details: f32 = self.details.iter().sum();
+        let gaps = self.details.len() as f32 * slate.pts(DETAIL_GAP);
+        self.name + details + gaps + self.marker(slate)
+    }
+
+    /// Of the marker with the white space after it.
+    pub fn marker(&self, slate: &Slate<'_>) -> f32 {
+        if self.has_markers {
+            slate.pts(MARKER)
+        } else {
+            0.0
+        }
+    }
+
+    /// Left and right ends of the columns of details, in a chip about this place.
+    pub fn columns(&self, slate: &Slate<'_>, centre: f32) -> Vec<[f32; 2]> {
+        let mut left = centre - 0.5 * self.content(slate) + self.marker(slate) + self.name;
+        let column = |width: &f32| {
+            left += slate.pts(DETAIL_GAP);
+            let ends = [left, left + width];
+            left += width;
+            ends
+        };
+        self.details.iter().map(column).collect()
+    }
 }
 
 /// A list's place.
@@ -83,7 +121,8 @@ impl Plan {
     pub fn new(slate: &Slate<'_>, rect: Rect, lists: &Lists) -> Self {
         let n_details = n_details(slate, lists, rect.width());
         let widths: Vec<Widths> = widths(slate, lists, n_details);
-        let room = rect.height() - slate.pts(TITLE);
+        let over = over(slate, lists);
+        let room = rect.height() - over;
         let n_fit = ((room / slate.pts(STEPS[0]) + 0.2) as usize).max(3);
         let folds: Vec<Fold> = lists.lists.iter().map(|list| fold(list, n_fit)).collect();
         let n_rows = folds.iter().map(Fold::n_rows).max().unwrap_or(1).max(1);
@@ -101,7 +140,7 @@ impl Plan {
             let lane = if list.is_ring { slate.pts(LANE) } else { 0.0 };
             let aside = (0.5 * (widths.title - widths.chip)).max(0.0);
             let left = x + if is_loop_left { lane.max(aside) } else { aside };
-            let top = rect.top() + slate.pts(TITLE);
+            let top = rect.top() + over;
             let chips = vec2(widths.chip, slate.pts(CHIP));
             let right = left + widths.chip + if is_loop_left { aside } else { lane.max(aside) };
             x = right + gap;
@@ -128,18 +167,39 @@ impl Plan {
 pub fn slate<'a>(painter: &'a Painter, look: Look<'a>, room: Vec2, lists: &Lists) -> Slate<'a> {
     let n_rows = lists.lists.iter().map(|list| list.entries.len()).max();
     let n_rows = n_rows.unwrap_or(1).max(1);
-    Slate::fitted(painter, look, room, |slate| {
-        let height = |n_rows: usize| slate.pts(TITLE + STEPS[0] * n_rows as f32);
-        let would_be = room.y / height(n_rows) * slate.scale;
-        let folds = would_be < FOLD_BELOW * look.theme.text_scale;
-        let n_rows = if folds {
+    Slate::grown(painter, look, room, MOST_GROWN, |slate| {
+        let height = |n_rows: usize| over(slate, lists) + slate.pts(STEPS[0]) * n_rows as f32;
+        let is_folded = room.y / height(n_rows) * slate.scale < FOLD_BELOW;
+        // Folded, as many rows are seen as there is room for.
+        let least = if is_folded {
             LEAST_ROWS.min(n_rows)
         } else {
             n_rows
         };
-        let widths = widths(slate, lists, 0);
-        vec2(width(slate, lists, &widths), height(n_rows))
+        let height = if is_folded && slate.scale > FOLD_BELOW {
+            let fits =
+                (room.y - over(slate, lists) * FOLD_BELOW / slate.scale) / (STEPS[0] * FOLD_BELOW);
+            height((fits as usize).clamp(least, n_rows))
+        } else {
+            height(least)
+        };
+        let n_details = if slate.scale > FOLD_BELOW {
+            usize::MAX
+        } else {
+            0
+        };
+        let widths = widths(slate, lists, n_details);
+        vec2(width(slate, lists, &widths), height)
     })
+}
+
+/// The titles, with the headings of the details under them.
+fn over(slate: &Slate<'_>, lists: &Lists) -> f32 {
+    let headings = lists.lists.iter().flat_map(|list| &list.columns);
+    let has_headings = headings
+        .map(|heading| slate.look.catalog.value(heading))
+        .any(|heading| !heading.is_empty());
+    slate.pts(if has_headings { TITLE + HEADING } else { TITLE })
 }
 
 fn fold(list: &List, n_fit: usize) -> Fold {
@@ -158,7 +218,8 @@ fn fold(list: &List, n_fit: usize) -> Fold {
 /// As many columns of details are shown as there is room for at this scale.
 fn n_details(slate: &Slate<'_>, lists: &Lists, room: f32) -> usize {
     let entries = lists.lists.iter().flat_map(|list| &list.entries);
-    let n_all = entries.map(|entry| entry.details.len()).max().unwrap_or(0);
+    let n_all = entries.map(|entry| entry.details.len());
+    let n_all = n_all.max().unwrap_or(0);
     let fits = |n: &usize| width(slate, lists, &widths(slate, lists, *n)) <= room;
     (0..=n_all).rev().find(fits).unwrap_or(0)
 }
@@ -183,13 +244,34 @@ fn width(slate: &Slate<'_>, lists: &Lists, widths: &[Widths]) -> f32 {
 }
 
 fn widths(slate: &Slate<'_>, lists: &Lists, n_details: usize) -> Vec<Widths> {
-    let lists = lists.lists.iter();
-    lists
-        .map(|list| widths_of(slate, list, n_details))
+    let each = lists.lists.iter();
+    each.map(|list| widths_of(slate, lists, list, n_details))
         .collect()
 }
 
-fn widths_of(slate: &Slate<'_>, list: &List, n_details: usize) -> Widths {
+/// Columns with the same heading are as wide in every list, so that one that is still empty has its room.
+fn detail_width(slate: &Slate<'_>, lists: &Lists, list: &List, nth: usize) -> f32 {
+    let ink = slate.theme().ink;
+    let heading = list.columns.get(nth);
+    let set = |(of, nth): (&List, usize)| {
+        let details = of.entries.iter();
+        let details = details.filter_map(move |entry| entry.details.get(nth)?.as_ref());
+        let width = |detail| slate.low(detail, (Face::Plain, DETAIL_SIZE, ink)).size().x;
+        details.map(width).fold(slate.pts(LEAST_DETAIL), f32::max)
+    };
+    let alike = lists.lists.iter().filter_map(|of| {
+        let nth = of.columns.iter().position(|other| Some(other) == heading)?;
+        Some((of, nth))
+    });
+    let widest = alike.map(set).fold(set((list, nth)), f32::max);
+    let heading = heading.map(|heading| {
+        let heading = slate.low(heading, (Face::Plain, HEADING_SIZE, ink));
+        heading.size().x
+    });
+    widest.max(heading.unwrap_or(0.0))
+}
+
+fn widths_of(slate: &Slate<'_>, lists: &Lists, list: &List, n_details: usize) -> Widths {
     let ink = slate.theme().ink;
     let name = |entry: &ListEntry| {
         let style = (Face::Strong, NAME_SIZE, ink);
@@ -197,35 +279,23 @@ fn widths_of(slate: &Slate<'_>, list: &List, n_details: usize) -> Widths {
     };
     let entries = list.entries.iter();
     let name = entries.clone().map(name).fold(0.0, f32::max);
-    let detail = |nth: usize| {
-        let set = |entry: &ListEntry| {
-            let detail = entry.details.get(nth)?.as_ref()?;
-            Some(slate.low(detail, (Face::Plain, DETAIL_SIZE, ink)).size().x)
-        };
-        entries.clone().filter_map(set).reduce(f32::max)
+    let n_own = entries.clone().map(|entry| entry.details.len()).max();
+    let n_own = n_own.unwrap_or(0).max(list.columns.len()).min(n_details);
+    let details = (0..n_own).map(|nth| detail_width(slate, lists, list, nth));
+    let mut widths = Widths {
+        name,
+        details: details.collect(),
+        has_markers: entries.clone().any(|entry| entry.marker.is_some()),
+        chip: 0.0,
+        title: 0.0,
     };
-    let n_own = entries
-        .clone()
-        .map(|entry| entry.details.len())
-        .max()
-        .unwrap_or(0);
-    let details = (0..n_details.min(n_own)).map(|nth| detail(nth).unwrap_or(0.0));
-    let details: Vec<f32> = details.collect();
-    let gaps = details.len() as f32 * slate.pts(DETAIL_GAP);
-    let has_markers = entries.clone().any(|entry| entry.marker.is_some());
-    let text = name + details.iter().sum::<f32>() + gaps;
-    let marker = if has_markers { slate.pts(MARKER) } else { 0.0 };
     let folded = folded_width(slate, list);
     let title = (Face::Strong, TITLE_SIZE, ink);
-    Widths {
-        name,
-        details,
-        has_markers,
-        chip: (text + marker + 2.0 * slate.pts(PAD))
-            .max(slate.pts(LEAST_CHIP_WIDTH))
-            .max(folded),
-        title: slate.value(&list.title, title).size().x,
-    }
+    widths.title = slate.value(&list.title, title).size().x;
+    widths.chip = (widths.content(slate) + 2.0 * slate.pts(PAD))
+        .max(slate.pts(LEAST_CHIP_WIDTH))
+        .max(folded);
+    widths
 }
 
 /// What may have to stand in the place of a chip: how many are folded.

@@ -1,0 +1,88 @@
+//! Nothing overlaps, and what there is no room for is left out.
+
+use super::*;
+
+fn need(id: &'static str, stand: Stand, least: [f32; 2], natural: [f32; 2]) -> Need {
+    let id = ViewId(id);
+    Need {
+        id,
+        stand,
+        least,
+        natural,
+    }
+}
+
+fn sheet(size: [f32; 2], em: f32) -> Sheet {
+    Sheet {
+        area: Slot::new([0.0; 2], size),
+        em,
+        margin: 48.0,
+        inset: 0.0,
+        gutter: 40.0,
+        title: 40.0,
+        name: 0.0,
+        over_caption: 18.0,
+        caption: 60.0,
+        cost: 0.0,
+    }
+}
+
+fn needs() -> Vec<Need> {
+    vec![
+        need("plane", Stand::Drawing, [22.0, 8.5], [30.0, 24.0]),
+        need("line", Stand::Under, [14.0, 6.0], [60.0, 8.0]),
+        need("row", Stand::Across, [43.0, 6.0], [80.0, 6.4]),
+        need("table", Stand::Beside, [20.0, 12.0], [30.0, 20.0]),
+        need("note", Stand::Beside, [10.0, 4.0], [20.0, 8.0]),
+    ]
+}
+
+fn is_apart(a: Slot, b: Slot) -> bool {
+    (0..2).any(|i| a.max[i] <= b.min[i] || b.max[i] <= a.min[i])
+}
+
+#[test]
+fn nothing_overlaps_or_leaves_the_sheet_at_any_size() {
+    for em in [13.0, 18.2] {
+        for width in (100..2000).step_by(90) {
+            for height in (80..1200).step_by(70) {
+                let size = [width as f32, height as f32];
+                let layout = sheet(size, em).lay_out(&[needs(), needs()[..2].to_vec()]);
+                for column in &layout.columns {
+                    let slots: Vec<Slot> = column.views.iter().map(|(_, slot)| *slot).collect();
+                    for (i, &slot) in slots.iter().enumerate() {
+                        let others = slots[..i].iter();
+                        assert!(others.copied().all(|other| is_apart(slot, other)));
+                        assert!(slot.max[1] <= column.caption.min[1], "{size:?} {slot:?}");
+                    }
+                }
+                let [a, b] = [0, 1].map(|i| layout.columns[i].views[0].1.size());
+                assert!((a[0] - b[0]).abs() <= 1.0 && a[1] == b[1], "one scale");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_table_stands_beside_the_drawing_from_its_height_and_an_axis_under_it_at_its_width() {
+    let layout = sheet([960.0, 540.0], 13.0).lay_out(&[needs()]);
+    let slot = |id| layout.columns[0].slot(ViewId(id)).unwrap();
+    let [plane, line, table] = ["plane", "line", "table"].map(slot);
+    assert_eq!(table.min[1], plane.min[1]);
+    assert!(table.min[0] > plane.max[0]);
+    assert_eq!([line.min[0], line.max[0]], [plane.min[0], plane.max[0]]);
+    assert!(line.min[1] > plane.max[1]);
+    let row = slot("row");
+    assert_eq!([row.min[0], row.max[0]], [plane.min[0], table.max[0]]);
+    assert!(row.min[1] > line.max[1]);
+}
+
+#[test]
+fn what_has_no_room_is_left_out_from_the_last_on() {
+    let shown = |size| {
+        let layout = sheet(size, 13.0).lay_out(&[needs()]);
+        layout.columns[0].views.len()
+    };
+    assert_eq!(shown([960.0, 540.0]), 5);
+    assert_eq!(shown([400.0, 200.0]), 1);
+}
