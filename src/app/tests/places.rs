@@ -1,13 +1,17 @@
 //! Where things stand at the steps of the course: nothing moves, and all of it is there.
 
-use egui::{Rect, Ui, UiBuilder, Vec2, vec2};
+use std::collections::BTreeSet;
+
+use egui::{Event, Rect, Ui, UiBuilder, Vec2, vec2};
 
 use super::{Bench, SIZE};
 use crate::{
     app::{App, Command, Settings, inspector},
+    figure::Link,
     lesson::{CodeView, Course},
     paint::ThemeKind,
     text::Lang,
+    widgets::rect_of,
 };
 
 /// Inside the inspector's margins, between the bar at the top and the transport.
@@ -95,4 +99,39 @@ fn nothing_on_the_stage_moves_from_one_step_of_a_run_to_the_next() {
             }
         }
     });
+}
+
+#[test]
+fn what_is_pointed_at_in_a_view_lights_up_on_the_stage() {
+    let mut bench = bench(Lang::En, ThemeKind::Light);
+    let mut lit = BTreeSet::new();
+    for_each_step(&mut bench, |bench, place| {
+        let [_, step] = bench.app.place.indices();
+        if step != 2 || bench.app.playback.frames().len() > 1 {
+            return;
+        }
+        for (id, slot) in bench.app.stage.places.clone().into_iter().skip(1) {
+            let rect = rect_of(slot);
+            for nth in 0..80 {
+                let part = vec2((nth % 4) as f32 / 4.0 + 0.1, (nth / 4) as f32 / 20.0);
+                let at = rect.min + part * rect.size();
+                bench.frame(0.02, vec![Event::PointerMoved(at)]);
+                let Some(link) = bench.app.stage.lit else {
+                    continue;
+                };
+                lit.insert(id.0);
+                let mut marks = bench.app.scene().document().backdrop(0, false);
+                marks.extend(bench.app.playback.frames()[0].marks().iter().cloned());
+                let is_there = marks.iter().any(|mark| mark.link == Some(link));
+                // A side of the window is drawn on its own only when its turn comes.
+                let is_side = ["left", "right", "bottom", "top"]
+                    .map(Link::from)
+                    .contains(&link);
+                assert!(is_there || is_side, "{place} {id:?} {link:?}");
+            }
+        }
+    });
+    for kind in ["codes", "crossings", "edges", "lists", "ring"] {
+        assert!(lit.contains(kind), "{kind} is not in {lit:?}");
+    }
 }
