@@ -36,8 +36,8 @@ pub struct Slate<'a> {
     pub look: Look<'a>,
     /// Factor on every length, text included.
     pub scale: f32,
-    /// How the numbers of the view are written.
-    notation: Notation,
+    /// How the numbers of the view are written; else those of a value suit each other.
+    notation: Option<Notation>,
     /// Where text stands.
     pub texts: Vec<Rect>,
     /// What text keeps clear of.
@@ -51,7 +51,7 @@ impl<'a> Slate<'a> {
             painter,
             look,
             scale: look.theme.text_scale,
-            notation: Notation::Own,
+            notation: None,
             texts: Vec::new(),
             strokes: Vec::new(),
         }
@@ -84,7 +84,10 @@ impl<'a> Slate<'a> {
     /// The same where numbers stand beside each other.
     pub fn with_numbers(painter: &'a Painter, look: Look<'a>, notation: Notation) -> Self {
         let slate = Self::new(painter, look);
-        Self { notation, ..slate }
+        Self {
+            notation: Some(notation),
+            ..slate
+        }
     }
 
     /// See [`fitted`](Self::fitted).
@@ -129,7 +132,11 @@ impl<'a> Slate<'a> {
     /// A value, set.
     pub fn value(&self, value: &Value, (face, size, colour): Style) -> Typeset {
         let font = self.font(face, size);
-        let pieces = self.look.catalog.value_pieces_as(value, self.notation);
+        let catalog = self.look.catalog;
+        let pieces = match self.notation {
+            Some(notation) => catalog.value_pieces_as(value, notation),
+            None => catalog.value_pieces(value),
+        };
         self.set(pieces, font, colour)
     }
 
@@ -137,7 +144,10 @@ impl<'a> Slate<'a> {
     pub fn formula(&self, formula: &Formula, (face, size, colour): Style) -> Typeset {
         let font = self.font(face, size);
         let catalog = self.look.catalog;
-        let pieces = catalog.formula_pieces_as(formula, self.notation);
+        let pieces = match self.notation {
+            Some(notation) => catalog.formula_pieces_as(formula, notation),
+            None => catalog.formula_pieces(formula),
+        };
         self.set(pieces, font, colour)
     }
 
@@ -158,7 +168,12 @@ impl<'a> Slate<'a> {
 
     /// A value on one plain line, its quotients not stacked: where rows are low.
     pub fn low(&self, value: &Value, style: Style) -> Typeset {
-        self.words(self.look.catalog.value_as(value, self.notation), style)
+        let catalog = self.look.catalog;
+        let words = match self.notation {
+            Some(notation) => catalog.value_as(value, notation),
+            None => catalog.value(value),
+        };
+        self.words(words, style)
     }
 
     /// A sentence, on as many lines as it takes.
