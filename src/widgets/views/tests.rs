@@ -14,7 +14,7 @@ use super::{
     slate::{Slate, crosses},
 };
 use crate::{
-    figure::{Body, View},
+    figure::{Body, NumberLine, View},
     lesson::Course,
     paint::{Headless, ThemeKind},
     text::{Catalog, Lang},
@@ -146,6 +146,24 @@ fn an_empty_interval_is_crossed_over() {
     check("c2-axis-close", &rooms, &data::axis([0.5, 0.53], 0));
     check("c2-axis-touch", &rooms, &data::axis([0.5, 0.5], 0));
     check("c2-axis-late", &rooms, &data::axis([1.5, 1.0], 0));
+}
+
+#[test]
+fn an_interval_that_is_empty_for_another_reason_is_not_said_to_be_crossed_over() {
+    let look = Look {
+        theme: Headless::new(ThemeKind::Light).theme(),
+        catalog: Catalog::of(Lang::En),
+    };
+    let said = |bounds: [f64; 2]| {
+        let line = NumberLine {
+            empty: true,
+            ..data::axis(bounds, 0)
+        };
+        line.spoken(look)
+    };
+    assert!(said([0.375, 0.25]).contains("u_min > u_max"));
+    assert!(!said([0.0, 1.0]).contains('>'));
+    assert!(said([0.0, 1.0]).contains("nothing is left"));
 }
 
 #[test]
