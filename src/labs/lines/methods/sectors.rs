@@ -16,6 +16,9 @@ use crate::{
 
 use super::shared::side_key;
 
+/// A sector that is narrower than this part of the window, from its middle to its side, has no room for a name.
+const NARROW: f64 = 0.3;
+
 /// The rays from P₁ through the corners, and the names of the sectors between them.
 pub fn marks(p1: Point, window: &Window) -> Vec<Mark> {
     let eye = DVec2::from(p1.to_array());
@@ -40,8 +43,14 @@ pub fn marks(p1: Point, window: &Window) -> Vec<Mark> {
         let Some(name) = name(eye, eye + along * (10.0 * size.length()), window) else {
             continue;
         };
-        let place = eye + along * (a.length().max(b.length()) + 0.15 * size.length());
-        let room = 0.2 * size.min_element();
+        let far = a.length().max(b.length()) + 0.15 * size.length();
+        let place = eye + along * far;
+        // A name that reached into the next sector would be that one's.
+        let half_width = far * along.perp_dot(a.normalize_or_zero()).abs();
+        let room = (0.2 * size.min_element()).min(0.5 * half_width);
+        if half_width < NARROW * size.min_element() {
+            continue;
+        }
         let corners = [place - room, place + room].map(|p| p.to_array());
         marks.push(Mark::new(Role::Faint, Shape::Region(corners)).labelled(name));
     }

@@ -242,13 +242,16 @@ fn piece_marks(pieces: &Pieces) -> Vec<Mark> {
     rings.map(mark).collect()
 }
 
-/// The answer: the pieces merged.
+/// The answer: the pieces merged, and the seams between them.
 fn merged_marks(pieces: &Pieces) -> Vec<Mark> {
     let rings: Vec<Vec<[f64; 2]>> = pieces.merged().iter().map(|ring| points(ring)).collect();
     if rings.is_empty() {
         return Vec::new();
     }
-    vec![Mark::new(Role::Accepted, Shape::Area(rings))]
+    let seams = pieces.rings().take(FEW_ENOUGH);
+    let seams = seams.map(|ring| Mark::new(Role::Faint, Shape::Outline(points(ring))));
+    let merged = Mark::new(Role::Accepted, Shape::Area(rings));
+    std::iter::once(merged).chain(seams).collect()
 }
 
 fn points(ring: &[Point]) -> Vec<[f64; 2]> {
