@@ -21,7 +21,7 @@ mod tests;
 use super::{Need, Stand, ViewId};
 
 /// Of its column's width a drawing keeps this part at least, and of its height.
-const DRAWING: [f32; 2] = [0.45, 0.4];
+const DRAWING: [f32; 2] = [0.45, 0.55];
 /// What is read with text of this size, in points, is worth drawing, also where a theme has larger text.
 const READABLE: f32 = 13.0;
 /// Between a drawing and what stands beside it, and under it; in ems.
