@@ -79,7 +79,7 @@ impl Standing {
             };
             let is_start = list == List::Subject && state.start == Some(node);
             let stays = label(state, node).is_none_or(|label| label == Label::Touching);
-            if !stays && !(is_start && role == Role::Accent) {
+            if !(stays || is_start && role == Role::Accent) {
                 self.set(list.other(), twin, role);
             }
         }
