@@ -11,7 +11,11 @@ use crate::{
 fn every_lab_has_a_format_solvers_a_panel_and_words() {
     let kit = Kit::default();
     let tabs: Vec<&str> = kit.panels.iter().map(|panel| panel.lab().id()).collect();
-    assert_eq!(tabs, LABS.map(crate::labs::Lab::id), "a tab each, in their order");
+    assert_eq!(
+        tabs,
+        LABS.map(crate::labs::Lab::id),
+        "a tab each, in their order"
+    );
     for lab in LABS {
         let id = lab.id();
         let scene = lab.first_scene();
