@@ -45,17 +45,18 @@ impl<R: Real, B: Copy> Interval<R, B> {
         distances: impl Fn(B) -> [f64; 2],
         wins_tie: impl Fn(B) -> bool,
     ) -> bool {
-        let (bound, inwards) = if to.leaving {
-            (&mut self.bounds[1], Ordering::Less)
+        // Two calls, so that each knows at compile time which bound it moves.
+        if to.leaving {
+            tighten(&mut self.bounds[1], to, Ordering::Less, distances, wins_tie)
         } else {
-            (&mut self.bounds[0], Ordering::Greater)
-        };
-        let order = to.compare(bound, distances);
-        let moves = order == inwards || order.is_eq() && bound.border.is_some_and(wins_tie);
-        if moves {
-            *bound = to;
+            tighten(
+                &mut self.bounds[0],
+                to,
+                Ordering::Greater,
+                distances,
+                wins_tie,
+            )
         }
-        moves
     }
 
     /// u_min > u_max: nothing is left.
@@ -77,6 +78,23 @@ impl<R: Real, B: Copy> Interval<R, B> {
         let [u_min, u_max] = &self.bounds;
         u_min.compare(u_max, distances).is_eq()
     }
+}
+
+/// Moves a bound to a parameter that lies inwards of it, or takes its place at a tie. Does it move?
+#[inline]
+fn tighten<R: Real, B: Copy>(
+    bound: &mut Param<R, B>,
+    to: Param<R, B>,
+    inwards: Ordering,
+    distances: impl Fn(B) -> [f64; 2],
+    wins_tie: impl Fn(B) -> bool,
+) -> bool {
+    let order = to.compare(bound, distances);
+    let moves = order == inwards || order.is_eq() && bound.border.is_some_and(wins_tie);
+    if moves {
+        *bound = to;
+    }
+    moves
 }
 
 #[cfg(test)]
