@@ -40,8 +40,11 @@ impl Line {
             painter.extend(seen.map(|ends| Shape::line_segment(ends, stroke)));
             return;
         }
-        let turns = self.sharp_turns();
-        if !turns.is_empty() && self.points.len() <= MOST_JOINS {
+        let turns = match self.points.len() {
+            ..=MOST_JOINS => self.sharp_turns(),
+            _ => vec![],
+        };
+        if !turns.is_empty() {
             for run in self.between(&turns) {
                 painter.add(Shape::line(run, stroke));
             }

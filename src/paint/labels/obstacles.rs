@@ -13,6 +13,8 @@ use super::anchor::edges_of;
 
 /// Of more than this on a stage there is no keeping off.
 const MOST: usize = 2_000;
+/// An outline of more points than this leaves no room beside it to look for.
+const MOST_OF_AN_OUTLINE: usize = 500;
 /// A crowd of more segments than this is a texture behind the figure.
 const MOST_OF_A_CROWD: usize = 50;
 /// White space that a label likes to have around it, in points.
@@ -86,7 +88,11 @@ pub fn obstacles(viewport: &Viewport, theme: &Theme, pieces: &[Piece<'_>]) -> Ve
 fn of_piece(viewport: &Viewport, theme: &Theme, piece: &Piece<'_>) -> Vec<Obstacle> {
     let Piece { mark, part, .. } = piece;
     let half = 0.5 * Pen::of(theme, mark).stroke.width;
-    let strokes = edges_of(part).into_iter();
+    let strokes = match part {
+        Part::Stroke(points) | Part::Ring(points) if points.len() > MOST_OF_AN_OUTLINE => vec![],
+        _ => edges_of(part),
+    };
+    let strokes = strokes.into_iter();
     let mut obstacles: Vec<Obstacle> = strokes.map(|ends| Obstacle::Stroke(ends, half)).collect();
     match part {
         Part::Arrow([from, tip]) | Part::Head([from, tip]) => {
