@@ -57,13 +57,16 @@ pub fn pieces<'a>(
     for mark in marks {
         let is_lit = lit.is_some() && mark.link == lit;
         for part in parts(viewport, &mark.shape) {
-            let piece = |layer| Piece {
-                layer,
+            pieces.extend(is_lit.then(|| Piece {
+                layer: Layer::Glow,
                 mark,
                 part: part.clone(),
-            };
-            pieces.extend(is_lit.then(|| piece(Layer::Glow)));
-            pieces.push(piece(layer_of(&part, mark.role)));
+            }));
+            pieces.push(Piece {
+                layer: layer_of(&part, mark.role),
+                mark,
+                part,
+            });
         }
     }
     stop_short(theme, &mut pieces);

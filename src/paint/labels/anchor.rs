@@ -80,11 +80,13 @@ impl Anchor {
 
     fn along(parts: &[Part<'_>], stage: Rect) -> Option<Self> {
         let edges = parts.iter().flat_map(edges_of);
-        let mut seen: Vec<[Pos2; 2]> = edges.filter_map(|ends| cut_to(ends, stage)).collect();
-        let length = |[a, b]: &[Pos2; 2]| a.distance(*b);
-        seen.sort_by(|a, b| length(b).total_cmp(&length(a)));
-        seen.truncate(MOST_EDGES);
-        (!seen.is_empty()).then_some(Self::Along(seen))
+        let seen = edges.filter_map(|ends| cut_to(ends, stage));
+        let mut longest: Vec<(f32, [Pos2; 2])> =
+            seen.map(|[a, b]| (a.distance(b), [a, b])).collect();
+        longest.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+        longest.truncate(MOST_EDGES);
+        let edges: Vec<[Pos2; 2]> = longest.into_iter().map(|(_, ends)| ends).collect();
+        (!edges.is_empty()).then_some(Self::Along(edges))
     }
 }
 
