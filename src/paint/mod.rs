@@ -25,6 +25,7 @@ mod viewport;
 mod tests;
 
 pub use cpu::CpuPainter;
+pub use cut::crosses;
 pub use headless::Headless;
 pub use image::Image;
 pub use labels::{Obstacle, Placed};

@@ -16,11 +16,11 @@ use crate::{
     text::Catalog,
 };
 
-use super::{Theme, Viewport, layers::Piece};
+use super::{Theme, Viewport, cut::length_in, layers::Piece};
 
 use self::{
     anchor::Anchor,
-    obstacles::{length_in, obstacles},
+    obstacles::obstacles,
     places::{Lean, Place, places},
     text::{Setter, Text},
 };

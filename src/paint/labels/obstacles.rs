@@ -4,6 +4,7 @@ use egui::{Pos2, Rect};
 
 use crate::paint::{
     Theme, Viewport,
+    cut::length_in,
     layers::{Layer, Piece},
     parts::{HEAD, Part},
     pen::{Pen, radius},
@@ -135,25 +136,4 @@ fn meets([a, b, c]: [Pos2; 3], rect: Rect) -> bool {
     };
     Rect::from_points(&[a, b, c]).intersects(rect)
         && ![[a, b], [b, c], [c, a]].map(is_parted).contains(&true)
-}
-
-/// Length of the part of a line that lies in a rectangle: the parameter interval of the slab method.
-pub fn length_in([a, b]: [Pos2; 2], rect: Rect) -> f32 {
-    let d = b - a;
-    let (mut from, mut to) = (0.0f32, 1.0f32);
-    for (origin, d, min, max) in [
-        (a.x, d.x, rect.left(), rect.right()),
-        (a.y, d.y, rect.top(), rect.bottom()),
-    ] {
-        if d == 0.0 {
-            if origin < min || origin > max {
-                return 0.0;
-            }
-            continue;
-        }
-        let (t0, t1) = ((min - origin) / d, (max - origin) / d);
-        from = from.max(t0.min(t1));
-        to = to.min(t0.max(t1));
-    }
-    (to - from).max(0.0) * d.length()
 }

@@ -5,7 +5,7 @@ use egui::{Align2, Color32, FontFamily, FontId, Painter, Pos2, Rect, Shape, Stro
 
 use crate::{
     figure::Role,
-    paint::{Span, Theme, Typeset, fonts::semibold},
+    paint::{Span, Theme, Typeset, crosses, fonts::semibold},
     text::{Formula, Message, Notation, Piece, Value},
 };
 
@@ -292,42 +292,5 @@ pub fn wash(theme: &Theme, role: Role) -> Color32 {
         Role::Accepted => tint(theme.accepted),
         Role::Ink | Role::Soft | Role::Faint => theme.panel,
         Role::Discarded => theme.background,
-    }
-}
-
-/// Does a line come into a rectangle?
-pub fn crosses([a, b]: [Pos2; 2], rect: Rect) -> bool {
-    let d = b - a;
-    let (mut from, mut to) = (0.0_f32, 1.0_f32);
-    for (origin, d, min, max) in [
-        (a.x, d.x, rect.left(), rect.right()),
-        (a.y, d.y, rect.top(), rect.bottom()),
-    ] {
-        if d == 0.0 {
-            if origin <= min || origin >= max {
-                return false;
-            }
-            continue;
-        }
-        let (t0, t1) = ((min - origin) / d, (max - origin) / d);
-        from = from.max(t0.min(t1));
-        to = to.min(t0.max(t1));
-    }
-    from < to
-}
-
-#[cfg(test)]
-mod tests {
-    use egui::pos2;
-
-    use super::*;
-
-    #[test]
-    fn a_line_comes_into_a_rectangle_or_passes_it() {
-        let rect = Rect::from_min_max(pos2(0.0, 0.0), pos2(10.0, 10.0));
-        assert!(crosses([pos2(-5.0, 5.0), pos2(5.0, 5.0)], rect));
-        assert!(crosses([pos2(5.0, -5.0), pos2(5.0, 15.0)], rect));
-        assert!(!crosses([pos2(-5.0, 0.0), pos2(0.0, 11.0)], rect));
-        assert!(!crosses([pos2(-5.0, 10.0), pos2(15.0, 10.0)], rect));
     }
 }

@@ -11,12 +11,12 @@ use super::{
     body_of,
     links::Links,
     on_slate::OnSlate,
-    slate::{Slate, crosses},
+    slate::Slate,
 };
 use crate::{
     figure::{Body, NumberLine, View},
     lesson::Course,
-    paint::{Headless, ThemeKind},
+    paint::{Headless, ThemeKind, crosses},
     text::{Catalog, Lang},
 };
 
