@@ -4,6 +4,7 @@ use egui::Pos2;
 
 use crate::{
     figure::{Link, Mark},
+    geom::distance_to_segment,
     paint::{Part, Viewport, parts},
 };
 
@@ -28,36 +29,25 @@ pub fn link_at(viewport: &Viewport, marks: &[Mark], at: Pos2) -> Option<Link> {
 }
 
 fn distance(part: &Part<'_>, at: Pos2) -> f32 {
+    let place = |at: Pos2| [at.x, at.y].map(f64::from);
+    let to_edge = |a, b| distance_to_segment(place(at), [place(a), place(b)]) as f32;
     let to_line = |points: &[Pos2]| {
         let edges = points.windows(2);
         edges
-            .map(|ends| distance_to_segment(at, ends[0], ends[1]))
+            .map(|ends| to_edge(ends[0], ends[1]))
             .fold(f32::INFINITY, f32::min)
     };
     match part {
         Part::Stroke(points) => to_line(points),
         Part::Ring(points) => {
-            let closing = [points.last().copied(), points.first().copied()];
-            let closing: Vec<Pos2> = closing.into_iter().flatten().collect();
-            to_line(points).min(to_line(&closing))
+            let closing = points.last().zip(points.first());
+            let closing = closing.map_or(f32::INFINITY, |(&last, &first)| to_edge(last, first));
+            to_line(points).min(closing)
         }
         Part::Arrow(ends) | Part::Head(ends) => to_line(ends),
         Part::Marker(_, centre) => centre.distance(at),
         Part::Wash(_) | Part::Fill(_) | Part::Texture(_) | Part::Crowd(_) => f32::INFINITY,
     }
-}
-
-/// Distance of a point from a segment, all on the screen.
-#[must_use]
-pub fn distance_to_segment(at: Pos2, a: Pos2, b: Pos2) -> f32 {
-    let along = b - a;
-    let length_sq = along.length_sq();
-    let t = if length_sq > 0.0 {
-        ((at - a).dot(along) / length_sq).clamp(0.0, 1.0)
-    } else {
-        0.0
-    };
-    at.distance(a + along * t)
 }
 
 #[cfg(test)]

@@ -26,7 +26,7 @@ pub use caption::{caption, caption_text, height_for_all};
 pub use composed::{TEXT_PTS, Words, beside_the_drawing, headline, rect_of, slot_of};
 pub use cost::{Bars, Cost, cost, most_of_a_kind};
 pub use handles::{Gesture, Moved, Snap, Spot, gripped};
-pub use hit::{distance_to_segment, link_at};
+pub use hit::link_at;
 pub use icon::{Icon, icon_button};
 pub use lesson_text::lesson_text;
 pub use pan_zoom::PanZoom;
