@@ -18,7 +18,7 @@ use crate::{
 
 use super::{
     format::SceneFormat,
-    parts::{array, method, number_like, outline, points, window},
+    parts::{array, count_and_seed, head, method, number_like, outline, window},
 };
 
 /// The fields of a scene.
@@ -179,14 +179,7 @@ fn random(
     most: usize,
     sink: &mut Sink<'_>,
 ) -> Option<Vec<Segment>> {
-    let fields = Fields::of(item, &["count", "seed"], sink)?;
-    let count = fields
-        .require("count", sink)
-        .and_then(|item| whole(item, 1..MAX_SEGMENTS as u64 + 1, sink));
-    let seed = fields
-        .require("seed", sink)
-        .and_then(|item| whole(item, 0..i64::MAX as u64, sink));
-    let (count, seed) = (count? as usize, seed?);
+    let (count, seed) = count_and_seed(item, 1..MAX_SEGMENTS as u64 + 1, sink)?;
     if count > most {
         sink.refuse(item.span(), SceneError::TooManySegments(count), []);
         return None;
@@ -196,14 +189,9 @@ fn random(
 
 /// Writes a scene.
 fn to_toml(scene: &Scene) -> String {
-    let mut text = format!("method = \"{}\"\n", scene.method);
-    if let Some(compare) = scene.compare {
-        let _ = writeln!(text, "compare = \"{compare}\"");
-    }
-    let _ = writeln!(text, "window = {}", array(&scene.window.to_array()));
-    if let Some(clip) = &scene.clip {
-        let _ = writeln!(text, "clip = {}", points(clip.vertices()));
-    }
+    let compare = scene.compare.map(|method| method.card().id);
+    let clip = scene.clip.as_ref().map(|clip| clip.vertices());
+    let mut text = head(scene.method.card().id, compare, &scene.window, clip);
     if scene.bit_order == BitOrder::Lrbt {
         text.push_str("bit_order = \"lrbt\"\n");
     }

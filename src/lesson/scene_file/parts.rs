@@ -10,7 +10,7 @@ use crate::{
 
 use crate::lesson::{
     sink::Sink,
-    toml_fields::{Item, list, numbers, one_of},
+    toml_fields::{Fields, Item, list, numbers, one_of, whole},
 };
 
 /// The id of a method of this lab.
@@ -83,10 +83,44 @@ pub(super) fn window(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Window> {
     None
 }
 
+/// How many and the seed of what is drawn by lot.
+pub(super) fn count_and_seed(
+    item: &Item<'_>,
+    counts: Range<u64>,
+    sink: &mut Sink<'_>,
+) -> Option<(usize, u64)> {
+    let fields = Fields::of(item, &["count", "seed"], sink)?;
+    let count = fields
+        .require("count", sink)
+        .and_then(|item| whole(item, counts, sink));
+    let seed = fields
+        .require("seed", sink)
+        .and_then(|item| whole(item, 0..i64::MAX as u64, sink));
+    Some((count? as usize, seed?))
+}
+
 /// Where an element of a list stands; the whole list where there is no such element.
 pub(super) fn span_of(item: &Item<'_>, index: usize) -> Range<usize> {
     let element = item.get_ref().as_array().and_then(|list| list.get(index));
     element.map_or_else(|| item.span(), Item::span)
+}
+
+/// The fields that a scene of a window begins with.
+pub(super) fn head(
+    method: &str,
+    compare: Option<&str>,
+    window: &Window,
+    clip: Option<&[Point]>,
+) -> String {
+    let mut text = format!("method = \"{method}\"\n");
+    if let Some(compare) = compare {
+        let _ = writeln!(text, "compare = \"{compare}\"");
+    }
+    let _ = writeln!(text, "window = {}", array(&window.to_array()));
+    if let Some(clip) = clip {
+        let _ = writeln!(text, "clip = {}", points(clip));
+    }
+    text
 }
 
 pub(super) fn array(numbers: &[f64]) -> String {

@@ -10,14 +10,14 @@ use crate::{
     },
     lesson::{
         sink::Sink,
-        toml_fields::{Fields, Item, list, one_of, whole},
+        toml_fields::{Fields, Item, list, one_of},
     },
     text::Message,
 };
 
 use super::{
     format::SceneFormat,
-    parts::{array, method, outline, points, window},
+    parts::{count_and_seed, head, method, outline, points, window},
 };
 
 /// The fields of a scene.
@@ -122,26 +122,15 @@ fn subject(fields: &Fields<'_>, window: Option<&Window>, sink: &mut Sink<'_>) ->
 }
 
 fn random(item: &Item<'_>, window: Option<&Window>, sink: &mut Sink<'_>) -> Option<Polygon> {
-    let fields = Fields::of(item, &["count", "seed"], sink)?;
-    let count = fields
-        .require("count", sink)
-        .and_then(|item| whole(item, 3..MAX_VERTICES as u64 + 1, sink));
-    let seed = fields
-        .require("seed", sink)
-        .and_then(|item| whole(item, 0..i64::MAX as u64, sink));
-    random_polygon(window?, count? as usize, seed?).ok()
+    let (count, seed) = count_and_seed(item, 3..MAX_VERTICES as u64 + 1, sink)?;
+    random_polygon(window?, count, seed).ok()
 }
 
 /// Writes a scene.
 fn to_toml(scene: &Scene) -> String {
-    let mut text = format!("method = \"{}\"\n", scene.method);
-    if let Some(compare) = scene.compare {
-        let _ = writeln!(text, "compare = \"{compare}\"");
-    }
-    let _ = writeln!(text, "window = {}", array(&scene.window.to_array()));
-    if let Some(clip) = &scene.clip {
-        let _ = writeln!(text, "clip = {}", points(clip.vertices()));
-    }
+    let compare = scene.compare.map(|method| method.card().id);
+    let clip = scene.clip.as_ref().map(|clip| clip.vertices());
+    let mut text = head(scene.method.card().id, compare, &scene.window, clip);
     if scene.texture != Texture::None {
         let _ = writeln!(text, "texture = \"{}\"", scene.texture.id());
     }
