@@ -45,6 +45,9 @@ mod tests {
         assert!(crosses([pos2(5.0, -5.0), pos2(5.0, 15.0)], rect));
         assert!(!crosses([pos2(-5.0, 0.0), pos2(0.0, 11.0)], rect));
         assert!(!crosses([pos2(-5.0, 10.0), pos2(15.0, 10.0)], rect));
-        assert!(!crosses([pos2(-5.0, 5.0), pos2(5.0, -5.0)], rect), "a corner");
+        assert!(
+            !crosses([pos2(-5.0, 5.0), pos2(5.0, -5.0)], rect),
+            "a corner"
+        );
     }
 }

@@ -6,13 +6,7 @@ mod data;
 
 use egui::{Rect, Vec2, pos2, vec2};
 
-use super::{
-    super::Look,
-    body_of,
-    links::Links,
-    on_slate::OnSlate,
-    slate::Slate,
-};
+use super::{super::Look, body_of, links::Links, on_slate::OnSlate, slate::Slate};
 use crate::{
     figure::{Body, NumberLine, View},
     lesson::Course,
