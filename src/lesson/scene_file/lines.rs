@@ -190,7 +190,7 @@ fn random(
 /// Writes a scene.
 fn to_toml(scene: &Scene) -> String {
     let compare = scene.compare.map(|method| method.card().id);
-    let clip = scene.clip.as_ref().map(|clip| clip.vertices());
+    let clip = scene.clip.as_ref().map(ConvexPolygon::vertices);
     let mut text = head(scene.method.card().id, compare, &scene.window, clip);
     if scene.bit_order == BitOrder::Lrbt {
         text.push_str("bit_order = \"lrbt\"\n");

@@ -129,7 +129,7 @@ fn random(item: &Item<'_>, window: Option<&Window>, sink: &mut Sink<'_>) -> Opti
 /// Writes a scene.
 fn to_toml(scene: &Scene) -> String {
     let compare = scene.compare.map(|method| method.card().id);
-    let clip = scene.clip.as_ref().map(|clip| clip.vertices());
+    let clip = scene.clip.as_ref().map(Polygon::vertices);
     let mut text = head(scene.method.card().id, compare, &scene.window, clip);
     if scene.texture != Texture::None {
         let _ = writeln!(text, "texture = \"{}\"", scene.texture.id());
