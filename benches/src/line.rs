@@ -6,7 +6,7 @@ use clipscope::{
     algo::line::{
         BitOrder, BruteForce, CohenSutherland, CohenSutherlandInput, CyrusBeck, CyrusBeckInput,
         LiangBarsky, NichollLeeNicholl, Visible, WindowInput,
-        batch::{Clipped, Segments, clip_all},
+        batch::{ClippedSegments, Segments, clip_all},
         kernel,
     },
     geom::{Point, Segment, Window},
@@ -121,7 +121,7 @@ impl Xorshift {
 
 /// What is compared does the same work: same results, bit for bit where that is promised.
 fn check(window: Window, segments: &[Segment]) {
-    let mut clipped = Clipped::default();
+    let mut clipped = ClippedSegments::default();
     clip_all(&window, &segments.iter().copied().collect(), &mut clipped);
     for (&segment, batch) in segments.iter().zip(clipped.iter()) {
         let input = WindowInput { window, segment };
@@ -167,7 +167,7 @@ fn measure(window: Window, segments: &[Segment]) -> Results {
     let peer_segments: Vec<peer::LineSegment> = segments.iter().map(peer_segment).collect();
     let columns: Segments = segments.iter().copied().collect();
     let flat: Vec<f64> = segments.iter().flat_map(|s| s.to_array()).collect();
-    let (mut clipped, mut copied) = (Clipped::default(), flat.clone());
+    let (mut clipped, mut copied) = (ClippedSegments::default(), flat.clone());
     let mut for_peer = Vec::with_capacity(N_SEGMENTS);
     let mut outs: [Vec<Visible>; 6] = [(); 6].map(|()| Vec::with_capacity(N_SEGMENTS));
     let mut by_hand: [Vec<_>; 2] = [(); 2].map(|()| Vec::with_capacity(N_SEGMENTS));

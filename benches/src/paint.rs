@@ -5,7 +5,7 @@ use std::{hint::black_box, time::Instant};
 use clipscope::{
     export::{Picture, draw},
     labs::Scene,
-    lesson::{Course, Step},
+    lesson::{Course, LessonStep},
     paint::{Headless, ThemeKind},
     text::Lang,
 };
@@ -18,7 +18,7 @@ const N_ROUNDS: usize = 5;
 /// Runs everything and prints the section.
 pub fn run() {
     let course = Course::embedded();
-    let steps: Vec<&Step> = course.lessons.iter().flat_map(|l| &l.steps).collect();
+    let steps: Vec<&LessonStep> = course.lessons.iter().flat_map(|l| &l.steps).collect();
     let [mut new, mut drawn, mut packed] = [const { Vec::new() }; 3];
     let mut n_bytes = Vec::new();
     for _ in 0..N_ROUNDS {

@@ -3,7 +3,7 @@
 use std::{f64::consts::TAU, hint::black_box};
 
 use clipscope::{
-    algo::polygon::weiler_atherton::{Clipped, WeilerAtherton, WeilerAthertonInput},
+    algo::polygon::weiler_atherton::{WeilerAtherton, WeilerAthertonInput, WeilerAthertonOutput},
     geom::{Point, SimplePolygon},
     trace::{Trace, silent},
 };
@@ -201,7 +201,7 @@ fn check(outlines: &[Outline; 2]) -> usize {
     trace.state_at(trace.events().len()).nodes.len()
 }
 
-fn area(clipped: &Clipped) -> f64 {
+fn area(clipped: &WeilerAthertonOutput) -> f64 {
     let ring = |ring: &Vec<Point>| {
         let points: Outline = ring.iter().map(|p| p.to_array()).collect();
         as_geo(&points).signed_area()

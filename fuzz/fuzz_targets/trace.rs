@@ -46,7 +46,8 @@ fn answers(bytes: &[u8], format: Format, detail: Detail) -> String {
         lang,
     };
     let mut out = Vec::new();
-    trace(Solvers::standard(), bytes, &mut out, style, |_| {}).expect("memory can be read and written");
+    trace(Solvers::standard(), bytes, &mut out, style, |_| {})
+        .expect("memory can be read and written");
     String::from_utf8(out).expect("answers are UTF-8")
 }
 
@@ -101,7 +102,11 @@ fn check_answer(line: Line<'_>, case: &Case, answer: &Json) {
 fn check_polygons(given: &Json, answer: &Json) {
     let [xmin, ymin, xmax, ymax] = bounds(given);
     let rings = answer["output"]["polygons"].as_array();
-    let vertices = rings.into_iter().flatten().filter_map(Json::as_array).flatten();
+    let vertices = rings
+        .into_iter()
+        .flatten()
+        .filter_map(Json::as_array)
+        .flatten();
     for vertex in vertices.map(numbers) {
         let inside = (xmin..=xmax).contains(&vertex[0]) && (ymin..=ymax).contains(&vertex[1]);
         assert!(inside, "{vertex:?} lies outside in {answer}");
@@ -122,7 +127,11 @@ fn check_reversed(mut given: Json, ends: &[f64]) {
         _ => Vec::new(),
     };
     let bits = |numbers: &[f64]| numbers.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
-    assert_eq!(bits(&mirrored), bits(&expected), "the mirror image of {line}");
+    assert_eq!(
+        bits(&mirrored),
+        bits(&expected),
+        "the mirror image of {line}"
+    );
 }
 
 /// The window, or the box around the clip polygon.

@@ -5,7 +5,9 @@
 #![no_main]
 
 use clipscope::{
-    algo::polygon::weiler_atherton::{Clipped, Relation, WeilerAtherton, WeilerAthertonInput},
+    algo::polygon::weiler_atherton::{
+        Relation, WeilerAtherton, WeilerAthertonInput, WeilerAthertonOutput,
+    },
     geom::{GeomError, Location, Point, Region, SimplePolygon, locate},
     trace::{laws, silent},
 };
@@ -91,7 +93,7 @@ fn untangled(mut outline: Vec<[f64; 2]>) -> Option<SimplePolygon> {
     None
 }
 
-fn check_rings(answer: &Clipped, input: &WeilerAthertonInput) {
+fn check_rings(answer: &WeilerAthertonOutput, input: &WeilerAthertonInput) {
     let common_area = !matches!(answer.relation, Relation::Disjoint | Relation::Touching);
     assert!(
         common_area || answer.pieces.is_empty(),
@@ -111,7 +113,7 @@ fn check_rings(answer: &Clipped, input: &WeilerAthertonInput) {
 
 /// Point by point: in one piece where it is in both, in none elsewhere. On the grid, crossings are exact to far
 /// less than the distance of these points from any edge.
-fn check_points(answer: &Clipped, input: &WeilerAthertonInput) {
+fn check_points(answer: &WeilerAthertonOutput, input: &WeilerAthertonInput) {
     for i in 0..20 {
         for j in 0..20 {
             let p = Point::new(f64::from(i) + 0.370_241, f64::from(j) + 0.618_033).expect("finite");
@@ -128,7 +130,7 @@ fn check_points(answer: &Clipped, input: &WeilerAthertonInput) {
 }
 
 /// Every ring, from its lowest vertex, in order.
-fn rings(answer: &Clipped) -> Vec<Vec<[u64; 2]>> {
+fn rings(answer: &WeilerAthertonOutput) -> Vec<Vec<[u64; 2]>> {
     let all = answer
         .pieces
         .iter()

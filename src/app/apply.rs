@@ -9,9 +9,9 @@ use crate::{
 
 use super::{
     App, Command, Dialog,
-    document::Gesture,
+    history::UndoGroup,
     notice::Notice,
-    platform::Picture,
+    platform::StageFigure,
     room::{Room, is_narrow, wants_strip},
 };
 
@@ -30,7 +30,7 @@ impl App {
             }
             Command::Select(handle) => self.stage.selected = Some(handle),
             Command::DrawNth(nth) => {
-                let outlines = self.document.now().document().lab().outlines();
+                let outlines = self.history.now().document().lab().outlines();
                 if let Some(outline) = outlines.get(nth) {
                     self.draw(ctx, outline, now);
                 }
@@ -43,18 +43,18 @@ impl App {
             Command::Undo if self.stage.sketch.is_some() => {
                 self.sketch(&Command::TakeBack, now);
             }
-            Command::EndGesture => self.document.end_gesture(),
-            Command::Undo => self.travel(|app| app.document.undo()),
-            Command::Redo => self.travel(|app| app.document.redo()),
+            Command::EndGesture => self.history.end_gesture(),
+            Command::Undo => self.travel(|app| app.history.undo()),
+            Command::Redo => self.travel(|app| app.history.redo()),
             Command::Reset => self.reset(now),
             Command::Lesson { forward } => {
-                if self.place.go(forward) {
+                if self.bookmark.go(forward) {
                     self.enter_step();
                 }
             }
             Command::Lab(lab) => self.open_lab(lab),
             Command::Open([lesson, step]) => {
-                if self.place.open(lesson, step) {
+                if self.bookmark.open(lesson, step) {
                     self.enter_step();
                     self.shown.room = Room::Stage;
                 }
@@ -77,7 +77,7 @@ impl App {
             | Command::Measure(_)
             | Command::Dismiss => self.apply_shown(ctx, &command),
             Command::View(..) | Command::Turn(..) | Command::FitView | Command::Zoom(_) => {
-                self.stage.look(ctx, self.document.now(), &command);
+                self.stage.look(ctx, self.history.now(), &command);
             }
             _ => self.apply_transport(&command),
         }
@@ -103,25 +103,25 @@ impl App {
         }
     }
 
-    fn edit(&mut self, edit: Edit, gesture: Option<Gesture>, now: f64) {
-        let size = self.document.now().document().size();
+    fn edit(&mut self, edit: Edit, gesture: Option<UndoGroup>, now: f64) {
+        let size = self.history.now().document().size();
         let is_drag = matches!(edit, Edit::Drag(..));
         let fits = edit.brings_another();
         let mut selected = None;
-        let changed = self.document.edit(gesture, now, size, |scene| {
+        let changed = self.history.edit(gesture, now, size, |scene| {
             selected = edit.apply(scene)?;
             Ok(())
         });
         self.stage.selected = selected.or(self.stage.selected);
         match changed {
             Ok(true) => {
-                if is_drag && self.document.is_in_gesture() {
-                    self.playback.follow(self.document.now());
+                if is_drag && self.history.is_in_gesture() {
+                    self.playback.follow(self.history.now());
                 } else {
-                    self.playback.rerecord(self.document.now());
+                    self.playback.rerecord(self.history.now());
                 }
                 if fits {
-                    self.stage.fit(self.document.now());
+                    self.stage.fit(self.history.now());
                 }
             }
             Ok(false) => {}
@@ -136,7 +136,7 @@ impl App {
 
     /// Begins an outline, if a method on stage can use it.
     fn draw(&mut self, ctx: &Context, outline: &'static OutlineKind, now: f64) {
-        if !(outline.is_of_use)(self.document.now()) {
+        if !(outline.is_of_use)(self.history.now()) {
             let message = Message::new("draw-no-use").with("part", Value::Term(outline.part_key));
             let text = self.catalog().message(&message);
             self.notices.push(Notice::passing(text, now));
@@ -170,9 +170,9 @@ impl App {
 
     /// The first lesson of a lab; its own first scene where the course has none.
     fn open_lab(&mut self, lab: &str) {
-        let lessons = self.place.lessons();
+        let lessons = self.bookmark.lessons();
         if let Some(lesson_idx) = lessons.iter().position(|lesson| lesson.lab == lab) {
-            self.place.open(lesson_idx, 0);
+            self.bookmark.open(lesson_idx, 0);
             self.enter_step();
         } else {
             let mut labs = self.kit.panels.iter().map(|panel| panel.lab());
@@ -184,10 +184,10 @@ impl App {
 
     /// Undo or redo.
     fn travel(&mut self, step: impl FnOnce(&mut Self)) {
-        let before = self.document.revision();
+        let before = self.history.revision();
         step(self);
-        if self.document.revision() != before {
-            self.playback.rerecord(self.document.now());
+        if self.history.revision() != before {
+            self.playback.rerecord(self.history.now());
         }
     }
 
@@ -195,7 +195,7 @@ impl App {
     fn reset(&mut self, now: f64) {
         self.stage.is_foreign = false;
         let wanted = self
-            .place
+            .bookmark
             .step()
             .map(|step| (step.scene.clone(), step.position().unwrap_or_default()));
         if let Some((scene, position)) = wanted {
@@ -205,7 +205,7 @@ impl App {
         } else {
             self.playback.transport_mut().seek(0);
         }
-        self.stage.fit(self.document.now());
+        self.stage.fit(self.history.now());
     }
 
     fn apply_shown(&mut self, ctx: &Context, command: &Command) {
@@ -253,9 +253,9 @@ impl App {
 
     fn apply_dialog(&mut self, ctx: &Context, command: Command, now: f64) {
         let name = |app: &Self, ending: &str| {
-            let step = app.place.step().and_then(|step| step.figure.clone());
+            let step = app.bookmark.step().and_then(|step| step.figure.clone());
             let stem = step.unwrap_or_else(|| {
-                app.document
+                app.history
                     .now()
                     .document()
                     .methods()
@@ -298,17 +298,17 @@ impl App {
     }
 
     fn save(&mut self, path: &str, now: f64) -> Notice {
-        let text = self.kit.formats.write(self.document.now());
+        let text = self.kit.formats.write(self.history.now());
         let written = self.platform.write(path, text.as_bytes());
         self.reported(path, written, ["status-saved", "status-save-failed"], now)
     }
 
     fn export(&mut self, path: &str, now: f64) -> Notice {
         let is_lessons = self.is_untouched() && !self.stage.is_foreign;
-        let title = self.place.title(self.settings.lang);
-        let picture = Picture {
+        let title = self.bookmark.title(self.settings.lang);
+        let picture = StageFigure {
             title: title.filter(|_| is_lessons),
-            scene: self.document.now(),
+            scene: self.history.now(),
             position: self.playback.transport().position(),
             theme: self.settings.theme,
             lang: self.settings.lang,
@@ -346,8 +346,8 @@ impl App {
 
     /// Does the stage show the lesson's own scene?
     pub(super) fn is_untouched(&self) -> bool {
-        self.place
+        self.bookmark
             .step()
-            .is_none_or(|step| *step.scene == *self.document.now())
+            .is_none_or(|step| *step.scene == *self.history.now())
     }
 }

@@ -8,10 +8,10 @@ use crate::{
     labs::{Click, Edit, Handle, Lock},
     paint::Viewport,
     panels::moved_to,
-    widgets::{CanvasShown, Gesture as HandleGesture, PanZoom, place_at},
+    widgets::{CanvasShown, Gesture, PanZoom, place_at},
 };
 
-use super::{Command, document::Gesture, model::Model, stage_state::StageState};
+use super::{Command, history::UndoGroup, model::Model, stage_state::StageState};
 
 /// A click this near to a segment or an edge, in points, is on it.
 const CLICK_REACH: f64 = 8.0;
@@ -35,8 +35,8 @@ pub fn ask(
     if let Some(moved) = shown.moved {
         let handle = handles[moved.spot];
         let gesture = match moved.by {
-            HandleGesture::Drag => Gesture::Drag(moved.spot),
-            HandleGesture::Nudge => Gesture::Nudge(moved.spot),
+            Gesture::Drag => UndoGroup::Drag(moved.spot),
+            Gesture::Nudge => UndoGroup::Nudge(moved.spot),
         };
         if handle.kind().is_vertex && state.selected != Some(handle) {
             commands.push(Command::Select(handle));

@@ -12,7 +12,7 @@ use crate::{
     widgets::PanZoom,
 };
 
-use super::{dialog::Dialog, document::Gesture};
+use super::{dialog::Dialog, history::UndoGroup};
 
 /// Something to be done: applied between frames, whether a key, a button or a drag asked for it.
 #[derive(Clone, Debug)]
@@ -43,7 +43,7 @@ pub enum Command {
     /// To the first lesson of the lab with this id, or to a scene of its own where it has none.
     Lab(&'static str),
     /// Changes the scene.
-    Edit(Edit, Option<Gesture>),
+    Edit(Edit, Option<UndoGroup>),
     /// One more of what the lab has many of.
     Add,
     /// One less.

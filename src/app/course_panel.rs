@@ -16,7 +16,7 @@ use super::{Command, model::Model};
 /// Draws the panel.
 pub fn show(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
     let look = model.look;
-    let Some(lesson) = model.place.lesson() else {
+    let Some(lesson) = model.bookmark.lesson() else {
         ui.label(RichText::new(look.say("lesson-empty")).color(look.theme.soft));
         return;
     };
@@ -39,7 +39,7 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
             lessons(model, ui, commands);
         });
     padded(ui, |ui| rule(ui, look));
-    let [lesson_idx, step_idx] = model.place.indices();
+    let [lesson_idx, step_idx] = model.bookmark.indices();
     padded(ui, |ui| steps(model, ui, lesson, commands));
     let text = lesson.text(model.settings.lang);
     let Some(step) = text.steps.get(step_idx) else {
@@ -83,8 +83,8 @@ fn padded<R>(ui: &mut Ui, content: impl FnOnce(&mut Ui) -> R) -> R {
 
 fn lessons(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
     ui.spacing_mut().item_spacing.y = 0.0;
-    let [open, _] = model.place.indices();
-    for (i, lesson) in model.place.lessons().iter().enumerate() {
+    let [open, _] = model.bookmark.indices();
+    for (i, lesson) in model.bookmark.lessons().iter().enumerate() {
         let title = &lesson.text(model.settings.lang).title;
         let response = row(ui, model.look, i + 1, title, i == open);
         if i == open {
@@ -160,7 +160,7 @@ fn row(ui: &mut Ui, look: Look<'_>, number: usize, title: &str, is_open: bool) -
 /// One small disc a step, the open one filled; arrows at the right.
 fn steps(model: &Model<'_>, ui: &mut Ui, lesson: &Lesson, commands: &mut Vec<Command>) {
     let look = model.look;
-    let [lesson_idx, open] = model.place.indices();
+    let [lesson_idx, open] = model.bookmark.indices();
     let titles = &lesson.text(model.settings.lang).steps;
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(4.0, 4.0);

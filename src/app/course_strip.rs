@@ -15,13 +15,13 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
         if icon_button(ui, look, Icon::LeftPanel, &open, true).clicked() {
             commands.push(Command::Course);
         }
-        let Some(lesson) = model.place.lesson() else {
+        let Some(lesson) = model.bookmark.lesson() else {
             return;
         };
         ui.add_space(12.0);
         ScrollArea::vertical().show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 8.0;
-            let [lesson_idx, open] = model.place.indices();
+            let [lesson_idx, open] = model.bookmark.indices();
             let titles = &lesson.text(model.settings.lang).steps;
             for i in 0..lesson.steps.len() {
                 let title = titles.get(i).map_or("", |step| &step.title);

@@ -7,7 +7,7 @@ use crate::{
     labs::MethodCard,
     lesson::CodeView,
     widgets::{
-        CodeLine, Cost, code_view_switch, cost, most_of_a_kind, pseudocode, rule, section, watch,
+        CodeText, Cost, code_view_switch, cost, most_of_a_kind, pseudocode, rule, section, watch,
     },
 };
 
@@ -104,14 +104,14 @@ fn alive(model: &Model<'_>, ui: &mut Ui, values: &Watch, lit: Option<Link>) -> O
     ui.scope(|ui| watch(ui, look, &scalars, lit)).inner
 }
 
-fn lines(model: &Model<'_>) -> Vec<CodeLine> {
+fn lines(model: &Model<'_>) -> Vec<CodeText> {
     let code = model
         .scene
         .document()
         .methods()
         .first()
         .map_or(&[][..], |card| card.code);
-    let line = |line: &crate::labs::CodeLine| CodeLine {
+    let line = |line: &crate::labs::CodeLine| CodeText {
         depth: line.depth,
         text: model.look.say(if model.code == CodeView::Words {
             line.words

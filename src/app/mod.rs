@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! input ─► keys ─┐
-//!                ├─► Command ─► App::apply ─► document, playback, place, settings
+//!                ├─► Command ─► App::apply ─► history, playback, bookmark, settings
 //! panels ────────┘                                   │
 //!   ▲                                                ▼
 //!   └───────────────── Model (what is shown) ◄───────┘
@@ -12,14 +12,15 @@
 
 mod apply;
 mod bars;
+mod bookmark;
 mod caption_room;
 mod clicks;
 mod command;
 mod course_panel;
 mod course_strip;
 mod dialog;
-mod document;
 mod drop;
+mod history;
 mod inspector;
 mod keys;
 mod kit;
@@ -29,7 +30,6 @@ mod model;
 mod native;
 mod notice;
 mod overlays;
-mod place;
 mod platform;
 mod playback;
 #[cfg(not(target_arch = "wasm32"))]
@@ -52,7 +52,7 @@ pub use kit::Kit;
 pub use native::{Opening, run_native};
 #[cfg(not(target_arch = "wasm32"))]
 pub use platform::Desktop;
-pub use platform::{NoFiles, Picture, Platform};
+pub use platform::{NoFiles, Platform, StageFigure};
 pub use settings::Settings;
 #[cfg(target_arch = "wasm32")]
 pub use web::start;
@@ -62,18 +62,18 @@ use egui::{Pos2, Ui};
 use crate::{
     figure::Moment,
     labs::Scene,
-    lesson::{CodeView, Course, Step},
+    lesson::{CodeView, Course, LessonStep},
     paint::{Theme, ThemeKind},
     panels,
     text::Catalog,
     widgets::Look,
 };
 
-use document::Document;
+use bookmark::Bookmark;
+use history::History;
 use keys::Focus;
 use model::Model;
 use notice::{Notice, Notices};
-use place::Place;
 use playback::Playback;
 use room::{CoursePart, Room};
 use stage_state::StageState;
@@ -82,8 +82,8 @@ use stopwatch::Stopwatch;
 /// The whole app, without a window of its own.
 pub struct App {
     settings: Settings,
-    place: Place,
-    document: Document<Scene>,
+    bookmark: Bookmark,
+    history: History<Scene>,
     playback: Playback,
     stage: StageState,
     kit: Kit,
@@ -123,21 +123,21 @@ impl App {
     /// Where there is none.
     #[must_use]
     pub fn with_kit(course: Course, settings: Settings, kit: Kit) -> Self {
-        let mut place = Place::new(course);
+        let mut bookmark = Bookmark::new(course);
         if let Some((lesson, step)) = &settings.last {
-            place.open_ids(lesson, step);
+            bookmark.open_ids(lesson, step);
         }
-        let scene = place
+        let scene = bookmark
             .step()
             .map(|step| (*step.scene).clone())
             .or_else(|| Some(kit.panels.first()?.lab().first_scene()))
             .expect("a window has a lab");
         let mut app = Self {
             settings,
-            place,
+            bookmark,
             playback: Playback::record(&scene, 0),
             stage: StageState::new(&scene),
-            document: Document::new(scene),
+            history: History::new(scene),
             kit,
             shown: Shown {
                 code: CodeView::Full,
@@ -176,7 +176,7 @@ impl App {
         self.stage = StageState::new(&scene);
         self.stage.is_foreign = true;
         self.playback = Playback::record(&scene, 0);
-        self.document = Document::new(scene);
+        self.history = History::new(scene);
     }
 
     /// Goes to a step of the run.
@@ -188,7 +188,7 @@ impl App {
     #[must_use]
     pub fn settings(&self) -> Settings {
         Settings {
-            last: self.place.ids(),
+            last: self.bookmark.ids(),
             speed: self.playback.transport().speed(),
             ..self.settings.clone()
         }
@@ -197,7 +197,7 @@ impl App {
     /// The document.
     #[must_use]
     pub const fn scene(&self) -> &Scene {
-        self.document.now()
+        self.history.now()
     }
 
     /// The step of the run that is shown.
@@ -224,9 +224,9 @@ impl App {
         #[cfg(not(target_arch = "wasm32"))]
         self.take_changed_course(now);
         self.pass_time(&ctx, now);
-        let is_dragging = self.document.is_in_gesture();
+        let is_dragging = self.history.is_in_gesture();
         if self.playback.is_late() && !is_dragging {
-            self.playback.rerecord(self.document.now());
+            self.playback.rerecord(self.history.now());
         }
         self.playback.prepare();
 
@@ -301,8 +301,8 @@ impl App {
     /// Shows the open step as its lesson has it.
     fn enter_step(&mut self) {
         let speed = self.settings.speed;
-        let problem = self.place.step().and_then(Step::problem);
-        if let Some(step) = self.place.step() {
+        let problem = self.bookmark.step().and_then(LessonStep::problem);
+        if let Some(step) = self.bookmark.step() {
             // The end of two runs side by side is that of the longer one.
             let position = match step.moment {
                 Moment::End => usize::MAX,
@@ -312,7 +312,7 @@ impl App {
             self.playback = Playback::record(scene, position);
             self.stage = StageState::new(scene);
             self.shown.code = step.code;
-            self.document = Document::new(scene.clone());
+            self.history = History::new(scene.clone());
         }
         if let Some(problem) = problem {
             let text = self.listing(&[problem]);
@@ -337,14 +337,14 @@ impl App {
         Model {
             look,
             settings: &self.settings,
-            place: &self.place,
-            scene: self.document.now(),
-            revision: self.document.revision(),
+            bookmark: &self.bookmark,
+            scene: self.history.now(),
+            revision: self.history.revision(),
             playback: &self.playback,
             code: self.shown.code,
             measures: self.measures(),
             is_untouched: self.is_untouched(),
-            can_travel: [self.document.can_undo(), self.document.can_redo()],
+            can_travel: [self.history.can_undo(), self.history.can_redo()],
             room: if is_narrow {
                 self.shown.room
             } else {
@@ -367,7 +367,7 @@ impl App {
 
     /// Has the open lab methods whose costs can be measured?
     fn measures(&self) -> bool {
-        let lab = self.document.now().document().lab();
+        let lab = self.history.now().document().lab();
         let mut panels = self.kit.panels.iter();
         panels.any(|panel| panel.lab() == lab && panel.measures())
     }

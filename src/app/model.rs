@@ -4,8 +4,8 @@ use crate::{labs::Scene, lesson::CodeView, widgets::Look};
 
 use super::{
     Dialog, Settings,
+    bookmark::Bookmark,
     notice::Notice,
-    place::Place,
     playback::Playback,
     room::{CoursePart, Room},
 };
@@ -22,7 +22,7 @@ pub struct Model<'a> {
     /// What is remembered.
     pub settings: &'a Settings,
     /// Where in the course.
-    pub place: &'a Place,
+    pub bookmark: &'a Bookmark,
     /// The document.
     pub scene: &'a Scene,
     /// Another number after every change of it.

@@ -12,7 +12,7 @@ use crate::{
 
 /// A figure to be exported: what the stage shows.
 #[derive(Clone, Copy, Debug)]
-pub struct Picture<'a> {
+pub struct StageFigure<'a> {
     /// The idea in words, where the scene is a lesson's.
     pub title: Option<&'a str>,
     /// What is clipped.
@@ -40,7 +40,7 @@ pub trait Platform {
     ///
     /// # Errors
     /// Why it could not be drawn.
-    fn draw(&mut self, picture: Picture<'_>) -> Result<Vec<u8>, Diagnostic>;
+    fn draw(&mut self, picture: StageFigure<'_>) -> Result<Vec<u8>, Diagnostic>;
 }
 
 /// A place without files: a page in a browser, a headless table.
@@ -59,7 +59,7 @@ impl Platform for NoFiles {
         Err(NO_FILES.into())
     }
 
-    fn draw(&mut self, _picture: Picture<'_>) -> Result<Vec<u8>, Diagnostic> {
+    fn draw(&mut self, _picture: StageFigure<'_>) -> Result<Vec<u8>, Diagnostic> {
         Err(NO_FILES.into())
     }
 }
@@ -85,7 +85,7 @@ impl Platform for Desktop {
         Ok(path.to_owned())
     }
 
-    fn draw(&mut self, picture: Picture<'_>) -> Result<Vec<u8>, Diagnostic> {
+    fn draw(&mut self, picture: StageFigure<'_>) -> Result<Vec<u8>, Diagnostic> {
         let mut table = Headless::new(picture.theme);
         let figure = export::Picture {
             title: picture.title,

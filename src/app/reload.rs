@@ -97,7 +97,7 @@ impl App {
     /// Takes over what was read of a course; of broken lessons, the last good version stays.
     pub(super) fn take_course(&mut self, path: &str, loaded: Loaded, now: f64) {
         let was_untouched = self.is_untouched();
-        let before = self.place.step().cloned();
+        let before = self.bookmark.step().cloned();
         let is_gone = loaded.course.lessons.is_empty();
         let errors: Vec<_> = loaded
             .problems
@@ -107,7 +107,7 @@ impl App {
         let path = path.to_owned();
         self.notices.clear();
         if !is_gone {
-            let merged = merged(self.place.lessons(), loaded.course.lessons, |lesson| {
+            let merged = merged(self.bookmark.lessons(), loaded.course.lessons, |lesson| {
                 let of_lesson = |file: &str| {
                     Path::new(file)
                         .iter()
@@ -115,8 +115,8 @@ impl App {
                 };
                 errors.iter().any(|problem| of_lesson(&problem.file))
             });
-            self.place.replace(Course { lessons: merged });
-            if self.place.step() != before.as_ref() {
+            self.bookmark.replace(Course { lessons: merged });
+            if self.bookmark.step() != before.as_ref() {
                 self.course_changed(was_untouched);
             }
         }
@@ -138,7 +138,7 @@ impl App {
     fn course_changed(&mut self, was_untouched: bool) {
         if was_untouched {
             let position = self.playback.transport().position();
-            let has_lesson = self.place.step().is_some();
+            let has_lesson = self.bookmark.step().is_some();
             self.enter_step();
             if !has_lesson {
                 self.playback.transport_mut().seek(position);

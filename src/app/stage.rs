@@ -10,7 +10,7 @@ use crate::{
     panels::{Reach, spots},
     text::Message,
     widgets::{
-        Canvas, CanvasShown, Spot, TEXT_PTS, Words, beside_the_drawing, caption_text, gripped,
+        Canvas, CanvasShown, Spot, StepWords, TEXT_PTS, beside_the_drawing, caption_text, gripped,
         headline, rect_of, slot_of,
     },
 };
@@ -33,7 +33,7 @@ const NAME: f32 = 44.0;
 /// The step's title, where nothing else on the screen says it.
 fn title(model: &Model<'_>, ui: &Ui, rect: Rect) -> Option<Typeset> {
     let is_said = model.course == CoursePart::Whole && !model.is_presenting && !model.is_narrow;
-    let title = model.place.title(model.settings.lang)?;
+    let title = model.bookmark.title(model.settings.lang)?;
     let is_shown = !is_said && model.is_untouched && !model.is_low;
     let width = rect.width() - 2.0 * INDENT;
     is_shown.then(|| headline(ui.painter(), model.look.theme, title, width))
@@ -74,7 +74,7 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
         model.scene.document().handles()
     };
     // A scene from elsewhere is the reader's own: nothing of it is locked.
-    let step = model.place.step().filter(|_| !state.is_foreign);
+    let step = model.bookmark.step().filter(|_| !state.is_foreign);
     let hands = Hands {
         handles: &handles,
         locks: step.map_or(&[][..], |step| &step.locks),
@@ -162,7 +162,7 @@ impl Column<'_> {
         let note = difference
             .filter(|difference| difference.column == self.index)
             .map(|difference| look.catalog.message(&difference.message()));
-        let words = Words {
+        let words = StepWords {
             name: name.as_deref(),
             note: note.as_deref(),
             said,

@@ -8,7 +8,7 @@ use super::{Code, Node, Path, Refusal, raw::Pairs, refusal::short};
 
 /// Must a field be there?
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Need {
+pub enum Presence {
     /// Always.
     Required,
     /// Exactly one of an algorithm's fields of this kind.
@@ -23,28 +23,28 @@ pub struct Field {
     /// As a case spells it.
     pub name: &'static str,
     /// Must it be there?
-    pub need: Need,
+    pub need: Presence,
 }
 
 impl Field {
     /// A field that must be there.
     #[must_use]
     pub const fn required(name: &'static str) -> Self {
-        let need = Need::Required;
+        let need = Presence::Required;
         Self { name, need }
     }
 
     /// One of several fields of which exactly one must be there.
     #[must_use]
     pub const fn choice(name: &'static str) -> Self {
-        let need = Need::Choice;
+        let need = Presence::Choice;
         Self { name, need }
     }
 
     /// A field that may be left out.
     #[must_use]
     pub const fn optional(name: &'static str) -> Self {
-        let need = Need::Optional;
+        let need = Presence::Optional;
         Self { name, need }
     }
 }
@@ -73,13 +73,13 @@ impl<'a> Fields<'a> {
             }
         }
         let is_given = |name: &str| given.iter().any(|(given, _)| *given == name);
-        let mut choices = takes.iter().filter(|f| f.need == Need::Choice);
+        let mut choices = takes.iter().filter(|f| f.need == Presence::Choice);
         let mut chosen = choices.clone().filter(|f| is_given(f.name));
         let (first, second) = (chosen.next(), chosen.next());
         for field in takes {
             match field.need {
-                Need::Required if !is_given(field.name) => return Err(missing(field.name)),
-                Need::Choice if first.is_none() => {
+                Presence::Required if !is_given(field.name) => return Err(missing(field.name)),
+                Presence::Choice if first.is_none() => {
                     let names: Vec<&str> = choices.by_ref().map(|f| f.name).collect();
                     let problem = Message::new("case-missing-choice")
                         .with("fields", quoted(names.into_iter()));

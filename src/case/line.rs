@@ -10,7 +10,7 @@ const CHUNK_BYTES: usize = 1 << 16;
 
 /// One line, without its line break.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Line<'a> {
+pub enum CaseLine<'a> {
     /// As it was read: not yet known to be text.
     Bytes(&'a [u8]),
     /// More than [`MAX_LINE_BYTES`], skipped.
@@ -18,13 +18,13 @@ pub enum Line<'a> {
 }
 
 /// The lines of a reader that are not empty, with their numbers from 1.
-pub struct Lines<R> {
+pub struct CaseLines<R> {
     reader: BufReader<R>,
     buffer: Vec<u8>,
     number: usize,
 }
 
-impl<R: Read> Lines<R> {
+impl<R: Read> CaseLines<R> {
     /// From where the reader stands.
     pub fn new(reader: R) -> Self {
         Self {
@@ -38,7 +38,7 @@ impl<R: Read> Lines<R> {
     ///
     /// # Errors
     /// Where the reader fails.
-    pub fn next_line(&mut self) -> io::Result<Option<(usize, Line<'_>)>> {
+    pub fn next_line(&mut self) -> io::Result<Option<(usize, CaseLine<'_>)>> {
         loop {
             self.buffer.clear();
             // One more for the line break, one more to see that it is too long.
@@ -53,7 +53,7 @@ impl<R: Read> Lines<R> {
                 if !ended {
                     self.reader.skip_until(b'\n')?;
                 }
-                return Ok(Some((self.number, Line::TooLong)));
+                return Ok(Some((self.number, CaseLine::TooLong)));
             }
             let from = match self.number {
                 1 => byte_order_mark(&self.buffer),
@@ -62,7 +62,7 @@ impl<R: Read> Lines<R> {
             if !self.buffer[from..].iter().all(u8::is_ascii_whitespace) {
                 return Ok(Some((
                     self.number,
-                    Line::Bytes(&self.buffer[from..content]),
+                    CaseLine::Bytes(&self.buffer[from..content]),
                 )));
             }
         }

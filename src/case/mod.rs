@@ -2,7 +2,7 @@
 //! this module with a different reader and writer.
 //!
 //! ```text
-//! line ──json──► fields ──Solve::read──► Problem ──► answer   as JSON
+//! line ──json──► fields ──Solve::read──► Solvable ──► answer   as JSON
 //!   │               │                        └──────► report   as text or Markdown, for people
 //!   └───────────────┴── Refusal: code, path, sentence
 //! ```
@@ -42,15 +42,15 @@ mod solver;
 mod stream;
 mod style;
 
-pub use fields::{Field, Fields, Need};
+pub use fields::{Field, Fields, Presence};
 pub use given::Given;
-pub use line::{Line, Lines, MAX_LINE_BYTES};
+pub use line::{CaseLine, CaseLines, MAX_LINE_BYTES};
 pub use path::Path;
 pub use raw::{Id, Node};
 pub use read::{Case, Refused, read};
 pub use refusal::{Code, Refusal};
 pub use report::Refusing;
-pub use solver::{Problem, Solve, Solver, Solvers, Told};
+pub use solver::{Solvable, Solve, Solver, Solvers, Told};
 pub use stream::{Tally, TraceError, trace};
 pub use style::{Detail, Format, Style};
 

@@ -5,7 +5,7 @@ use serde_json::value::RawValue;
 use crate::text::{Message, Value};
 
 use super::{
-    Code, Fields, Id, Line, MAX_LINE_BYTES, Node, Path, Problem, Refusal, Solver, Solvers,
+    CaseLine, Code, Fields, Id, MAX_LINE_BYTES, Node, Path, Refusal, Solvable, Solver, Solvers,
     fields::missing,
     raw::{Pairs, kind},
     refusal::short,
@@ -18,7 +18,7 @@ pub struct Case {
     /// By which algorithm.
     pub solver: &'static Solver,
     /// What to solve.
-    pub problem: Box<dyn Problem>,
+    pub problem: Box<dyn Solvable>,
 }
 
 /// A case that cannot.
@@ -34,7 +34,7 @@ pub struct Refused {
 ///
 /// # Errors
 /// The first mistake, in the order that the [module](super) states.
-pub fn read(solvers: Solvers, line: Line<'_>) -> Result<Case, Refused> {
+pub fn read(solvers: Solvers, line: CaseLine<'_>) -> Result<Case, Refused> {
     let mut id = Id::default();
     match read_into(solvers, line, &mut id) {
         Ok((solver, problem)) => Ok(Case {
@@ -48,9 +48,9 @@ pub fn read(solvers: Solvers, line: Line<'_>) -> Result<Case, Refused> {
 
 fn read_into(
     solvers: Solvers,
-    line: Line<'_>,
+    line: CaseLine<'_>,
     id: &mut Id,
-) -> Result<(&'static Solver, Box<dyn Problem>), Refusal> {
+) -> Result<(&'static Solver, Box<dyn Solvable>), Refusal> {
     let text = text(line)?;
     let pairs = pairs(text)?;
     let find = |name: &str| pairs.0.iter().find(|(n, _)| n == name).map(|(_, raw)| *raw);
@@ -68,14 +68,14 @@ fn read_into(
     Ok((solver, solver.read(&fields)?))
 }
 
-fn text(line: Line<'_>) -> Result<&str, Refusal> {
+fn text(line: CaseLine<'_>) -> Result<&str, Refusal> {
     match line {
-        Line::TooLong => {
+        CaseLine::TooLong => {
             let max = MAX_LINE_BYTES >> 20;
             let problem = Message::new("case-line-too-long").with("max", max);
             Err(Refusal::whole(Code::TooLarge, problem))
         }
-        Line::Bytes(bytes) => std::str::from_utf8(bytes).map_err(|error| {
+        CaseLine::Bytes(bytes) => std::str::from_utf8(bytes).map_err(|error| {
             let problem = Message::new("case-not-utf8").with("byte", error.valid_up_to() + 1);
             Refusal::whole(Code::BadJson, problem)
         }),

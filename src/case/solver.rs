@@ -36,7 +36,7 @@ pub struct Solver {
     read: ReadProblem,
 }
 
-type ReadProblem = fn(&Fields<'_>) -> Result<Box<dyn Problem>, Refusal>;
+type ReadProblem = fn(&Fields<'_>) -> Result<Box<dyn Solvable>, Refusal>;
 
 impl Solver {
     /// By this algorithm.
@@ -82,7 +82,7 @@ impl Solver {
     ///
     /// # Errors
     /// The first field whose value is refused.
-    pub fn read(&self, fields: &Fields<'_>) -> Result<Box<dyn Problem>, Refusal> {
+    pub fn read(&self, fields: &Fields<'_>) -> Result<Box<dyn Solvable>, Refusal> {
         (self.read)(fields)
     }
 }
@@ -111,7 +111,7 @@ impl Solvers {
 }
 
 /// A case that can be solved.
-pub trait Problem {
+pub trait Solvable {
     /// What is given, for people.
     fn given(&self) -> Vec<Given>;
     /// The answer as a program would ask for it: nothing counted, nothing recorded.
@@ -125,17 +125,17 @@ pub trait Problem {
 }
 
 /// The problem that fields describe for this algorithm.
-pub(super) fn read_problem<A: Solve>(fields: &Fields<'_>) -> Result<Box<dyn Problem>, Refusal> {
+pub(super) fn read_problem<A: Solve>(fields: &Fields<'_>) -> Result<Box<dyn Solvable>, Refusal> {
     let (input, told) = A::read(fields)?;
-    Ok(Box::new(ProblemOf::<A> { input, told }))
+    Ok(Box::new(SolvableOf::<A> { input, told }))
 }
 
-struct ProblemOf<A: Solve> {
+struct SolvableOf<A: Solve> {
     input: A::Input,
     told: Told,
 }
 
-impl<A: Solve> Problem for ProblemOf<A> {
+impl<A: Solve> Solvable for SolvableOf<A> {
     fn given(&self) -> Vec<Given> {
         (self.told)()
     }

@@ -7,7 +7,7 @@ use std::{
 
 use crate::text::Catalog;
 
-use super::{Case, Format, Lines, Refused, Refusing, Solvers, Style, read, report};
+use super::{Case, CaseLines, Format, Refused, Refusing, Solvers, Style, read, report};
 
 /// Written in pieces of this size: large enough that calls into the system cost nothing.
 const CHUNK_BYTES: usize = 1 << 16;
@@ -55,7 +55,7 @@ pub fn trace(
     style: Style,
     mut on_refusal: impl FnMut(Refusing<'_>),
 ) -> Result<Tally, TraceError> {
-    let mut lines = Lines::new(cases);
+    let mut lines = CaseLines::new(cases);
     let mut tally = Tally::default();
     let mut out = Vec::with_capacity(2 * CHUNK_BYTES);
     let mut hand_over = |out: &mut Vec<u8>| {

@@ -6,7 +6,7 @@ use clap::ValueEnum;
 use serde_json::{Value as Json, json};
 
 use crate::{
-    case::{Need, Solver, Solvers},
+    case::{Presence, Solver, Solvers},
     lesson::{Course, Lesson},
     text::{Catalog, Lang, Message},
 };
@@ -85,11 +85,13 @@ fn fields_text(solver: &Solver) -> String {
     let mut choosing = false;
     for field in solver.fields() {
         match (field.need, parts.last_mut()) {
-            (Need::Choice, Some(part)) if choosing => *part = format!("{part} | {}", field.name),
-            (Need::Optional, _) => parts.push(format!("[{}]", field.name)),
+            (Presence::Choice, Some(part)) if choosing => {
+                *part = format!("{part} | {}", field.name)
+            }
+            (Presence::Optional, _) => parts.push(format!("[{}]", field.name)),
             _ => parts.push(field.name.to_owned()),
         }
-        choosing = field.need == Need::Choice;
+        choosing = field.need == Presence::Choice;
     }
     parts.join(", ")
 }
@@ -137,9 +139,9 @@ fn solver_json(solver: &Solver, catalog: &Catalog) -> Json {
         "name": catalog.term(solver.name_key()),
         "source": solver.source(),
         "fields": {
-            "required": names(Need::Required),
-            "one_of": names(Need::Choice),
-            "optional": names(Need::Optional),
+            "required": names(Presence::Required),
+            "one_of": names(Presence::Choice),
+            "optional": names(Presence::Optional),
         },
     })
 }

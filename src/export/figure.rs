@@ -8,7 +8,7 @@ use crate::{
     paint::{Headless, Image, Theme, ThemeKind, Viewport, stage},
     text::{Catalog, Lang},
     widgets::{
-        Bars, Cost, Look, TEXT_PTS, Words, beside_the_drawing, headline, height_for_all,
+        Bars, Cost, Look, StepWords, TEXT_PTS, beside_the_drawing, headline, height_for_all,
         most_of_a_kind, rect_of, slot_of, view,
     },
 };
@@ -188,7 +188,7 @@ impl Page<'_> {
             .difference
             .filter(|difference| difference.column == index)
             .map(|difference| catalog.message(&difference.message()));
-        let words = Words {
+        let words = StepWords {
             name: name.as_deref(),
             note: note.as_deref(),
             said: &column.frame.caption,

@@ -13,7 +13,7 @@ use std::{
 };
 
 use crate::{
-    lesson::{Lesson, Step},
+    lesson::{Lesson, LessonStep},
     paint::{Headless, ThemeKind},
     text::Lang,
 };
@@ -49,7 +49,7 @@ pub struct Job<'a> {
     /// The lesson's folder.
     pub lesson: &'a Lesson,
     /// The lesson step whose scene it shows.
-    pub step: &'a Step,
+    pub step: &'a LessonStep,
     /// Events folded so far.
     pub position: usize,
     /// Path below the output folder: `03-outcodes/nine-regions.png`.

@@ -24,7 +24,7 @@ pub struct List {
     pub columns: Vec<Value>,
     /// All of a short list, of a long one those about the focus ([`List::reach`]); a view folds what it has no room
     /// for, and says so.
-    pub entries: Vec<ListEntry>,
+    pub entries: Vec<ListRow>,
     /// How many more come before them.
     pub n_before: usize,
     /// How many more come after them.
@@ -43,7 +43,7 @@ impl List {
 
     /// All of these entries, of which none leads back.
     #[must_use]
-    pub const fn new(title: Value, entries: Vec<ListEntry>) -> Self {
+    pub const fn new(title: Value, entries: Vec<ListRow>) -> Self {
         Self {
             title,
             columns: Vec::new(),
@@ -67,14 +67,14 @@ impl List {
 
 /// One entry.
 #[derive(Clone, PartialEq, Debug)]
-pub struct ListEntry {
+pub struct ListRow {
     /// `S₃`, `I₁`.
     pub name: Value,
     /// What is said of it, one a column, each column set flush: its place, a distance, a word; none as long as it is
     /// not known.
     pub details: Vec<Option<Value>>,
     /// The mark that the same thing has in the drawing.
-    pub marker: Option<Marker>,
+    pub marker: Option<ItemMarker>,
     /// [`Role::Signal`] for this step's, [`Role::Accent`] for what has been walked or kept so far, [`Role::Accepted`]
     /// for what is in the answer, [`Role::Discarded`] for what is dropped, [`Role::Ink`] for what counts,
     /// [`Role::Faint`] for what is still to come, else [`Role::Soft`].
@@ -85,7 +85,7 @@ pub struct ListEntry {
 
 /// The mark before an entry, as in the drawing.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Marker {
+pub enum ItemMarker {
     /// Filled: entering, inside, convex.
     Dot,
     /// Hollow: leaving, outside, reflex.
@@ -107,7 +107,7 @@ pub struct ListLink {
     pub role: Role,
 }
 
-impl ListEntry {
+impl ListRow {
     /// An entry of little weight.
     #[must_use]
     pub fn new(name: impl Into<Value>) -> Self {

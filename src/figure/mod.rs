@@ -22,7 +22,7 @@ pub use bits::{BitRow, Bits};
 pub use extent::{Need, Stand, needs, sentences};
 pub use frame::{Caption, Frame};
 pub use layout::{ColumnLayout, Layout, Sheet, Slot};
-pub use lists::{List, ListEntry, ListLink, Lists, Marker};
+pub use lists::{ItemMarker, List, ListLink, ListRow, Lists};
 pub use mark::{Label, Link, Mark, Role, Shape, Texel};
 pub use moment::{Moment, MomentError};
 pub use products::{Measured, Product, Products, Vector};
@@ -32,7 +32,7 @@ pub use run::{Run, Tick};
 pub use space::{Facet, Mark3, Shape3, Space};
 pub use table::{Cell, Table, TableNote, TableRow};
 pub use view::{
-    Body, Clipper, ClipperRow, Fate, LineTick, NumberLine, Side, Traveller, View, ViewId,
+    Body, ClipperBox, ClipperRow, Fate, LineTick, NumberLine, Side, Traveller, View, ViewId,
 };
 pub use watch::{Watch, WatchRow, WatchSection, mark_changes, unseen};
 pub use words::Words;

@@ -132,7 +132,7 @@ impl NumberLine {
 #[derive(Clone, PartialEq, Debug)]
 pub struct ClipperRow {
     /// From the first to the last.
-    pub clippers: Vec<Clipper>,
+    pub clippers: Vec<ClipperBox>,
     /// The one that looks at an edge, or is about to.
     pub at_work: Option<usize>,
     /// What is on its way, the foremost first; all on one arrow.
@@ -145,7 +145,7 @@ pub struct ClipperRow {
 
 /// A clipper of a [`ClipperRow`].
 #[derive(Clone, PartialEq, Debug)]
-pub struct Clipper {
+pub struct ClipperBox {
     /// Its border.
     pub name: Value,
     /// F, once it has come.

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::text::Lang;
 
-use super::{markdown::Block, step::Step};
+use super::{markdown::Block, step::LessonStep};
 
 /// Lessons in the order of their folders' names.
 #[derive(Clone, PartialEq, Debug, Default)]
@@ -23,7 +23,7 @@ pub struct Lesson {
     /// Author and year of what it teaches.
     pub source: String,
     /// At least one.
-    pub steps: Vec<Step>,
+    pub steps: Vec<LessonStep>,
     pub(super) english: LessonText,
     pub(super) translations: BTreeMap<Lang, LessonText>,
 }

@@ -12,9 +12,9 @@ use super::{
     course::{Lesson, LessonText},
     scene_file::{SceneFormat, SceneFormats},
     sink::{Sink, clipped},
-    step::{CodeView, Step, Stop, never_comes},
+    step::{CodeView, LessonStep, Stop, never_comes},
     toml_errors::with_toml,
-    toml_fields::{Fields, Item, list, named, one_of, text},
+    toml_fields::{Item, TomlFields, list, named, one_of, text},
 };
 
 const LESSON_FIELDS: [&str; 4] = ["lab", "source", "scenes", "step"];
@@ -25,7 +25,7 @@ pub(super) struct Skeleton {
     /// The steps' ids, in order; `None` where one of them is not known for sure.
     pub ids: Option<Vec<String>>,
     /// `None` where there is a mistake.
-    lesson: Option<(&'static str, String, Vec<Step>)>,
+    lesson: Option<(&'static str, String, Vec<LessonStep>)>,
 }
 
 impl Skeleton {
@@ -62,7 +62,7 @@ pub(super) struct Reading {
 /// Reads a `lesson.toml`, reporting all its mistakes.
 pub(super) fn read(Reading { formats, moments }: Reading, sink: &mut Sink<'_>) -> Option<Skeleton> {
     with_toml(sink, |table, sink| {
-        let fields = Fields::of_file(table, &LESSON_FIELDS, sink);
+        let fields = TomlFields::of_file(table, &LESSON_FIELDS, sink);
         let format = fields.require("lab", sink).and_then(|item| {
             let known = formats.lab_ids();
             one_of(item, &known, "problem-unknown-lab", sink, |name| {
@@ -106,7 +106,7 @@ struct NamedScene {
 fn scenes(
     format: Option<&dyn SceneFormat>,
     moments: Moments,
-    fields: &Fields<'_>,
+    fields: &TomlFields<'_>,
     sink: &mut Sink<'_>,
 ) -> BTreeMap<String, NamedScene> {
     let mut room = format.map_or(0, SceneFormat::room);
@@ -116,7 +116,7 @@ fn scenes(
     };
     for (key, item) in table {
         let scene = format.and_then(|format| {
-            let fields = Fields::of(item, format.fields(), sink)?;
+            let fields = TomlFields::of(item, format.fields(), sink)?;
             format.read(&fields, &mut room, sink)
         });
         let is_recorded = moments == Moments::Now;
@@ -183,9 +183,9 @@ impl Steps {
     /// The ids where all are known, and the steps where all are valid.
     fn read(
         &mut self,
-        fields: &Fields<'_>,
+        fields: &TomlFields<'_>,
         sink: &mut Sink<'_>,
-    ) -> (Option<Vec<String>>, Option<Vec<Step>>) {
+    ) -> (Option<Vec<String>>, Option<Vec<LessonStep>>) {
         let items = match fields.get("step") {
             Some(item) => match list(item, "expect-steps", sink) {
                 Some(items) => items,
@@ -214,8 +214,12 @@ impl Steps {
         (ids, steps)
     }
 
-    fn step(&mut self, item: &Item<'_>, sink: &mut Sink<'_>) -> (Option<String>, Option<Step>) {
-        let Some(fields) = Fields::of(item, &STEP_FIELDS, sink) else {
+    fn step(
+        &mut self,
+        item: &Item<'_>,
+        sink: &mut Sink<'_>,
+    ) -> (Option<String>, Option<LessonStep>) {
+        let Some(fields) = TomlFields::of(item, &STEP_FIELDS, sink) else {
             return (None, None);
         };
         let id = fields.require("id", sink).and_then(|item| {
@@ -246,7 +250,7 @@ impl Steps {
         let step = id
             .clone()
             .zip(stop)
-            .map(|(id, (scene, moment, stop))| Step {
+            .map(|(id, (scene, moment, stop))| LessonStep {
                 id,
                 scene,
                 moment,
@@ -258,7 +262,7 @@ impl Steps {
         (id, step)
     }
 
-    fn choose_scene(&mut self, fields: &Fields<'_>, sink: &mut Sink<'_>) {
+    fn choose_scene(&mut self, fields: &TomlFields<'_>, sink: &mut Sink<'_>) {
         let Some(item) = fields.get("scene") else {
             if matches!(self.current, Current::None) && !fields.is_misspelt("scene") {
                 let message =
@@ -283,7 +287,11 @@ impl Steps {
     }
 
     /// The step's scene, and where in its run the lesson stops.
-    fn stop(&self, fields: &Fields<'_>, sink: &mut Sink<'_>) -> Option<(Arc<Scene>, Moment, Stop)> {
+    fn stop(
+        &self,
+        fields: &TomlFields<'_>,
+        sink: &mut Sink<'_>,
+    ) -> Option<(Arc<Scene>, Moment, Stop)> {
         let at = fields.get("at");
         let moment = match at {
             None => Some(Moment::Start),

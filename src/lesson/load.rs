@@ -34,7 +34,7 @@ impl Course {
     }
 
     /// Reads every lesson; one with an error is left out, all others stay. Moments are looked for when they are
-    /// needed: [`Step::position`](super::Step::position).
+    /// needed: [`LessonStep::position`](super::LessonStep::position).
     #[must_use]
     pub fn load(files: &dyn Files) -> Loaded {
         let formats = SceneFormats::standard();

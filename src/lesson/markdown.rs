@@ -18,7 +18,7 @@ pub enum Block {
         /// 0 for a list that is not in another.
         depth: usize,
         /// What stands before it.
-        marker: Marker,
+        marker: BlockMarker,
         /// Its text.
         text: Vec<Inline>,
     },
@@ -30,7 +30,7 @@ pub enum Block {
 
 /// What stands before an item of a list.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Marker {
+pub enum BlockMarker {
     /// A bullet.
     Bullet,
     /// `1.`
@@ -53,7 +53,7 @@ pub struct Inline {
 }
 
 /// A part of a lesson's text: a heading, or a block of its body.
-pub(super) enum Part {
+pub(super) enum TextPart {
     /// `# …` is level 1, `## …` level 2.
     Heading {
         level: usize,
@@ -63,7 +63,7 @@ pub(super) enum Part {
 }
 
 /// Reads a file; what the format has no place for is reported.
-pub(super) fn parse(sink: &mut Sink<'_>) -> Vec<(Part, Range<usize>)> {
+pub(super) fn parse(sink: &mut Sink<'_>) -> Vec<(TextPart, Range<usize>)> {
     let text = &*sink.source().text;
     let mut reader = Reader::default();
     for (event, span) in Parser::new(text).into_offset_iter() {
@@ -74,7 +74,7 @@ pub(super) fn parse(sink: &mut Sink<'_>) -> Vec<(Part, Range<usize>)> {
 
 #[derive(Default)]
 struct Reader {
-    parts: Vec<(Part, Range<usize>)>,
+    parts: Vec<(TextPart, Range<usize>)>,
     inlines: Vec<Inline>,
     strong: usize,
     emphasis: usize,
@@ -82,7 +82,7 @@ struct Reader {
     /// The next number of each open list, outermost first.
     lists: Vec<Option<u64>>,
     /// The marker of the item that has not begun yet.
-    marker: Option<Marker>,
+    marker: Option<BlockMarker>,
     /// Blocks of the open answer, and how many quotes are open.
     answer: Vec<Block>,
     quotes: usize,
@@ -126,9 +126,9 @@ impl Reader {
                 self.marker = Some(match self.lists.last_mut() {
                     Some(Some(number)) => {
                         *number += 1;
-                        Marker::Number(*number - 1)
+                        BlockMarker::Number(*number - 1)
                     }
-                    _ => Marker::Bullet,
+                    _ => BlockMarker::Bullet,
                 });
             }
             Tag::BlockQuote(_) => {
@@ -182,7 +182,7 @@ impl Reader {
             return;
         }
         let level = level as usize;
-        self.parts.push((Part::Heading { level, title }, span));
+        self.parts.push((TextPart::Heading { level, title }, span));
     }
 
     /// Ends a paragraph or the text of an item, where one is open.
@@ -207,7 +207,7 @@ impl Reader {
         } else {
             Block::ListItem {
                 depth: self.lists.len() - 1,
-                marker: self.marker.take().unwrap_or(Marker::Continued),
+                marker: self.marker.take().unwrap_or(BlockMarker::Continued),
                 text,
             }
         };
@@ -218,7 +218,7 @@ impl Reader {
         if self.quotes > 0 {
             self.answer.push(block);
         } else {
-            self.parts.push((Part::Block(block), span));
+            self.parts.push((TextPart::Block(block), span));
         }
     }
 

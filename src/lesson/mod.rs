@@ -2,8 +2,8 @@
 //! Markdown file a language. Here they are read, checked and resolved to places in recorded runs.
 //!
 //! ```text
-//! Files ──► Source ──► toml::Fields ──► scenes, steps ──┐
-//! (bytes)   (UTF-8)    markdown::parse ──► texts ───────┴──► Course
+//! Files ──► Source ──► TomlFields ──► scenes, steps ─────┐
+//! (bytes)   (UTF-8)    markdown::parse ──► texts ────────┴──► Course
 //!              └────────────┴── mistakes ──► Sink ──► Vec<Problem>
 //! ```
 //!
@@ -36,14 +36,14 @@ pub use files::{FileError, Files, MAX_FILE_BYTES, MAX_LESSONS};
 #[cfg(not(target_arch = "wasm32"))]
 pub use folder::Folder;
 pub use load::Loaded;
-pub use markdown::{Block, Inline, Marker};
+pub use markdown::{Block, BlockMarker, Inline};
 pub use problem::{Place, Problem, Severity};
 #[cfg(all(test, feature = "gui"))]
 pub(crate) use scene_file::SceneFormat;
 pub use scene_file::SceneFormats;
-pub use step::{CodeView, Step};
+pub use step::{CodeView, LessonStep};
 #[cfg(all(test, feature = "gui"))]
 pub(crate) use {
     sink::Sink,
-    toml_fields::{Fields, number},
+    toml_fields::{TomlFields, number},
 };

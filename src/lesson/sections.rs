@@ -6,7 +6,7 @@ use crate::text::Message;
 
 use super::{
     course::{LessonText, StepText},
-    markdown::{self, Block, Part},
+    markdown::{self, Block, TextPart},
     sink::{Sink, clipped},
     toml_fields::suggestion,
 };
@@ -27,9 +27,9 @@ pub(super) fn read(ids: Option<&[String]>, sink: &mut Sink<'_>) -> Option<Lesson
     let mut file = Splitter::default();
     for (part, span) in markdown::parse(sink) {
         match part {
-            Part::Heading { level: 1, title } => file.title(title.trim(), span, sink),
-            Part::Heading { title, .. } => file.section(&title, span, sink),
-            Part::Block(block) => file.block(block, span, sink),
+            TextPart::Heading { level: 1, title } => file.title(title.trim(), span, sink),
+            TextPart::Heading { title, .. } => file.section(&title, span, sink),
+            TextPart::Block(block) => file.block(block, span, sink),
         }
     }
     let Some((title, title_span)) = file.title else {

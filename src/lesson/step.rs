@@ -17,7 +17,7 @@ use super::{
 
 /// One step of a lesson: a scene, and where its run stops.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Step {
+pub struct LessonStep {
     /// Unique in the lesson.
     pub id: String,
     /// Shared by the steps that show it, since it may be large.
@@ -33,7 +33,7 @@ pub struct Step {
     pub(super) stop: Stop,
 }
 
-impl Step {
+impl LessonStep {
     /// The step of the first method's run at which its moment comes; `None` where it never does. The run is recorded
     /// when this is first asked for.
     #[must_use]

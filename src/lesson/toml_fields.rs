@@ -15,7 +15,7 @@ use super::sink::{Sink, clipped};
 pub(crate) type Item<'t> = Spanned<DeValue<'t>>;
 
 /// A table of which only certain fields may be given.
-pub(crate) struct Fields<'t> {
+pub(crate) struct TomlFields<'t> {
     table: &'t DeTable<'t>,
     /// Where a field would be added: the table's header.
     span: Range<usize>,
@@ -23,7 +23,7 @@ pub(crate) struct Fields<'t> {
     misspelt: Vec<&'static str>,
 }
 
-impl<'t> Fields<'t> {
+impl<'t> TomlFields<'t> {
     /// A file's top level.
     pub fn of_file(table: &'t DeTable<'t>, known: &[&'static str], sink: &mut Sink<'_>) -> Self {
         Self::new(table, 0..0, known, sink)

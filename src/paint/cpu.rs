@@ -14,7 +14,7 @@ use egui::{Color32, Rect, TextureId, TexturesDelta};
 
 use super::image::Image;
 use super::texture::{Rgba, Surroundings, Texture};
-use super::triangle::{PixelRect, Span, Triangle, mix};
+use super::triangle::{PixelRect, PixelRun, RasterTriangle, mix};
 
 /// Paints tessellated egui output into an [`Image`].
 #[derive(Clone, Debug, Default)]
@@ -70,7 +70,7 @@ impl CpuPainter {
         background: Color32,
     ) -> Image {
         let [r, g, b, _] = background.to_array();
-        let mut canvas = Canvas {
+        let mut canvas = Painting {
             width: size_px[0],
             pixels: vec![[r, g, b, 255]; size_px[0] * size_px[1]],
         };
@@ -116,12 +116,12 @@ fn clip_in_pixels(clip: Rect, pixels_per_point: f32, [width, height]: [usize; 2]
 }
 
 /// The picture while it is painted.
-struct Canvas {
+struct Painting {
     width: usize,
     pixels: Vec<Rgba>,
 }
 
-impl Canvas {
+impl Painting {
     fn fill_mesh(
         &mut self,
         mesh: &Mesh,
@@ -146,7 +146,7 @@ impl Canvas {
     ) {
         let scale = f64::from(pixels_per_point);
         let corners_px = corners.map(|c| [c.pos.x, c.pos.y].map(|at| f64::from(at) * scale));
-        let Some(triangle) = Triangle::new(corners_px, clip) else {
+        let Some(triangle) = RasterTriangle::new(corners_px, clip) else {
             return;
         };
         if triangle.is_flipped {
@@ -173,7 +173,7 @@ impl Canvas {
     }
 
     /// Fills with one colour: most of any interface.
-    fn fill_flat(&mut self, triangle: &Triangle, color: Rgba) {
+    fn fill_flat(&mut self, triangle: &RasterTriangle, color: Rgba) {
         if color == [0; 4] {
             return;
         }
@@ -190,7 +190,7 @@ impl Canvas {
     }
 
     /// Fills with a colour of the corner weights.
-    fn fill_shaded(&mut self, triangle: &Triangle, shade: impl Fn([i64; 2]) -> Rgba) {
+    fn fill_shaded(&mut self, triangle: &RasterTriangle, shade: impl Fn([i64; 2]) -> Rgba) {
         for span in triangle.rows().filter_map(|y| triangle.span(y)) {
             let weights = triangle.weights(&span);
             for (pixel, weights) in self.span_mut(&span).iter_mut().zip(weights) {
@@ -199,7 +199,7 @@ impl Canvas {
         }
     }
 
-    fn span_mut(&mut self, span: &Span) -> &mut [Rgba] {
+    fn span_mut(&mut self, span: &PixelRun) -> &mut [Rgba] {
         let row = span.y * self.width;
         &mut self.pixels[row + span.left..row + span.right]
     }

@@ -31,7 +31,7 @@ pub enum Layer {
 
 /// A part of a mark in its layer.
 #[derive(Clone, Debug)]
-pub struct Piece<'a> {
+pub struct LayeredPart<'a> {
     /// Its layer.
     pub layer: Layer,
     /// Whose part it is.
@@ -52,17 +52,17 @@ pub fn pieces<'a>(
     theme: &Theme,
     marks: &'a [Mark],
     lit: Option<Link>,
-) -> Vec<Piece<'a>> {
+) -> Vec<LayeredPart<'a>> {
     let mut pieces = Vec::new();
     for mark in marks {
         let is_lit = lit.is_some() && mark.link == lit;
         for part in parts(viewport, &mark.shape) {
-            pieces.extend(is_lit.then(|| Piece {
+            pieces.extend(is_lit.then(|| LayeredPart {
                 layer: Layer::Glow,
                 mark,
                 part: part.clone(),
             }));
-            pieces.push(Piece {
+            pieces.push(LayeredPart {
                 layer: layer_of(&part, mark.role),
                 mark,
                 part,
@@ -85,7 +85,7 @@ const fn layer_of(part: &Part<'_>, role: Role) -> Layer {
     }
 }
 
-fn stop_short(theme: &Theme, pieces: &mut [Piece<'_>]) {
+fn stop_short(theme: &Theme, pieces: &mut [LayeredPart<'_>]) {
     let markers: Vec<(Pos2, f32)> = pieces
         .iter()
         .filter_map(|piece| match piece.part {

@@ -14,7 +14,7 @@ use super::{
     crowd::crowd,
     fill_cache::{LARGE, filled_large},
     labels::{Labels, Obstacle, Placed},
-    layers::{Layer, Piece, pieces},
+    layers::{Layer, LayeredPart, pieces},
     line::Line,
     parts::{HEAD, Marker, Part},
     pen::{Pen, radius},
@@ -71,7 +71,7 @@ struct Stage<'a> {
 }
 
 impl Stage<'_> {
-    fn part(&self, Piece { mark, part, .. }: &Piece<'_>) {
+    fn part(&self, LayeredPart { mark, part, .. }: &LayeredPart<'_>) {
         let pen = Pen::of(self.theme, mark);
         let shape = match part {
             Part::Wash(corners) => Egui::convex_polygon(corners.clone(), pen.wash, Stroke::NONE),
@@ -151,7 +151,7 @@ impl Stage<'_> {
         }
     }
 
-    fn glow(&self, Piece { mark, part, .. }: &Piece<'_>) {
+    fn glow(&self, LayeredPart { mark, part, .. }: &LayeredPart<'_>) {
         let glow = self.theme.stroke(9.0, self.theme.accent_wash);
         match part {
             Part::Stroke(points) => Line::new(points, false).draw(self.painter, glow),

@@ -40,7 +40,7 @@ pub(super) struct PixelRect {
 
 /// An edge function: its value at a pixel centre is `dx · x + dy · y` more than at the corner.
 #[derive(Clone, Copy, Debug, Default)]
-struct Edge {
+struct EdgeFunction {
     /// A point of the edge.
     from: [i64; 2],
     /// Change for one snapped unit to the right, and downwards.
@@ -49,7 +49,7 @@ struct Edge {
     least: i64,
 }
 
-impl Edge {
+impl EdgeFunction {
     fn between(a: [i64; 2], b: [i64; 2]) -> Self {
         let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
         let is_top_left = dy < 0 || (dy == 0 && dx > 0);
@@ -84,7 +84,7 @@ impl Edge {
 
 /// A run of covered pixels in one row.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Span {
+pub(super) struct PixelRun {
     pub y: usize,
     pub left: usize,
     pub right: usize,
@@ -94,8 +94,8 @@ pub(super) struct Span {
 
 /// A triangle ready to be filled.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Triangle {
-    edges: [Edge; 3],
+pub(super) struct RasterTriangle {
+    edges: [EdgeFunction; 3],
     bounds: PixelRect,
     /// True if corners 1 and 2 were exchanged to make the area positive.
     pub is_flipped: bool,
@@ -103,7 +103,7 @@ pub(super) struct Triangle {
     reciprocal: u64,
 }
 
-impl Triangle {
+impl RasterTriangle {
     /// Snaps a triangle given in pixels.
     ///
     /// `None` if nothing can be covered: a corner that is not finite, no area, or out of `clip`.
@@ -126,9 +126,9 @@ impl Triangle {
         let shift = (i64::BITS - area.leading_zeros()).saturating_sub(AREA_BITS);
         Some(Self {
             edges: [
-                Edge::between(p[1], p[2]),
-                Edge::between(p[2], p[0]),
-                Edge::between(p[0], p[1]),
+                EdgeFunction::between(p[1], p[2]),
+                EdgeFunction::between(p[2], p[0]),
+                EdgeFunction::between(p[0], p[1]),
             ],
             bounds,
             is_flipped,
@@ -143,7 +143,7 @@ impl Triangle {
     }
 
     /// The covered pixels of one row.
-    pub fn span(&self, y: i64) -> Option<Span> {
+    pub fn span(&self, y: i64) -> Option<PixelRun> {
         let left = self.bounds.left;
         let mut offsets = (0, self.bounds.right - left);
         let w = self.edges.map(|edge| {
@@ -151,7 +151,7 @@ impl Triangle {
             edge.narrow(value, &mut offsets);
             value
         });
-        (offsets.0 < offsets.1).then(|| Span {
+        (offsets.0 < offsets.1).then(|| PixelRun {
             y: y as usize,
             left: (left + offsets.0) as usize,
             right: (left + offsets.1) as usize,
@@ -160,7 +160,7 @@ impl Triangle {
     }
 
     /// The weights λ1 and λ2, with [`WEIGHT_BITS`] fractional bits, along a span.
-    pub fn weights(&self, span: &Span) -> impl Iterator<Item = [i64; 2]> + use<> {
+    pub fn weights(&self, span: &PixelRun) -> impl Iterator<Item = [i64; 2]> + use<> {
         let (shift, reciprocal) = (self.shift, self.reciprocal);
         let steps = [1, 2].map(|i: usize| self.edges[i].step[0] * PIXEL);
         let mut w = span.w;

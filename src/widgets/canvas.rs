@@ -43,7 +43,7 @@ pub struct Canvas<'a> {
 
 /// A click on a stage.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Click {
+pub struct StageClick {
     /// On the screen.
     pub at: Pos2,
     /// The second of two in the same place.
@@ -77,7 +77,7 @@ pub struct CanvasShown {
     /// The drag of a handle has ended.
     pub released: bool,
     /// The stage was clicked.
-    pub clicked: Option<Click>,
+    pub clicked: Option<StageClick>,
     /// What the pointer is on.
     pub pointed: Option<Link>,
     /// The handle that has the keyboard's focus, by its index.
@@ -146,11 +146,11 @@ impl Canvas<'_> {
     }
 }
 
-fn click(ui: &Ui, response: &Response, handles: &Handles<'_>) -> Option<Click> {
+fn click(ui: &Ui, response: &Response, handles: &Handles<'_>) -> Option<StageClick> {
     let at = response
         .interact_pointer_pos()
         .filter(|_| response.clicked())?;
-    Some(Click {
+    Some(StageClick {
         at,
         is_double: response.double_clicked(),
         has_ctrl: ui.input(|input| input.modifiers.command),

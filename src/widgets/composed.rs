@@ -16,7 +16,7 @@ const TITLE_PTS: f32 = 19.5;
 
 /// What is said in words of a method's step.
 #[derive(Clone, Copy)]
-pub struct Words<'a> {
+pub struct StepWords<'a> {
     /// The method's name, where two stand side by side.
     pub name: Option<&'a str>,
     /// What is said of a method that is wrong on purpose.
@@ -33,7 +33,7 @@ pub fn beside_the_drawing(
     look: Look<'_>,
     places: &ColumnLayout,
     views: &[View],
-    words: &Words<'_>,
+    words: &StepWords<'_>,
     lit: Option<Link>,
 ) -> Option<Link> {
     let inside = |slot: Slot| rect_of(slot).shrink2(vec2(words.indent, 0.0));

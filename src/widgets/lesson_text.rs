@@ -6,7 +6,7 @@ use egui::{
 };
 
 use crate::{
-    lesson::{Block, Inline, Marker},
+    lesson::{Block, BlockMarker, Inline},
     paint::theme,
 };
 
@@ -40,7 +40,7 @@ pub fn lesson_text(ui: &mut Ui, look: Look<'_>, id: Id, blocks: &[Block]) {
     }
 }
 
-fn item(ui: &mut Ui, look: Look<'_>, depth: usize, marker: Marker, text: &[Inline]) {
+fn item(ui: &mut Ui, look: Look<'_>, depth: usize, marker: BlockMarker, text: &[Inline]) {
     let indent = 16.0 * (depth + 1) as f32;
     let row = ui.available_rect_before_wrap();
     let mut inner = row;
@@ -51,11 +51,11 @@ fn item(ui: &mut Ui, look: Look<'_>, depth: usize, marker: Marker, text: &[Inlin
     let font = TextStyle::Body.resolve(ui.style());
     let at = place.response.rect.left_top();
     match marker {
-        Marker::Bullet => {
+        BlockMarker::Bullet => {
             let centre = at + vec2(-9.0, (font.size * (1.0 + LEADING) * 0.55).round());
             ui.painter().circle_filled(centre, 1.75, look.theme.soft);
         }
-        Marker::Number(n) => {
+        BlockMarker::Number(n) => {
             let at = at + vec2(-6.0, 0.0);
             ui.painter().text(
                 at,
@@ -65,7 +65,7 @@ fn item(ui: &mut Ui, look: Look<'_>, depth: usize, marker: Marker, text: &[Inlin
                 look.theme.soft,
             );
         }
-        Marker::Continued => {}
+        BlockMarker::Continued => {}
     }
 }
 

@@ -22,7 +22,7 @@ const fn key(view: CodeView) -> &'static str {
 
 /// A line, already in the reader's language.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct CodeLine {
+pub struct CodeText {
     /// Levels of indentation.
     pub depth: usize,
     /// What it says.
@@ -61,7 +61,7 @@ const SIZES: [f32; 3] = [1.0, 0.92, 0.85];
 pub fn pseudocode(
     ui: &mut Ui,
     look: Look<'_>,
-    (lines, view): (&[CodeLine], CodeView),
+    (lines, view): (&[CodeText], CodeView),
     current: Option<usize>,
     most: f32,
 ) -> bool {
@@ -78,7 +78,7 @@ pub fn pseudocode(
     let size = |part: f32| FontId::new(part * natural.size, natural.family.clone());
     let height = |font: &FontId| -> f32 {
         let rows = lines.iter();
-        rows.map(|line| Row::new(ui, line, font, look.theme.soft).height)
+        rows.map(|line| SetLine::new(ui, line, font, look.theme.soft).height)
             .sum()
     };
     let mut fonts = SIZES.map(size).into_iter();
@@ -93,14 +93,14 @@ pub fn pseudocode(
 }
 
 /// A line as it is set.
-struct Row {
+struct SetLine {
     indent: f32,
     set: Typeset,
     height: f32,
 }
 
-impl Row {
-    fn new(ui: &Ui, line: &CodeLine, font: &FontId, colour: Color32) -> Self {
+impl SetLine {
+    fn new(ui: &Ui, line: &CodeText, font: &FontId, colour: Color32) -> Self {
         let indent = 4.0 + 14.0 * line.depth as f32;
         // A line that is too long goes on under its own start.
         let room = (ui.available_width() - indent - 4.0).max(48.0);
@@ -115,14 +115,14 @@ impl Row {
     }
 }
 
-fn row(ui: &mut Ui, look: Look<'_>, line: &CodeLine, font: &FontId, is_current: bool) -> bool {
+fn row(ui: &mut Ui, look: Look<'_>, line: &CodeText, font: &FontId, is_current: bool) -> bool {
     let theme = look.theme;
     let colour = if is_current { theme.ink } else { theme.soft };
-    let Row {
+    let SetLine {
         indent,
         set,
         height,
-    } = Row::new(ui, line, font, colour);
+    } = SetLine::new(ui, line, font, colour);
     let size = vec2(ui.available_width(), height);
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
     response.widget_info(|| WidgetInfo::selected(Role::Label, true, is_current, &line.text));

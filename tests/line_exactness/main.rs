@@ -19,7 +19,7 @@ use clipscope::{
     algo::line::{
         BitOrder, BruteForce, CohenSutherland, CohenSutherlandInput, CyrusBeck, CyrusBeckInput,
         LiangBarsky, NichollLeeNicholl, Visible, WindowInput,
-        batch::{Clipped, Segments, clip_all},
+        batch::{ClippedSegments, Segments, clip_all},
         kernel,
     },
     geom::{Segment, Window},
@@ -74,7 +74,7 @@ fn all_clippers() -> impl Iterator<Item = Clipper> {
 fn clip_in_batch(window: &Window, segment: &Segment) -> Visible {
     const N: usize = 131;
     let segments: Segments = std::iter::repeat_n(*segment, N).collect();
-    let mut clipped = Clipped::default();
+    let mut clipped = ClippedSegments::default();
     clip_all(window, &segments, &mut clipped);
     let first = clipped.get(0);
     for (idx, visible) in clipped.iter().enumerate() {

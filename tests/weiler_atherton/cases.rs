@@ -2,7 +2,8 @@
 
 use clipscope::{
     algo::polygon::weiler_atherton::{
-        Contact, Label, Relation, WeilerAtherton, WeilerAthertonEvent as Event, WeilerAthertonInput,
+        Contact, IntersectionLabel, Relation, WeilerAtherton, WeilerAthertonEvent as Event,
+        WeilerAthertonInput,
     },
     geom::Region,
     trace::{Trace, laws},
@@ -437,7 +438,7 @@ fn each_hole_goes_to_the_piece_that_it_lies_in() {
 }
 
 /// Which contacts and labels a run meets.
-fn met(subject: Outline, outline: Outline) -> (Vec<Contact>, Vec<Label>) {
+fn met(subject: Outline, outline: Outline) -> (Vec<Contact>, Vec<IntersectionLabel>) {
     let input = WeilerAthertonInput {
         subject: shapes::simple(subject).expect("simple").into(),
         clip: shapes::simple(outline).expect("simple"),
@@ -457,7 +458,7 @@ fn met(subject: Outline, outline: Outline) -> (Vec<Contact>, Vec<Label>) {
 #[test]
 fn a_shared_edge_is_entered_where_it_begins_or_where_it_ends() {
     use Contact::{BothVertices as V, ClipVertex as C, SubjectVertex as S};
-    use Label::{Entering, Leaving, Touching};
+    use IntersectionLabel::{Entering, Leaving, Touching};
     // The subject comes from outside, runs along the lower edge to the right, as the clip polygon does, and goes in.
     let same: Outline = &[[0, -2], [1, 0], [3, 0], [3, 2], [-2, 2]];
     let (contacts, labels) = met(same, SQUARE);
@@ -480,5 +481,5 @@ fn a_shared_edge_is_entered_where_it_begins_or_where_it_ends() {
     assert_eq!(met(SQUARE, SQUARE), (vec![V; 4], vec![Touching; 4]));
     let (contacts, labels) = met(SQUARE, &[[0, 0], [2, 0], [2, -2], [9, -2], [9, 4], [0, 4]]);
     assert_eq!(contacts, [V, C, S, V]);
-    assert!(!labels.contains(&Label::Pinching), "{labels:?}");
+    assert!(!labels.contains(&IntersectionLabel::Pinching), "{labels:?}");
 }

@@ -2,7 +2,7 @@
 
 use clipscope::{
     algo::polygon::weiler_atherton::{
-        Clipped, WeilerAtherton, WeilerAthertonEvent as Event, WeilerAthertonInput,
+        WeilerAtherton, WeilerAthertonEvent as Event, WeilerAthertonInput, WeilerAthertonOutput,
     },
     geom::{Point, Region, SimplePolygon},
     trace::{Trace, laws, silent},
@@ -134,7 +134,7 @@ proptest! {
         b in prop::array::uniform3(prop::array::uniform2(any_finite())),
     ) {
         if let (Ok(s), Ok(c)) = (SimplePolygon::new(&a), SimplePolygon::new(&b)) {
-            let answer: Clipped = silent::<WeilerAtherton>(&WeilerAthertonInput { subject: s.into(), clip: c });
+            let answer: WeilerAthertonOutput = silent::<WeilerAtherton>(&WeilerAthertonInput { subject: s.into(), clip: c });
             prop_assert!(answer.pieces.len() <= 1, "two triangles have one piece in common: {answer:?}");
         }
     }

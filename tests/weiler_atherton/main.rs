@@ -19,18 +19,18 @@ mod properties;
 mod shapes;
 
 use clipscope::{
-    algo::polygon::weiler_atherton::{Clipped, WeilerAtherton, WeilerAthertonInput},
+    algo::polygon::weiler_atherton::{WeilerAtherton, WeilerAthertonInput, WeilerAthertonOutput},
     geom::{Point, Region, SimplePolygon},
     trace::silent,
 };
 
-fn clip(subject: &Region, clip: &SimplePolygon) -> Clipped {
+fn clip(subject: &Region, clip: &SimplePolygon) -> WeilerAthertonOutput {
     let (subject, clip) = (subject.clone(), clip.clone());
     silent::<WeilerAtherton>(&WeilerAthertonInput { subject, clip })
 }
 
 /// Every ring, from its lowest vertex on the left, in order: the same for the same set of polygons.
-fn rings(clipped: &Clipped) -> Vec<Vec<[f64; 2]>> {
+fn rings(clipped: &WeilerAthertonOutput) -> Vec<Vec<[f64; 2]>> {
     let all = clipped
         .pieces
         .iter()
@@ -58,8 +58,8 @@ fn area_of(ring: &[Point]) -> f64 {
 }
 
 /// Of all pieces.
-fn total_area(clipped: &Clipped) -> f64 {
-    let piece = |piece: &clipscope::algo::polygon::weiler_atherton::Piece| {
+fn total_area(clipped: &WeilerAthertonOutput) -> f64 {
+    let piece = |piece: &clipscope::algo::polygon::weiler_atherton::OutputPolygon| {
         area_of(&piece.outer) + piece.holes.iter().map(|hole| area_of(hole)).sum::<f64>()
     };
     clipped.pieces.iter().map(piece).sum()

@@ -21,10 +21,10 @@
 //! "Ray Tracing Complex Scenes", SIGGRAPH '86, pp. 269–278, doi:10.1145/15922.15916.
 //!
 //! ```
-//! use clipscope::{algo::line::batch::{Clipped, Segments, clip_all}, geom::{Segment, Window}};
+//! use clipscope::{algo::line::batch::{ClippedSegments, Segments, clip_all}, geom::{Segment, Window}};
 //! let window = Window::new(-1.0, -1.0, 1.0, 1.0)?;
 //! let segments: Segments = [Segment::new(-2.0, -1.0, 2.0, 1.5)?, Segment::new(2.0, 0.0, 3.0, 1.0)?].into_iter().collect();
-//! let mut clipped = Clipped::default();
+//! let mut clipped = ClippedSegments::default();
 //! clip_all(&window, &segments, &mut clipped);
 //! assert_eq!(clipped.get(0), Some(Segment::new(-1.0, -0.375, 1.0, 0.875)?));
 //! assert_eq!(clipped.get(1), None);
@@ -37,7 +37,7 @@ use crate::geom::{Point, Segment, Window};
 use super::LiangBarsky;
 use super::{
     Visible,
-    closed_form::{Borders, clip},
+    closed_form::{WindowBorders, clip},
     kernel,
 };
 
@@ -109,13 +109,13 @@ impl FromIterator<Segment> for Segments {
 
 /// What [`clip_all`] answers: kept from batch to batch, so that nothing is allocated twice.
 #[derive(Clone, Debug, Default)]
-pub struct Clipped {
+pub struct ClippedSegments {
     /// Of a segment that is not visible: any number.
     coordinates: [Vec<f64>; 4],
     visible: Vec<bool>,
 }
 
-impl Clipped {
+impl ClippedSegments {
     /// How many segments were clipped.
     #[must_use]
     pub const fn len(&self) -> usize {
@@ -167,10 +167,10 @@ impl Clipped {
 }
 
 /// Clips every segment against `window`. `out` afterwards holds as many answers as there are segments.
-pub fn clip_all(window: &Window, segments: &Segments, out: &mut Clipped) {
+pub fn clip_all(window: &Window, segments: &Segments, out: &mut ClippedSegments) {
     let n = segments.len();
     out.resize(n);
-    let borders = Borders::new(window);
+    let borders = WindowBorders::new(window);
     let mut status = [0; N_LANES];
     let turns = segments
         .coordinates
@@ -203,7 +203,7 @@ const UNCERTAIN: u64 = 2;
 
 /// Clips one turn of segments; true where an answer is uncertain.
 fn clip_turn(
-    borders: &Borders,
+    borders: &WindowBorders,
     [x1, y1, x2, y2]: [&Lanes; 4],
     [out_x1, out_y1, out_x2, out_y2]: [&mut Lanes; 4],
     visible: &mut [bool; N_LANES],

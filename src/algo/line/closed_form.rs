@@ -39,14 +39,14 @@ const SHORTEST: f64 = 3.054_936_363_499_605e-151;
 
 /// A window, ready for [`clip`].
 #[derive(Clone, Copy, Debug)]
-pub struct Borders {
+pub struct WindowBorders {
     min: [f64; 2],
     max: [f64; 2],
     /// No certain answer for a segment that is wider or higher than this.
     longest: f64,
 }
 
-impl Borders {
+impl WindowBorders {
     /// Of `window`.
     #[inline]
     pub fn new(window: &Window) -> Self {
@@ -63,7 +63,7 @@ impl Borders {
 
 /// What the closed form says of one segment.
 #[derive(Clone, Copy, Debug)]
-pub struct Answer {
+pub struct ClosedForm {
     /// x₁, y₁, x₂, y₂ of the visible part; any numbers, NaN included, where there is none.
     pub ends: [f64; 4],
     /// Nothing is visible.
@@ -118,7 +118,7 @@ impl Extent {
 
 /// Clips one segment, given as x₁, y₁, x₂, y₂: the same operations whatever the numbers.
 #[inline(always)]
-pub fn clip([x1, y1, x2, y2]: [f64; 4], borders: &Borders) -> Answer {
+pub fn clip([x1, y1, x2, y2]: [f64; 4], borders: &WindowBorders) -> ClosedForm {
     let x = Extent::new([x1, x2], borders.min[0], borders.max[0]);
     let y = Extent::new([y1, y2], borders.min[1], borders.max[1]);
     let (p1, tie1) = place(0, &x, &y, [x1, x2], [y1, y2]);
@@ -129,7 +129,7 @@ pub fn clip([x1, y1, x2, y2]: [f64; 4], borders: &Borders) -> Answer {
     let touch = ((out_by_y == in_by_x) & (x1 != x.border[0]) & (y2 != y.border[1]))
         | ((out_by_x == in_by_y) & (y1 != y.border[0]) & (x2 != x.border[1]));
     let apart = (x.low > x.high) | (y.low > y.high);
-    Answer {
+    ClosedForm {
         ends: [p1[0], p1[1], p2[0], p2[1]],
         hidden: apart | (out_by_y > in_by_x) | (out_by_x > in_by_y),
         uncertain: tie1 | tie2 | touch | (at_least(x.length, y.length) > borders.longest),

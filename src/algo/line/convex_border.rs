@@ -21,7 +21,7 @@ use super::{
 
 /// An edge that the line crosses.
 #[derive(Clone, Copy)]
-pub struct Border {
+pub struct ConvexBorder {
     /// From vertex `edge_idx` to the next.
     pub edge_idx: usize,
     /// Its inside.
@@ -30,7 +30,7 @@ pub struct Border {
     pub distances: [f64; 2],
 }
 
-impl Border {
+impl ConvexBorder {
     /// Is x constant along it?
     pub fn is_vertical(&self) -> bool {
         self.plane.normal()[1] == 0.0

@@ -46,7 +46,7 @@ use crate::{
 use super::{
     super::parameter::{Interval, Param},
     End, Visible,
-    convex_border::{Border, plane_distances},
+    convex_border::{ConvexBorder, plane_distances},
     segment_between,
 };
 
@@ -208,7 +208,7 @@ impl Algorithm for CyrusBeck {
                 });
                 inside
             } else {
-                let border = Border {
+                let border = ConvexBorder {
                     edge_idx,
                     plane,
                     distances: [d1.get(), d2.get()],
@@ -301,9 +301,9 @@ impl CyrusBeckState {
 
 /// Raises t_min or lowers t_max to t. False where nothing is left.
 fn shrink<R: Real>(
-    interval: &mut Interval<R, Border>,
+    interval: &mut Interval<R, ConvexBorder>,
     t: R,
-    border: Border,
+    border: ConvexBorder,
     emit: &mut impl FnMut(CyrusBeckEvent),
 ) -> bool {
     use CyrusBeckEvent as Event;
@@ -314,7 +314,7 @@ fn shrink<R: Real>(
         leaving: d2 < d1,
     };
     // Of two at the same place a vertical one wins.
-    let wins_tie = |old: Border| border.is_vertical() && !old.is_vertical();
+    let wins_tie = |old: ConvexBorder| border.is_vertical() && !old.is_vertical();
     let moves = interval.shrink(param, |b| b.distances, wins_tie);
     let (t, [t_min, t_max]) = (t.get(), interval.values());
     emit(if param.leaving {
@@ -344,7 +344,10 @@ fn shrink<R: Real>(
 }
 
 /// The vertex that the line touches: there it comes in across one edge and goes out across its neighbour.
-fn touched_vertex<R: Real>(interval: &Interval<R, Border>, clip: &ConvexPolygon) -> Option<Point> {
+fn touched_vertex<R: Real>(
+    interval: &Interval<R, ConvexBorder>,
+    clip: &ConvexPolygon,
+) -> Option<Point> {
     let [i, j] = interval.borders()?.map(|b| b.edge_idx);
     let n = clip.vertices().len();
     let vertex_idx = if (i + 1) % n == j {
@@ -361,7 +364,7 @@ fn touched_vertex<R: Real>(interval: &Interval<R, Border>, clip: &ConvexPolygon)
 /// P(t), on the edge that set t.
 fn put<R: Real>(
     end: End,
-    param: &Param<R, Border>,
+    param: &Param<R, ConvexBorder>,
     vertex: Option<Point>,
     CyrusBeckInput { clip, segment }: &CyrusBeckInput,
     emit: &mut impl FnMut(CyrusBeckEvent),

@@ -28,14 +28,14 @@ use crate::{
 
 use super::{
     LiangBarsky, Visible, WindowInput,
-    closed_form::{self, Borders},
+    closed_form::{self, WindowBorders},
 };
 
 /// The visible part of `segment`.
 #[inline]
 #[must_use]
 pub fn clip(window: &Window, segment: &Segment) -> Visible {
-    let answer = closed_form::clip(segment.to_array(), &Borders::new(window));
+    let answer = closed_form::clip(segment.to_array(), &WindowBorders::new(window));
     if answer.uncertain {
         return clip_exactly(window, segment);
     }

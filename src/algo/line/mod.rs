@@ -39,7 +39,7 @@ pub use corner_line::{CornerLine, Turn};
 pub use cyrus_beck::{CyrusBeck, CyrusBeckEvent, CyrusBeckInput, CyrusBeckRow, CyrusBeckState};
 pub use liang_barsky::{LiangBarsky, LiangBarskyEvent, LiangBarskyState, Row};
 pub use nicholl_lee_nicholl::{
-    NichollLeeNicholl, NichollLeeNichollEvent, NichollLeeNichollState, Question, Region,
+    NichollLeeNicholl, NichollLeeNichollEvent, NichollLeeNichollState, Question, WindowRegion,
 };
 pub use outcode::{BitOrder, Outcode};
 

@@ -69,14 +69,14 @@ pub struct NichollLeeNicholl;
 
 /// One of the nine regions: the sides that a point lies beyond.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
-pub struct Region {
+pub struct WindowRegion {
     /// Left or right, if either.
     pub x: Option<Edge>,
     /// Bottom or top, if either.
     pub y: Option<Edge>,
 }
 
-impl Region {
+impl WindowRegion {
     /// The region of a point. A point on a border is inside it.
     pub fn of<R: Real>([x, y]: [R; 2], window: &Window) -> Self {
         let beyond = |a: R, low: Edge, high: Edge| {
@@ -122,7 +122,7 @@ pub enum NichollLeeNichollEvent {
         /// Which end.
         end: End,
         /// The sides that it lies beyond.
-        region: Region,
+        region: WindowRegion,
     },
     /// The side of a corner's line on which P₂ lies.
     Side {
@@ -182,7 +182,7 @@ pub enum Question {
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct NichollLeeNichollState {
     /// The regions of both ends, once known.
-    pub regions: [Option<Region>; 2],
+    pub regions: [Option<WindowRegion>; 2],
     /// The corner lines looked at so far, in order.
     pub lines: [Option<(Question, CornerLine)>; 3],
     /// Where it comes in and goes out, once known; see [`NichollLeeNichollEvent::Sector`].
@@ -205,7 +205,7 @@ impl Algorithm for NichollLeeNicholl {
         use NichollLeeNichollEvent as Event;
         let WindowInput { window, segment } = input;
         let regions = End::BOTH.map(|end| {
-            let region = Region::of(end.of(segment).to_array().map(R::new), window);
+            let region = WindowRegion::of(end.of(segment).to_array().map(R::new), window);
             emit(Event::Region { end, region });
             region
         });
@@ -283,7 +283,7 @@ struct Miss {
 /// Steps 1 to 4.
 fn find_sector<R: Real>(
     input: &WindowInput,
-    [region1, region2]: [Region; 2],
+    [region1, region2]: [WindowRegion; 2],
     emit: &mut impl FnMut(NichollLeeNichollEvent),
 ) -> Result<Sector, Miss> {
     if let Some(edge) = region1.shared(region2) {

@@ -37,11 +37,11 @@ pub(super) struct Border {
     edge_idx: usize,
     /// As the region has it.
     plane: HalfPlane,
-    line: Line,
+    line: BorderLine,
 }
 
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) enum Line {
+pub(super) enum BorderLine {
     /// Along an axis: inside is where the `axis` coordinate is at least `c`, or at most `c` if `is_max`.
     Upright { axis: Axis, c: f64, is_max: bool },
     /// Any other: inside is where `normal·(p − origin) ≥ 0`. The normal is of moderate length.
@@ -51,7 +51,7 @@ pub(super) enum Line {
 impl Border {
     fn new((edge_idx, plane): (usize, HalfPlane)) -> Self {
         let origin = plane.origin();
-        let upright = |axis, c, n| Line::Upright {
+        let upright = |axis, c, n| BorderLine::Upright {
             axis,
             c,
             is_max: n < 0.0,
@@ -59,7 +59,7 @@ impl Border {
         let line = match plane.normal() {
             [n, 0.0] => upright(Axis::X, origin.x(), n),
             [0.0, n] => upright(Axis::Y, origin.y(), n),
-            normal => Line::Oblique {
+            normal => BorderLine::Oblique {
                 normal: moderate(normal),
                 origin,
             },
@@ -74,12 +74,12 @@ impl Border {
     /// The same line with its other side for inside.
     fn flipped(self) -> Self {
         let line = match self.line {
-            Line::Upright { axis, c, is_max } => Line::Upright {
+            BorderLine::Upright { axis, c, is_max } => BorderLine::Upright {
                 axis,
                 c,
                 is_max: !is_max,
             },
-            Line::Oblique { normal, origin } => Line::Oblique {
+            BorderLine::Oblique { normal, origin } => BorderLine::Oblique {
                 normal: normal.map(|n| -n),
                 origin,
             },
@@ -94,21 +94,21 @@ impl Border {
 
     /// Where it runs.
     #[inline]
-    pub const fn line(&self) -> Line {
+    pub const fn line(&self) -> BorderLine {
         self.line
     }
 
     /// n, pointing inside; of length 1 along an axis only.
     pub fn normal(&self) -> [f64; 2] {
         match self.line {
-            Line::Upright { axis, is_max, .. } => {
+            BorderLine::Upright { axis, is_max, .. } => {
                 let n = if is_max { -1.0 } else { 1.0 };
                 match axis {
                     Axis::X => [n, 0.0],
                     Axis::Y => [0.0, n],
                 }
             }
-            Line::Oblique { normal, .. } => normal,
+            BorderLine::Oblique { normal, .. } => normal,
         }
     }
 
@@ -121,12 +121,12 @@ impl Border {
     #[inline]
     pub fn distance<R: Real>(&self, p: Point) -> R {
         let d = match self.line {
-            Line::Upright { axis, c, is_max } => {
+            BorderLine::Upright { axis, c, is_max } => {
                 let [a, _] = split::<R>(p, axis);
                 let c = R::new(c);
                 if is_max { c - a } else { a - c }
             }
-            Line::Oblique { normal, origin } => {
+            BorderLine::Oblique { normal, origin } => {
                 let ([px, py], [ex, ey]) = (p.to_array(), origin.to_array());
                 R::new(normal[0]) * (R::new(px) - R::new(ex))
                     + R::new(normal[1]) * (R::new(py) - R::new(ey))
@@ -143,35 +143,35 @@ impl Border {
     #[inline]
     pub fn run<V: Vertex>(&self, vertices: &[V], inside: bool) -> usize {
         match self.line {
-            Line::Upright {
+            BorderLine::Upright {
                 axis: Axis::X,
                 c,
                 is_max: false,
             } => run(vertices, inside, |p| p.x() >= c),
-            Line::Upright {
+            BorderLine::Upright {
                 axis: Axis::X,
                 c,
                 is_max: true,
             } => run(vertices, inside, |p| p.x() <= c),
-            Line::Upright {
+            BorderLine::Upright {
                 axis: Axis::Y,
                 c,
                 is_max: false,
             } => run(vertices, inside, |p| p.y() >= c),
-            Line::Upright {
+            BorderLine::Upright {
                 axis: Axis::Y,
                 c,
                 is_max: true,
             } => run(vertices, inside, |p| p.y() <= c),
-            Line::Oblique { .. } => run(vertices, inside, |p| self.distance::<f64>(p) >= 0.0),
+            BorderLine::Oblique { .. } => run(vertices, inside, |p| self.distance::<f64>(p) >= 0.0),
         }
     }
 
     #[cold]
     fn huge_distance(&self, p: Point, overflown: f64) -> f64 {
         let sign = match self.line {
-            Line::Upright { .. } => overflown,
-            Line::Oblique { normal, origin } => {
+            BorderLine::Upright { .. } => overflown,
+            BorderLine::Oblique { normal, origin } => {
                 let here = Segment { p1: p, p2: p };
                 scaled_distances(&here, normal, origin.to_array())[0]
             }
@@ -188,7 +188,7 @@ impl Border {
     #[inline]
     fn share<R: Real>(&self, [p1, p2]: [Point; 2], [d1, d2]: [R; 2]) -> Share<R> {
         match self.line {
-            Line::Upright { axis, c, .. } => {
+            BorderLine::Upright { axis, c, .. } => {
                 let [[a1, _], [a2, _]] = [p1, p2].map(|p| split::<R>(p, axis));
                 let border = R::new(c);
                 Share {
@@ -197,7 +197,7 @@ impl Border {
                     raw: [a1.get(), a2.get(), c],
                 }
             }
-            Line::Oblique { normal, .. } => {
+            BorderLine::Oblique { normal, .. } => {
                 let whole = d1 - d2;
                 let [d1, d2, whole] = if whole.get().is_finite() {
                     [d1, d2, whole]
@@ -272,7 +272,7 @@ impl Borders {
 
     fn new(all: Vec<Border>) -> Self {
         let middle = middle(&all);
-        let is_oblique = |border: &Border| matches!(border.line, Line::Oblique { .. });
+        let is_oblique = |border: &Border| matches!(border.line, BorderLine::Oblique { .. });
         let first_oblique = all.iter().position(is_oblique).unwrap_or(all.len());
         Self {
             all,
@@ -308,11 +308,11 @@ impl Borders {
         let [p1, p2] = [inside.at(), outside.at()];
         let share = border.share([p1, p2], along);
         let at = match border.line {
-            Line::Upright { axis, c, .. } => {
+            BorderLine::Upright { axis, c, .. } => {
                 let [[_, o1], [_, o2]] = [p1, p2].map(|p| split::<f64>(p, axis));
                 join(axis, c, share.mean(o1, o2))
             }
-            Line::Oblique { .. } => {
+            BorderLine::Oblique { .. } => {
                 let [x, y] = [0, 1].map(|i| share.mean(p1.to_array()[i], p2.to_array()[i]));
                 Point::from_finite(x, y)
             }

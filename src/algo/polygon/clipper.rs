@@ -38,7 +38,7 @@ use crate::geom::{Axis, Point};
 use super::SutherlandHodgman;
 use super::{
     ClipRegion, Vertex,
-    border::{Border, Borders, Line},
+    border::{Border, BorderLine, Borders},
     ring,
     rules::Right,
     step::{Clip, Happening},
@@ -103,13 +103,13 @@ impl<V: Vertex> Clipper<V> {
                 .iter()
                 .map(|border| extent.side_of(border))
         };
-        if sides().any(|side| side == Side::Outside) {
+        if sides().any(|side| side == BoxSide::Outside) {
             return Clipped::Outside;
         }
-        if sides().all(|side| side == Side::Inside) {
+        if sides().all(|side| side == BoxSide::Inside) {
             return Clipped::Inside(polygon);
         }
-        self.pass_all(polygon, |border| extent.side_of(border) == Side::Inside)
+        self.pass_all(polygon, |border| extent.side_of(border) == BoxSide::Inside)
     }
 
     fn clip_obliquely<'a>(&'a mut self, polygon: &'a [V]) -> Clipped<'a, V> {
@@ -184,7 +184,7 @@ fn put_in<V>(output: &mut Vec<V>) -> impl FnMut(Happening<V>) {
 
 /// Where all of a polygon lies.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Side {
+enum BoxSide {
     Inside,
     Outside,
     Both,
@@ -212,9 +212,9 @@ impl Extent {
 
     /// Of an upright border. What has no vertex is outside.
     #[inline]
-    fn side_of(&self, border: &Border) -> Side {
-        let Line::Upright { axis, c, is_max } = border.line() else {
-            return Side::Both;
+    fn side_of(&self, border: &Border) -> BoxSide {
+        let BorderLine::Upright { axis, c, is_max } = border.line() else {
+            return BoxSide::Both;
         };
         let i = usize::from(axis == Axis::Y);
         let (is_inside, is_outside) = if is_max {
@@ -223,11 +223,11 @@ impl Extent {
             (self.min[i] >= c, self.max[i] < c)
         };
         if is_outside {
-            Side::Outside
+            BoxSide::Outside
         } else if is_inside {
-            Side::Inside
+            BoxSide::Inside
         } else {
-            Side::Both
+            BoxSide::Both
         }
     }
 }

@@ -157,7 +157,7 @@ impl<V: Vertex> Algorithm for Pipeline<V> {
         use PipelineEvent as Event;
         let borders = Borders::by::<Right>(&input.region);
         let n_stages = borders.all().len();
-        let mut line = Line::<V, R> {
+        let mut line = AssemblyLine::<V, R> {
             borders: &borders,
             stages: (0..n_stages).map(|_| None).collect(),
             waiting: Vec::new(),
@@ -220,7 +220,7 @@ impl<V: Vertex> Algorithm for Pipeline<V> {
 }
 
 /// The clippers, and what has left one but not yet entered the next.
-struct Line<'a, V, R> {
+struct AssemblyLine<'a, V, R> {
     borders: &'a Borders,
     /// None where no vertex has come yet.
     stages: Vec<Option<Clip<'a, V, R>>>,
@@ -230,7 +230,7 @@ struct Line<'a, V, R> {
     output: Vec<V>,
 }
 
-impl<V: Vertex, R: Real> Line<'_, V, R> {
+impl<V: Vertex, R: Real> AssemblyLine<'_, V, R> {
     fn enter(
         &mut self,
         stage_idx: usize,

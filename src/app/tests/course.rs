@@ -18,21 +18,21 @@ fn a_presenter_walks_the_course_and_comes_back() {
     bench.key(Key::F5);
     let n_steps: usize = bench
         .app
-        .place
+        .bookmark
         .lessons()
         .iter()
         .map(|l| l.steps.len())
         .sum();
     for _ in 0..n_steps + 2 {
         bench.key(Key::PageDown);
-        let step = bench.app.place.step().expect("a step is open");
+        let step = bench.app.bookmark.step().expect("a step is open");
         assert_eq!(Some(bench.app.position()), step.position());
         assert_eq!(bench.app.scene(), &*step.scene);
     }
     for _ in 0..n_steps + 2 {
         bench.key(Key::PageUp);
     }
-    assert_eq!(bench.app.place.indices(), [0, 0]);
+    assert_eq!(bench.app.bookmark.indices(), [0, 0]);
     assert!(bench.app.shown.presenting);
     bench.key(Key::Escape);
     assert!(!bench.app.shown.presenting);
@@ -52,11 +52,11 @@ fn reset_brings_the_lesson_s_scene_back() {
 #[test]
 fn a_course_that_breaks_or_vanishes_leaves_the_last_good_one() {
     let mut bench = Bench::with(App::new(Course::embedded(), Settings::default()), SIZE);
-    let n_lessons = bench.app.place.lessons().len();
+    let n_lessons = bench.app.bookmark.lessons().len();
     bench
         .app
         .take_course("lessons", crate::lesson::Loaded::default(), 0.0);
-    assert_eq!(bench.app.place.lessons().len(), n_lessons);
+    assert_eq!(bench.app.bookmark.lessons().len(), n_lessons);
     assert!(!bench.app.notices.is_empty());
     bench.frame(0.1, Vec::new());
 }
@@ -76,6 +76,6 @@ fn settings_come_back() {
     let stored = serde_json::to_string(&bench.app.settings()).expect("plain data");
     let settings = serde_json::from_str(&stored).expect("as it was written");
     let again = App::new(Course::embedded(), settings);
-    assert_eq!(again.place.indices(), bench.app.place.indices());
+    assert_eq!(again.bookmark.indices(), bench.app.bookmark.indices());
     assert_eq!(again.settings(), bench.app.settings());
 }

@@ -5,7 +5,7 @@ use egui::{Event, Key, vec2};
 use super::{Bench, ctrl};
 use crate::{
     app::Command,
-    labs::polygons::{PolygonsChange, Vertex},
+    labs::polygons::{PolygonsChange, SceneVertex},
 };
 
 #[test]
@@ -46,7 +46,7 @@ fn tab_walks_along_a_large_outline() {
         bench.key(Key::Tab);
     }
     let focused = bench.app.stage.focused.expect("a handle");
-    assert_eq!(focused, Vertex::Subject(2).handle());
+    assert_eq!(focused, SceneVertex::Subject(2).handle());
 }
 
 #[test]
@@ -60,7 +60,7 @@ fn a_long_run_keeps_its_place_without_being_searched() {
     assert!(n_steps > 4096);
     bench.app.seek(n_steps / 3);
     let tick = bench.app.playback.main().tick(n_steps / 3);
-    bench.edit(PolygonsChange::Delete(Vertex::Subject(7)));
+    bench.edit(PolygonsChange::Delete(SceneVertex::Subject(7)));
     let now = bench.app.playback.transport();
     let part = now.position() as f64 / now.n_steps() as f64;
     assert!((part - 1.0 / 3.0).abs() < 0.02, "{part}");

@@ -50,7 +50,7 @@ fn an_end_is_dragged_and_one_undo_takes_the_whole_drag_back() {
             .to_array(),
         [2.5, 1.5]
     );
-    assert!(!bench.app.document.can_redo());
+    assert!(!bench.app.history.can_redo());
 }
 
 #[test]

@@ -29,13 +29,13 @@ fn bench(lang: Lang, theme: ThemeKind) -> Bench {
 /// Opens each step of the course in turn.
 fn for_each_step(bench: &mut Bench, mut what: impl FnMut(&mut Bench, &str)) {
     let ctx = bench.ctx.clone();
-    let lessons = bench.app.place.lessons().iter();
+    let lessons = bench.app.bookmark.lessons().iter();
     let lessons: Vec<usize> = lessons.map(|lesson| lesson.steps.len()).collect();
     for (lesson, n_steps) in lessons.into_iter().enumerate() {
         for step in 0..n_steps {
             bench.app.apply(&ctx, Command::Open([lesson, step]));
             bench.settle();
-            let (lesson, step) = bench.app.place.ids().expect("a step is open");
+            let (lesson, step) = bench.app.bookmark.ids().expect("a step is open");
             what(bench, &format!("{lesson}/{step}"));
         }
     }
@@ -106,7 +106,7 @@ fn what_is_pointed_at_in_a_view_lights_up_on_the_stage() {
     let mut bench = bench(Lang::En, ThemeKind::Light);
     let mut lit = BTreeSet::new();
     for_each_step(&mut bench, |bench, place| {
-        let [_, step] = bench.app.place.indices();
+        let [_, step] = bench.app.bookmark.indices();
         if step != 2 || bench.app.playback.frames().len() > 1 {
             return;
         }

@@ -7,7 +7,7 @@ use crate::{
     app::{App, Command, Settings},
     labs::{
         Edit, lines,
-        polygons::{LAB, OUTLINES, PRESETS, PolygonsChange, REGIONS, Scene, Vertex},
+        polygons::{LAB, OUTLINES, PRESETS, PolygonsChange, REGIONS, Scene, SceneVertex},
     },
     lesson::Course,
     text::Lang,
@@ -145,7 +145,7 @@ fn backspace_takes_a_point_back_and_escape_leaves_everything_as_it_was() {
     bench.key(Key::Escape);
     assert_eq!(bench.hint(), None);
     assert_eq!(bench.app.scene(), &before);
-    assert!(!bench.app.document.can_undo());
+    assert!(!bench.app.history.can_undo());
 }
 
 #[test]
@@ -181,7 +181,7 @@ fn the_lines_lab_draws_no_polygon() {
         bench.key(key);
     }
     assert_eq!(bench.hint(), None);
-    assert!(!bench.app.document.can_undo());
+    assert!(!bench.app.history.can_undo());
 }
 
 #[test]
@@ -193,7 +193,10 @@ fn two_clicks_or_ctrl_and_one_put_a_vertex_on_an_edge() {
     bench.double_click_at([0.5, -1.5]);
     assert_eq!(bench.subject().len(), 5);
     assert_eq!(bench.subject()[1], [0.5, -1.5]);
-    assert_eq!(bench.app.stage.selected, Some(Vertex::Subject(1).handle()));
+    assert_eq!(
+        bench.app.stage.selected,
+        Some(SceneVertex::Subject(1).handle())
+    );
     bench.click(bench.on_screen([-1.5, 0.5]), ctrl());
     assert_eq!(
         bench.subject()[5],
@@ -216,14 +219,23 @@ fn insert_and_delete_are_about_the_vertex_that_was_taken_hold_of() {
     let mut bench = Bench::polygons();
     let before = bench.subject();
     bench.click_at(before[1]);
-    assert_eq!(bench.app.stage.selected, Some(Vertex::Subject(1).handle()));
+    assert_eq!(
+        bench.app.stage.selected,
+        Some(SceneVertex::Subject(1).handle())
+    );
     bench.key(Key::Insert);
     assert_eq!(bench.subject().len(), before.len() + 1);
-    assert_eq!(bench.app.stage.selected, Some(Vertex::Subject(2).handle()));
+    assert_eq!(
+        bench.app.stage.selected,
+        Some(SceneVertex::Subject(2).handle())
+    );
     bench.key(Key::Delete);
     assert_eq!(bench.subject(), before);
     bench.drag(bench.on_screen(before[2]), bench.on_screen([1.0, 1.0]));
-    assert_eq!(bench.app.stage.selected, Some(Vertex::Subject(2).handle()));
+    assert_eq!(
+        bench.app.stage.selected,
+        Some(SceneVertex::Subject(2).handle())
+    );
     bench.key(Key::Delete);
     assert_eq!(bench.subject(), [before[0], before[1], before[3]]);
 }
@@ -277,10 +289,10 @@ fn indices_that_are_none_change_nothing() {
     for edit in [
         PolygonsChange::Preset(usize::MAX),
         PolygonsChange::Region(usize::MAX),
-        PolygonsChange::Insert(Vertex::Subject(999), None),
-        PolygonsChange::Insert(Vertex::Subject(0), Some([f64::NAN, 0.0])),
-        PolygonsChange::Insert(Vertex::Hole(7, 0), None),
-        PolygonsChange::Delete(Vertex::Clip(3)),
+        PolygonsChange::Insert(SceneVertex::Subject(999), None),
+        PolygonsChange::Insert(SceneVertex::Subject(0), Some([f64::NAN, 0.0])),
+        PolygonsChange::Insert(SceneVertex::Hole(7, 0), None),
+        PolygonsChange::Delete(SceneVertex::Clip(3)),
         PolygonsChange::Random { count: 0, seed: 0 },
         PolygonsChange::Random {
             count: 1_000_000,

@@ -9,7 +9,7 @@ use crate::algo::polygon::{
     weiler_atherton::WeilerAtherton,
 };
 
-use super::{Fields, Problem, Refusal, Solver, solver::read_problem};
+use super::{Fields, Refusal, Solvable, Solver, solver::read_problem};
 
 /// The lab's methods, those that are wrong on purpose left out.
 pub(super) static SOLVERS: [Solver; 5] = [
@@ -21,7 +21,7 @@ pub(super) static SOLVERS: [Solver; 5] = [
 ];
 
 /// With texture coordinates at the vertices where they are given.
-fn read_sutherland_hodgman(fields: &Fields<'_>) -> Result<Box<dyn Problem>, Refusal> {
+fn read_sutherland_hodgman(fields: &Fields<'_>) -> Result<Box<dyn Solvable>, Refusal> {
     match fields.get("uv") {
         None => read_problem::<SutherlandHodgman>(fields),
         Some(_) => read_problem::<SutherlandHodgman<Textured>>(fields),

@@ -4,7 +4,7 @@ use crate::{
     algo::polygon::{
         EarClipping, Pipeline, SutherlandHodgman, SutherlandHodgmanInput, Textured,
         TriangulateAndClip, TriangulateAndClipInput,
-        weiler_atherton::{Clipped, WeilerAtherton, WeilerAthertonInput},
+        weiler_atherton::{WeilerAtherton, WeilerAthertonInput, WeilerAthertonOutput},
     },
     case::{Field, Fields, Refusal, Solve, Told},
     geom::SimplePolygon,
@@ -85,7 +85,7 @@ impl Solve for WeilerAtherton {
         Ok((WeilerAthertonInput { subject, clip }, reader.told()))
     }
 
-    fn verdict(output: &Clipped) -> Message {
+    fn verdict(output: &WeilerAthertonOutput) -> Message {
         pieces(output)
     }
 }

@@ -3,7 +3,7 @@
 use crate::{
     algo::polygon::{
         ClippedRing, RingOutcome, Triangulation, Vertex,
-        weiler_atherton::{Clipped, Relation},
+        weiler_atherton::{Relation, WeilerAthertonOutput},
     },
     geom::Point,
     labs::vertex_symbol,
@@ -40,7 +40,7 @@ pub fn polygons<'a>(n: usize, rings: impl Iterator<Item = (&'a [Point], bool)>) 
 }
 
 /// Polygons with their holes.
-pub fn pieces(clipped: &Clipped) -> Message {
+pub fn pieces(clipped: &WeilerAthertonOutput) -> Message {
     if clipped.relation == Relation::Touching {
         return Message::new("case-no-area");
     }

@@ -70,7 +70,7 @@ fn fit<const N: usize>(mut widths: [usize; N], available: usize) -> [usize; N] {
 fn wrap(paragraph: &str, width: usize) -> Vec<String> {
     let mut lines = vec![String::new()];
     let mut used = 0;
-    for Piece { text, space } in pieces(paragraph) {
+    for Unbroken { text, space } in pieces(paragraph) {
         let (n, gap) = (text.width(), usize::from(space && used > 0));
         if used > 0 && used + gap + n > width {
             lines.push(String::new());
@@ -99,13 +99,13 @@ fn push(lines: &mut [String], text: &str) {
 }
 
 /// What is not broken, and whether a space stands before it.
-struct Piece {
+struct Unbroken {
     text: String,
     space: bool,
 }
 
-fn pieces(paragraph: &str) -> Vec<Piece> {
-    let mut pieces: Vec<Piece> = Vec::new();
+fn pieces(paragraph: &str) -> Vec<Unbroken> {
+    let mut pieces: Vec<Unbroken> = Vec::new();
     // Words of the clause so far, for `x = 1`; open parentheses, for `(1, 2)`.
     let (mut n_words, mut depth, mut last_word) = (0, 0, "");
     for word in paragraph.split_whitespace() {
@@ -118,7 +118,7 @@ fn pieces(paragraph: &str) -> Vec<Piece> {
                     piece.text.push(' ');
                     piece.text += &part;
                 }
-                _ => pieces.push(Piece {
+                _ => pieces.push(Unbroken {
                     text: part,
                     space: i == 0,
                 }),

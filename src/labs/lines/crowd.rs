@@ -3,7 +3,7 @@
 use crate::{
     algo::line::{
         CyrusBeck, CyrusBeckInput,
-        batch::{Clipped, Segments, clip_all},
+        batch::{ClippedSegments, Segments, clip_all},
     },
     figure::{Mark, Role, Shape},
     geom::Segment,
@@ -45,7 +45,7 @@ fn clip(scene: &Scene, given: &[Segment]) -> Vec<Segment> {
             clipped.flatten().collect()
         }
         None => {
-            let mut clipped = Clipped::default();
+            let mut clipped = ClippedSegments::default();
             let segments: Segments = given.iter().copied().collect();
             clip_all(&scene.window, &segments, &mut clipped);
             clipped.iter().flatten().collect()

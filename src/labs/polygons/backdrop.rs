@@ -5,7 +5,7 @@ use crate::{
     geom::{Polygon, extent},
 };
 
-use super::{Given, Method, Scene};
+use super::{GivenSubject, Method, Scene};
 
 /// The clip region of `method`, if it has one, and the subject's outlines as they were given.
 #[must_use]
@@ -23,8 +23,8 @@ fn subject(scene: &Scene, method: Method, at_end: bool) -> Vec<Mark> {
     let info = method.info();
     let marks = match (at_end && info.clips, info.given) {
         (true, _) => vec![Mark::new(Role::Discarded, Shape::Area(rings))],
-        (false, Given::Whole) => vec![Mark::new(Role::Soft, Shape::Area(rings))],
-        (false, Given::CutOff) => {
+        (false, GivenSubject::Whole) => vec![Mark::new(Role::Soft, Shape::Area(rings))],
+        (false, GivenSubject::CutOff) => {
             let outlines = rings.iter().cloned().map(Shape::Outline);
             let outlines = outlines.map(|shape| Mark::new(Role::Discarded, shape));
             let outlines = outlines.collect();

@@ -8,15 +8,15 @@ use crate::{
     text::Diagnostic,
 };
 
-use super::{PRESETS, Preset, REGIONS, Scene, SceneError, Texture, Vertex, random_polygon};
+use super::{PRESETS, Preset, REGIONS, Scene, SceneError, SceneVertex, Texture, random_polygon};
 
 /// One change to the scene.
 #[derive(Clone, PartialEq, Debug)]
 pub enum PolygonsChange {
     /// A vertex after this one: at this place, or in the middle of the edge.
-    Insert(Vertex, Option<[f64; 2]>),
+    Insert(SceneVertex, Option<[f64; 2]>),
     /// Without this vertex.
-    Delete(Vertex),
+    Delete(SceneVertex),
     /// Another texture.
     Texture(Texture),
     /// Another polygon in place of the present one.
@@ -119,15 +119,15 @@ fn without_vertex(ring: &Polygon, i: usize) -> Result<Polygon, Diagnostic> {
 }
 
 /// The vertex that a handle is of, or the subject's last one.
-pub fn vertex_of(scene: &Scene, handle: Option<Handle>) -> Vertex {
-    let last = Vertex::Subject(scene.subject.vertices().len() - 1);
-    handle.and_then(Vertex::of).unwrap_or(last)
+pub fn vertex_of(scene: &Scene, handle: Option<Handle>) -> SceneVertex {
+    let last = SceneVertex::Subject(scene.subject.vertices().len() - 1);
+    handle.and_then(SceneVertex::of).unwrap_or(last)
 }
 
 /// A click that puts something in puts a new vertex on the edge that it is on.
 pub fn clicked(scene: &Scene, click: &Click<'_>) -> Option<PolygonsChange> {
     let [x, y, _] = click.at;
-    let is_locked = |vertex: &Vertex| {
+    let is_locked = |vertex: &SceneVertex| {
         let mut locks = click.locks.iter();
         locks.any(|lock| lock.holds(vertex.handle()))
     };

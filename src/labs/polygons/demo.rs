@@ -5,7 +5,7 @@ use crate::{
     labs::{self, Demo},
 };
 
-use super::{Given, Refusal, Scene};
+use super::{GivenSubject, Scene, UnfitScene};
 
 /// A polygon clipper that can be shown.
 pub trait PolygonDemo: Demo {
@@ -14,7 +14,7 @@ pub trait PolygonDemo: Demo {
     /// Does it carry texture coordinates along?
     const CARRIES_TEXTURE: bool = false;
     /// How the subject is seen while it works.
-    const GIVEN: Given = Given::Whole;
+    const GIVEN: GivenSubject = GivenSubject::Whole;
     /// Does it know holes?
     const KNOWS_HOLES: bool = false;
 
@@ -22,13 +22,13 @@ pub trait PolygonDemo: Demo {
     ///
     /// # Errors
     /// What in the scene it cannot take.
-    fn input(scene: &Scene) -> Result<Self::Input, Refusal>;
+    fn input(scene: &Scene) -> Result<Self::Input, UnfitScene>;
 
     /// Runs it on the scene.
     ///
     /// # Errors
     /// What in the scene it cannot take.
-    fn record(scene: &Scene) -> Result<Box<dyn Run>, Refusal> {
+    fn record(scene: &Scene) -> Result<Box<dyn Run>, UnfitScene> {
         Self::input(scene).map(labs::record::<Self>)
     }
 }

@@ -35,7 +35,7 @@ static SUBJECT: HandleKind = HandleKind {
 
 /// An outline of a scene, and one of its vertices.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Vertex {
+pub enum SceneVertex {
     /// Of the subject polygon.
     Subject(usize),
     /// Of one of its holes: which hole, which vertex.
@@ -44,7 +44,7 @@ pub enum Vertex {
     Clip(usize),
 }
 
-impl Vertex {
+impl SceneVertex {
     /// Its handle.
     #[must_use]
     pub const fn handle(self) -> Handle {
@@ -85,46 +85,46 @@ impl Vertex {
 impl Scene {
     /// The outline that a vertex belongs to, where the scene has that vertex: a handle may be older than the scene.
     #[must_use]
-    pub fn ring_of(&self, vertex: Vertex) -> Option<&Polygon> {
+    pub fn ring_of(&self, vertex: SceneVertex) -> Option<&Polygon> {
         let ring = match vertex {
-            Vertex::Subject(_) => &self.subject,
-            Vertex::Hole(hole, _) => self.holes.get(hole)?,
-            Vertex::Clip(_) => self.clip.as_ref()?,
+            SceneVertex::Subject(_) => &self.subject,
+            SceneVertex::Hole(hole, _) => self.holes.get(hole)?,
+            SceneVertex::Clip(_) => self.clip.as_ref()?,
         };
         (vertex.idx() < ring.vertices().len()).then_some(ring)
     }
 
     /// [`Scene::ring_of`], to change it.
-    pub fn ring_mut(&mut self, vertex: Vertex) -> Option<&mut Polygon> {
+    pub fn ring_mut(&mut self, vertex: SceneVertex) -> Option<&mut Polygon> {
         self.ring_of(vertex)?;
         match vertex {
-            Vertex::Subject(_) => Some(&mut self.subject),
-            Vertex::Hole(hole, _) => self.holes.get_mut(hole),
-            Vertex::Clip(_) => self.clip.as_mut(),
+            SceneVertex::Subject(_) => Some(&mut self.subject),
+            SceneVertex::Hole(hole, _) => self.holes.get_mut(hole),
+            SceneVertex::Clip(_) => self.clip.as_mut(),
         }
     }
 
     /// Every vertex of the subject, then of its holes.
-    pub(super) fn subject_vertices(&self) -> impl Iterator<Item = Vertex> {
+    pub(super) fn subject_vertices(&self) -> impl Iterator<Item = SceneVertex> {
         let holes = self.holes.iter().enumerate();
         let holes = holes.flat_map(|(hole, ring)| {
-            (0..ring.vertices().len()).map(move |i| Vertex::Hole(hole, i))
+            (0..ring.vertices().len()).map(move |i| SceneVertex::Hole(hole, i))
         });
         (0..self.subject.vertices().len())
-            .map(Vertex::Subject)
+            .map(SceneVertex::Subject)
             .chain(holes)
     }
 
     /// Every vertex of the clip polygon, where one is in use.
-    pub(super) fn clip_vertices(&self) -> impl Iterator<Item = Vertex> {
+    pub(super) fn clip_vertices(&self) -> impl Iterator<Item = SceneVertex> {
         let n = self.clip_in_use().map_or(0, |clip| clip.vertices().len());
-        (0..n).map(Vertex::Clip)
+        (0..n).map(SceneVertex::Clip)
     }
 
     pub(super) fn all_handles(&self) -> Vec<Handle> {
-        let mut handles: Vec<Handle> = self.subject_vertices().map(Vertex::handle).collect();
+        let mut handles: Vec<Handle> = self.subject_vertices().map(SceneVertex::handle).collect();
         handles.push(SUBJECT.at([0, 0]));
-        handles.extend(self.clip_vertices().map(Vertex::handle));
+        handles.extend(self.clip_vertices().map(SceneVertex::handle));
         if self.clips() && self.clip_in_use().is_none() {
             handles.extend(window_handles::handles());
         }
@@ -132,7 +132,7 @@ impl Scene {
     }
 
     pub(super) fn position_of(&self, handle: Handle) -> Option<[f64; 3]> {
-        let [x, y] = if let Some(vertex) = Vertex::of(handle) {
+        let [x, y] = if let Some(vertex) = SceneVertex::of(handle) {
             self.ring_of(vertex)?.vertices()[vertex.idx()].to_array()
         } else if handle.is(&SUBJECT) {
             self.middle()
@@ -143,7 +143,7 @@ impl Scene {
     }
 
     pub(super) fn drag_handle(&mut self, handle: Handle, to: Point) -> Result<(), Diagnostic> {
-        if let Some(vertex) = Vertex::of(handle) {
+        if let Some(vertex) = SceneVertex::of(handle) {
             if let Some(ring) = self.ring_mut(vertex) {
                 ring.set_vertex(vertex.idx(), to);
             }

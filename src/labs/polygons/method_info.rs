@@ -4,7 +4,7 @@ use crate::{figure::Run, labs::MethodCard};
 
 /// How the subject is seen under a method's drawing, before its end.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Given {
+pub enum GivenSubject {
     /// As it is.
     Whole,
     /// As cut off, but for what the drawing outlines: the list that the method works on.
@@ -20,7 +20,7 @@ pub struct MethodInfo<S> {
     /// Does it carry texture coordinates along?
     pub carries_texture: bool,
     /// How the subject is seen while it works.
-    pub given: Given,
+    pub given: GivenSubject,
     /// Does it know holes?
     pub knows_holes: bool,
     pub(super) record: fn(&S) -> Box<dyn Run>,

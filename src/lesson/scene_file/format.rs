@@ -5,7 +5,8 @@ use toml::de::DeTable;
 use crate::{
     labs::{Lab, Scene},
     lesson::{
-        problem::Problem, sink::Sink, source::Source, toml_errors::with_toml, toml_fields::Fields,
+        problem::Problem, sink::Sink, source::Source, toml_errors::with_toml,
+        toml_fields::TomlFields,
     },
 };
 
@@ -20,7 +21,8 @@ pub(crate) trait SceneFormat: Sync {
     /// How much, in segments or vertices, all scenes of one file may hold.
     fn room(&self) -> usize;
     /// Reads a scene, reporting all its mistakes; takes its size from `room`.
-    fn read(&self, fields: &Fields<'_>, room: &mut usize, sink: &mut Sink<'_>) -> Option<Scene>;
+    fn read(&self, fields: &TomlFields<'_>, room: &mut usize, sink: &mut Sink<'_>)
+    -> Option<Scene>;
     /// Writes a scene, if it is this lab's.
     fn write(&self, scene: &Scene) -> Option<String>;
 }
@@ -55,7 +57,7 @@ impl SceneFormats {
         let mut sink = Sink::new(&source);
         let scene = with_toml(&mut sink, |table, sink| {
             let format = self.of_table(table)?;
-            let fields = Fields::of_file(table, format.fields(), sink);
+            let fields = TomlFields::of_file(table, format.fields(), sink);
             format.read(&fields, &mut format.room(), sink)
         });
         match scene {

@@ -11,7 +11,7 @@ use crate::{
     },
     lesson::{
         sink::Sink,
-        toml_fields::{Fields, Item, list, numbers, one_of, whole, wrong_type},
+        toml_fields::{Item, TomlFields, list, numbers, one_of, whole, wrong_type},
     },
     text::Message,
 };
@@ -55,7 +55,7 @@ impl SceneFormat for Format {
 
     fn read(
         &self,
-        fields: &Fields<'_>,
+        fields: &TomlFields<'_>,
         room: &mut usize,
         sink: &mut Sink<'_>,
     ) -> Option<labs::Scene> {
@@ -68,7 +68,7 @@ impl SceneFormat for Format {
 }
 
 /// Reads a scene; `segments_left` is how many a file may still have.
-fn scene(fields: &Fields<'_>, segments_left: &mut usize, sink: &mut Sink<'_>) -> Option<Scene> {
+fn scene(fields: &TomlFields<'_>, segments_left: &mut usize, sink: &mut Sink<'_>) -> Option<Scene> {
     let n_errors = sink.n_errors();
     let method = fields
         .require("method", sink)
@@ -124,7 +124,7 @@ fn line_method(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Method> {
 
 /// The segments of a scene, listed or random: one of the two.
 fn segments(
-    fields: &Fields<'_>,
+    fields: &TomlFields<'_>,
     window: Option<&Window>,
     most: usize,
     sink: &mut Sink<'_>,

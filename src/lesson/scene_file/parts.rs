@@ -10,7 +10,7 @@ use crate::{
 
 use crate::lesson::{
     sink::Sink,
-    toml_fields::{Fields, Item, list, numbers, one_of, whole},
+    toml_fields::{Item, TomlFields, list, numbers, one_of, whole},
 };
 
 /// The id of a method of this lab.
@@ -89,7 +89,7 @@ pub(super) fn count_and_seed(
     counts: Range<u64>,
     sink: &mut Sink<'_>,
 ) -> Option<(usize, u64)> {
-    let fields = Fields::of(item, &["count", "seed"], sink)?;
+    let fields = TomlFields::of(item, &["count", "seed"], sink)?;
     let count = fields
         .require("count", sink)
         .and_then(|item| whole(item, counts, sink));

@@ -10,7 +10,7 @@ use crate::{
     },
     lesson::{
         sink::Sink,
-        toml_fields::{Fields, Item, list, one_of},
+        toml_fields::{Item, TomlFields, list, one_of},
     },
     text::Message,
 };
@@ -47,7 +47,7 @@ impl SceneFormat for Format {
 
     fn read(
         &self,
-        fields: &Fields<'_>,
+        fields: &TomlFields<'_>,
         room: &mut usize,
         sink: &mut Sink<'_>,
     ) -> Option<labs::Scene> {
@@ -60,7 +60,7 @@ impl SceneFormat for Format {
 }
 
 /// Reads a scene; `vertices_left` is how many a file may still have.
-fn scene(fields: &Fields<'_>, vertices_left: &mut usize, sink: &mut Sink<'_>) -> Option<Scene> {
+fn scene(fields: &TomlFields<'_>, vertices_left: &mut usize, sink: &mut Sink<'_>) -> Option<Scene> {
     let n_errors = sink.n_errors();
     let method = fields
         .require("method", sink)
@@ -107,7 +107,11 @@ fn polygon(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Polygon> {
 }
 
 /// The polygon of a scene, listed or random: one of the two.
-fn subject(fields: &Fields<'_>, window: Option<&Window>, sink: &mut Sink<'_>) -> Option<Polygon> {
+fn subject(
+    fields: &TomlFields<'_>,
+    window: Option<&Window>,
+    sink: &mut Sink<'_>,
+) -> Option<Polygon> {
     match (fields.get("polygon"), fields.get("random")) {
         (Some(_), Some(random)) => {
             let message = Message::new("problem-two-kinds-of-polygons");

@@ -87,14 +87,14 @@ fn text_is_parsed_into_blocks() {
                 ..plain("aα")
             },
         ]),
-        item(0, Marker::Number(3), "c"),
-        item(1, Marker::Bullet, "d"),
-        item(1, Marker::Continued, "e"),
-        item(0, Marker::Number(4), "f"),
+        item(0, BlockMarker::Number(3), "c"),
+        item(1, BlockMarker::Bullet, "d"),
+        item(1, BlockMarker::Continued, "e"),
+        item(0, BlockMarker::Number(4), "f"),
         Block::Code("x = 1\n".to_owned()),
         Block::Answer(vec![
             Block::Paragraph(vec![plain("q")]),
-            item(0, Marker::Bullet, "r"),
+            item(0, BlockMarker::Bullet, "r"),
         ]),
     ];
     assert_eq!(

@@ -16,12 +16,12 @@ use crate::{
     text::Catalog,
 };
 
-use super::{Theme, Viewport, cut::length_in, layers::Piece};
+use super::{Theme, Viewport, cut::length_in, layers::LayeredPart};
 
 use self::{
     anchor::Anchor,
     obstacles::obstacles,
-    places::{Lean, Place, places},
+    places::{LabelPlace, Lean, places},
     text::{Setter, Text},
 };
 
@@ -73,7 +73,7 @@ impl Labels {
         viewport: &Viewport,
         theme: &Theme,
         catalog: &Catalog,
-        (marks, pieces): (&[Mark], &[Piece<'_>]),
+        (marks, pieces): (&[Mark], &[LayeredPart<'_>]),
     ) -> Self {
         let setter = Setter {
             painter,
@@ -84,7 +84,7 @@ impl Labels {
         waiting.sort_by_key(|label| label.rank);
         waiting.truncate(MOST_LABELS);
         let obstacles = obstacles(viewport, theme, pieces);
-        let mut table = Table {
+        let mut table = Seating {
             stage: viewport.rect,
             places: waiting
                 .iter()
@@ -215,7 +215,7 @@ fn candidates(label: &Waiting, stage: Rect, obstacles: &[Obstacle]) -> Vec<Candi
         .iter()
         .filter(|obstacle| obstacle.bounds().intersects(reach))
         .collect();
-    let of_place = |place: Place| {
+    let of_place = |place: LabelPlace| {
         let rect = Rect::from_center_size(place.centre, size);
         // Whole pixels keep the text crisp.
         let rect = rect.translate(rect.min.round() - rect.min);
@@ -250,13 +250,13 @@ fn away(anchor: &Anchor, obstacles: &[Obstacle]) -> Option<Vec2> {
 }
 
 /// Labels that take their places.
-struct Table {
+struct Seating {
     stage: Rect,
     places: Vec<Vec<Candidate>>,
     taken: Vec<Candidate>,
 }
 
-impl Table {
+impl Seating {
     fn fill(&mut self) {
         for i in 0..self.places.len() {
             let place = self.best(i);

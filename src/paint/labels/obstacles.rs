@@ -5,7 +5,7 @@ use egui::{Pos2, Rect};
 use crate::paint::{
     Theme, Viewport,
     cut::length_in,
-    layers::{Layer, Piece},
+    layers::{Layer, LayeredPart},
     parts::{HEAD, Part},
     pen::{Pen, radius},
 };
@@ -77,7 +77,7 @@ impl Obstacle {
 }
 
 /// All of them on the stage.
-pub fn obstacles(viewport: &Viewport, theme: &Theme, pieces: &[Piece<'_>]) -> Vec<Obstacle> {
+pub fn obstacles(viewport: &Viewport, theme: &Theme, pieces: &[LayeredPart<'_>]) -> Vec<Obstacle> {
     let pieces = pieces.iter().filter(|piece| piece.layer != Layer::Glow);
     pieces
         .flat_map(|piece| of_piece(viewport, theme, piece))
@@ -86,8 +86,8 @@ pub fn obstacles(viewport: &Viewport, theme: &Theme, pieces: &[Piece<'_>]) -> Ve
         .collect()
 }
 
-fn of_piece(viewport: &Viewport, theme: &Theme, piece: &Piece<'_>) -> Vec<Obstacle> {
-    let Piece { mark, part, .. } = piece;
+fn of_piece(viewport: &Viewport, theme: &Theme, piece: &LayeredPart<'_>) -> Vec<Obstacle> {
+    let LayeredPart { mark, part, .. } = piece;
     let half = 0.5 * Pen::of(theme, mark).stroke.width;
     let strokes = match part {
         Part::Stroke(points) | Part::Ring(points) if points.len() > MOST_OF_AN_OUTLINE => vec![],

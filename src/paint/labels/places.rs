@@ -7,7 +7,7 @@ use super::anchor::Anchor;
 
 /// A place for a label.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Place {
+pub struct LabelPlace {
     /// Of its box.
     pub centre: Pos2,
     /// In points of distance that it would rather go.
@@ -61,7 +61,7 @@ pub struct Lean {
 }
 
 /// Where a label of this size can stand on a stage.
-pub fn places(anchor: &Anchor, size: Vec2, stage: Rect, lean: Lean) -> Vec<Place> {
+pub fn places(anchor: &Anchor, size: Vec2, stage: Rect, lean: Lean) -> Vec<LabelPlace> {
     let half = 0.5 * size;
     match anchor {
         Anchor::Point(at, radius) => around(*at, *radius, half, lean),
@@ -102,7 +102,7 @@ pub fn places(anchor: &Anchor, size: Vec2, stage: Rect, lean: Lean) -> Vec<Place
     }
 }
 
-fn around(at: Pos2, radius: f32, half: Vec2, lean: Lean) -> Vec<Place> {
+fn around(at: Pos2, radius: f32, half: Vec2, lean: Lean) -> Vec<LabelPlace> {
     let mut places = Vec::new();
     for gap in GAPS {
         for (degrees, dislike) in DIRECTIONS {
@@ -111,7 +111,7 @@ fn around(at: Pos2, radius: f32, half: Vec2, lean: Lean) -> Vec<Place> {
             let corner = (direction * 1.42).clamp(Vec2::splat(-1.0), Vec2::splat(1.0));
             let is_wrong = (lean.toward).is_some_and(|to| to.normalized().dot(direction) < 0.3);
             let turned = lean.away.map_or(0.0, |away| 1.0 - away.dot(direction));
-            places.push(Place {
+            places.push(LabelPlace {
                 centre: at + half * corner + direction * (radius + gap),
                 dislike: dislike
                     + TURNED * turned
@@ -130,7 +130,7 @@ fn beside(
     stage: Rect,
     toward: Option<Vec2>,
     dislike: f32,
-) -> Vec<Place> {
+) -> Vec<LabelPlace> {
     let normal = (b - a).normalized().rot90();
     let support = normal.x.abs() * half.x + normal.y.abs() * half.y;
     let seen = stage.shrink2((half + Vec2::splat(4.0)).min(stage.size() * 0.5));
@@ -144,7 +144,7 @@ fn beside(
                 let moved = seen.clamp(at) - at;
                 let along = (b - a).normalized();
                 let centre = at + along * moved.dot(along);
-                places.push(Place {
+                places.push(LabelPlace {
                     centre,
                     dislike: dislike
                         + 1.2 * i as f32
@@ -159,13 +159,13 @@ fn beside(
     places
 }
 
-fn inside(rect: Rect, half: Vec2) -> Vec<Place> {
+fn inside(rect: Rect, half: Vec2) -> Vec<LabelPlace> {
     let inner = rect.shrink2((half + Vec2::splat(5.0)).min(rect.size() * 0.5));
     let mut places = Vec::new();
     // Sideways first: labels of neighbouring regions keep one height.
     for (row, y) in ACROSS.into_iter().enumerate() {
         for (column, x) in ACROSS.into_iter().enumerate() {
-            places.push(Place {
+            places.push(LabelPlace {
                 centre: pos2(
                     inner.left() + x * inner.width(),
                     inner.top() + y * inner.height(),
@@ -179,7 +179,7 @@ fn inside(rect: Rect, half: Vec2) -> Vec<Place> {
     for i in 0..ACROSS.len() {
         let place = places[i * ACROSS.len()];
         for by in [-10.0, -5.0, 5.0, 10.0] {
-            places.push(Place {
+            places.push(LabelPlace {
                 centre: place.centre + by * Vec2::X,
                 dislike: place.dislike + 2.0,
                 leader: None,
@@ -190,9 +190,9 @@ fn inside(rect: Rect, half: Vec2) -> Vec<Place> {
 }
 
 /// Where a rectangle has no free place: around its middle.
-fn near(middle: Pos2, half: Vec2) -> Vec<Place> {
+fn near(middle: Pos2, half: Vec2) -> Vec<LabelPlace> {
     let mut places = around(middle, 0.0, half, Lean::default());
-    places.push(Place {
+    places.push(LabelPlace {
         centre: middle,
         dislike: 0.0,
         leader: None,

@@ -4,7 +4,7 @@
 use std::hint::black_box;
 
 use crate::{
-    algo::line::batch::{Clipped, Segments, clip_all},
+    algo::line::batch::{ClippedSegments, Segments, clip_all},
     geom::Segment,
     labs::lines::{Method, Pass, Scene, random_segments},
     trace::Counts,
@@ -49,7 +49,7 @@ impl Subject {
             Self::Batch => {
                 let window = scene.window;
                 let segments: Segments = segments.iter().copied().collect();
-                let mut clipped = Clipped::default();
+                let mut clipped = ClippedSegments::default();
                 Box::new(move || {
                     clip_all(&window, &segments, &mut clipped);
                     // Counting all that is visible would take longer than clipping it.

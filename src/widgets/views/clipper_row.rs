@@ -17,7 +17,7 @@ mod plan;
 use egui::{Align2, Color32, Painter, Rect, StrokeKind, pos2, vec2};
 
 use crate::{
-    figure::{Clipper, ClipperRow, Fate},
+    figure::{ClipperBox, ClipperRow, Fate},
     paint::Typeset,
     text::Value,
 };
@@ -168,7 +168,7 @@ fn coordinate_size(slate: &Slate<'_>, plan: &Plan, row: &ClipperRow) -> f32 {
 fn memory(
     slate: &mut Slate<'_>,
     plan: &Plan,
-    clipper: &Clipper,
+    clipper: &ClipperBox,
     (place, colour, size): (Rect, Color32, f32),
 ) {
     let theme = slate.theme();

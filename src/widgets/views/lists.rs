@@ -13,7 +13,7 @@ mod plan;
 
 use egui::{Align2, Painter, Pos2, Rect, pos2, vec2};
 
-use crate::figure::{List, ListEntry, ListLink, Lists, Role};
+use crate::figure::{List, ListLink, ListRow, Lists, Role};
 
 use super::{
     super::Look,
@@ -66,7 +66,7 @@ impl OnSlate for Lists {
 
 /// `Subject list: S₁, → C₁ (1/2), …`.
 fn spoken(look: Look<'_>, list: &List) -> String {
-    let entry = |entry: &ListEntry| {
+    let entry = |entry: &ListRow| {
         let arrow = if entry.role == Role::Signal {
             "→ "
         } else {

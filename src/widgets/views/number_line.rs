@@ -20,7 +20,7 @@ use crate::{
 };
 
 use super::{super::Look, links::Links, on_slate::OnSlate, slate::Slate};
-use axis::{ABOVE, Axis};
+use axis::{ABOVE, NumberAxis};
 
 /// Below it: 0 and 1, and a bound with a stacked fraction.
 const BELOW: f32 = 48.0;
@@ -34,7 +34,7 @@ impl OnSlate for NumberLine {
     }
 
     fn draw(&self, slate: &mut Slate<'_>, rect: Rect, links: &mut Links) {
-        let axis = Axis::new(slate, rect, self);
+        let axis = NumberAxis::new(slate, rect, self);
         axis.draw(slate, self);
         names::draw(slate, &axis, self, links);
     }

@@ -24,7 +24,7 @@ pub enum Relation {
 
 /// A polygon of the answer.
 #[derive(Clone, PartialEq, Debug, Serialize)]
-pub struct Piece {
+pub struct OutputPolygon {
     /// Counter-clockwise.
     pub outer: Vec<Point>,
     /// Clockwise.
@@ -33,9 +33,9 @@ pub struct Piece {
 
 /// The answer.
 #[derive(Clone, PartialEq, Debug, Serialize)]
-pub struct Clipped {
+pub struct WeilerAthertonOutput {
     /// Of the two as given.
     pub relation: Relation,
     /// With disjoint interiors. None where there is no common area, or none is left after rounding.
-    pub pieces: Vec<Piece>,
+    pub pieces: Vec<OutputPolygon>,
 }

@@ -9,7 +9,7 @@ use super::{
     input::List,
     meeting::Contact,
     rings::RingKind,
-    side::{Label, Side},
+    side::{IntersectionLabel, Side},
 };
 
 /// What happens, in order. Vertices and edges are numbered through all rings of [`Region::rings`](crate::geom::Region::rings); intersections
@@ -57,7 +57,7 @@ pub enum WeilerAthertonEvent {
         /// Its number.
         node_idx: u32,
         /// For the walk.
-        label: Label,
+        label: IntersectionLabel,
         /// Where the subject comes from.
         before: Side,
         /// Where it goes.

@@ -20,17 +20,17 @@ use crate::{
 
 use super::{
     event::WeilerAthertonEvent as Event,
-    lists::{Lists, Node},
+    lists::{Intersection, LinkedLists},
     meeting::Contact,
     predicate::{Ray, ray},
-    side::{Label, Labelled, Side, bounds_the_result},
+    side::{IntersectionLabel, Labelled, Side, bounds_the_result},
 };
 
 /// Labels every intersection, in the order of the subject's list.
 pub fn label<R: Real>(
     subject: &Rings,
     clip: &Rings,
-    lists: &Lists,
+    lists: &LinkedLists,
     emit: &mut impl FnMut(Event),
 ) -> Vec<Labelled> {
     let nodes = lists.nodes.iter().enumerate();
@@ -53,19 +53,19 @@ pub fn label<R: Real>(
         .collect()
 }
 
-fn of_node<R: Real>(subject: &Rings, clip: &Rings, node: &Node) -> Labelled {
+fn of_node<R: Real>(subject: &Rings, clip: &Rings, node: &Intersection) -> Labelled {
     if node.meeting.contact == Contact::Crossing {
         let (inwards, outwards) = ([Side::Outside, Side::Inside], [Side::Inside, Side::Outside]);
         // The subject comes from the right of the clip edge, so the clip polygon comes from its left.
         return if node.meeting.from_right {
             Labelled {
-                label: Label::Entering,
+                label: IntersectionLabel::Entering,
                 subject: inwards,
                 clip: outwards,
             }
         } else {
             Labelled {
-                label: Label::Leaving,
+                label: IntersectionLabel::Leaving,
                 subject: outwards,
                 clip: inwards,
             }
@@ -78,10 +78,10 @@ fn of_node<R: Real>(subject: &Rings, clip: &Rings, node: &Node) -> Labelled {
     ];
     let [subject, clip] = [sides::<R>(s, c), sides::<R>(c, s)];
     let label = match (subject.map(bounds_the_result), clip) {
-        ([false, true], _) => Label::Entering,
-        ([true, false], _) => Label::Leaving,
-        ([true, true], [Side::Inside, Side::Inside]) => Label::Pinching,
-        _ => Label::Touching,
+        ([false, true], _) => IntersectionLabel::Entering,
+        ([true, false], _) => IntersectionLabel::Leaving,
+        ([true, true], [Side::Inside, Side::Inside]) => IntersectionLabel::Pinching,
+        _ => IntersectionLabel::Touching,
     };
     Labelled {
         label,

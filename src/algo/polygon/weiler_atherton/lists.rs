@@ -41,7 +41,7 @@ pub struct Entry {
 
 /// An intersection, which is an entry in each list.
 #[derive(Clone, Copy, Debug)]
-pub struct Node {
+pub struct Intersection {
     /// Where, and how both borders meet there.
     pub meeting: Meeting,
     /// The edges that own it, of the subject and of the clip polygon.
@@ -51,16 +51,16 @@ pub struct Node {
 }
 
 /// Both lists and what links them.
-pub struct Lists {
+pub struct LinkedLists {
     /// In the order of the subject's border.
-    pub nodes: Vec<Node>,
+    pub nodes: Vec<Intersection>,
     /// The subject's entries, then the clip polygon's.
     pub entries: [Vec<Entry>; 2],
     /// Of each list and ring the first entry; and the number of entries at the end.
     pub starts: [Vec<u32>; 2],
 }
 
-impl Lists {
+impl LinkedLists {
     /// Finds every intersection and builds both lists.
     pub fn build<R: Real>(subject: &Rings, clip: &Rings, emit: &mut impl FnMut(Event)) -> Self {
         let mut lists = Self {
@@ -95,7 +95,7 @@ impl Lists {
                     let node_idx = self.nodes.len() as u32;
                     let place =
                         self.push_node(List::Subject, node_idx, meeting.contact.at_vertex()[0]);
-                    self.nodes.push(Node {
+                    self.nodes.push(Intersection {
                         meeting,
                         edges: [edge_idx as u32, clip_edge],
                         places: [place, NONE],

@@ -74,16 +74,16 @@ use crate::{
 };
 
 use labels::label;
-use lists::{Lists, NONE};
+use lists::{LinkedLists, NONE};
 use rings::{Ring, owners, pieces};
 use walk::{Walker, kind, whole_ring, whole_ring_bounds};
 
-pub use answer::{Clipped, Piece, Relation};
+pub use answer::{OutputPolygon, Relation, WeilerAthertonOutput};
 pub use event::WeilerAthertonEvent;
 pub use input::{List, WeilerAthertonInput};
 pub use meeting::Contact;
 pub use rings::RingKind;
-pub use side::{Label, Labelled, Side};
+pub use side::{IntersectionLabel, Labelled, Side};
 pub use state::{ListEntry, ListNode, NodeLabel, Passed, StateRing, WeilerAthertonState};
 
 /// The algorithm; see the module.
@@ -92,13 +92,16 @@ pub struct WeilerAtherton;
 
 impl Algorithm for WeilerAtherton {
     type Input = WeilerAthertonInput;
-    type Output = Clipped;
+    type Output = WeilerAthertonOutput;
     type Event = WeilerAthertonEvent;
     type State = WeilerAthertonState;
 
-    fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Clipped {
+    fn run<R: Real>(
+        input: &Self::Input,
+        mut emit: impl FnMut(Self::Event),
+    ) -> WeilerAthertonOutput {
         let (subject, clip) = (input.subject.rings(), input.clip.rings());
-        let lists = Lists::build::<R>(subject, clip, &mut emit);
+        let lists = LinkedLists::build::<R>(subject, clip, &mut emit);
         let labels = label::<R>(subject, clip, &lists, &mut emit);
         let mut walker = Walker::new([subject, clip], &lists, &labels);
         walker.walk_all(&mut emit);
@@ -124,7 +127,7 @@ impl Algorithm for WeilerAtherton {
         let relation = sides.relation(!rings.is_empty(), !labels.is_empty());
         emit(Self::Event::Done { relation });
         let rings = rings.iter().map(|ring| (&ring.points[..], ring.kind));
-        Clipped {
+        WeilerAthertonOutput {
             relation,
             pieces: pieces(rings, owners),
         }
@@ -138,7 +141,7 @@ impl Algorithm for WeilerAtherton {
         state.apply(event);
     }
 
-    fn finish(state: &Self::State) -> Clipped {
+    fn finish(state: &Self::State) -> WeilerAthertonOutput {
         state.finish()
     }
 
@@ -211,7 +214,7 @@ impl Sides {
 fn whole_rings(
     list: List,
     input: &WeilerAthertonInput,
-    (lists, labels): (&Lists, &[Labelled]),
+    (lists, labels): (&LinkedLists, &[Labelled]),
     rings: &mut Vec<Ring>,
     sides: &mut Sides,
     emit: &mut impl FnMut(WeilerAthertonEvent),
@@ -228,7 +231,7 @@ fn whole_rings(
         let labelled = |node: u32| &labels[node as usize];
         if nodes
             .clone()
-            .any(|entry| labelled(entry.node).label != Label::Touching)
+            .any(|entry| labelled(entry.node).label != IntersectionLabel::Touching)
         {
             continue;
         }

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::geom::{Location, Point, locate};
 
-use super::answer::Piece;
+use super::answer::OutputPolygon;
 
 /// What a closed ring is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
@@ -57,7 +57,7 @@ pub fn owners(rings: &[Ring]) -> Vec<[u32; 2]> {
 pub fn pieces<'a>(
     rings: impl Iterator<Item = (&'a [Point], RingKind)>,
     owners: impl IntoIterator<Item = [u32; 2]>,
-) -> Vec<Piece> {
+) -> Vec<OutputPolygon> {
     let mut pieces = Vec::new();
     let mut holes: Vec<Option<Vec<Point>>> = Vec::new();
     let mut piece_of = Vec::new();
@@ -66,7 +66,7 @@ pub fn pieces<'a>(
         let is_hole = kind == RingKind::Hole;
         holes.push(is_hole.then(|| without_repeats(points)));
         if kind == RingKind::Outer {
-            pieces.push(Piece {
+            pieces.push(OutputPolygon {
                 outer: without_repeats(points),
                 holes: Vec::new(),
             });

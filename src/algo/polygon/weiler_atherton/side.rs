@@ -19,7 +19,7 @@ pub enum Side {
 /// What happens to the walk at an intersection.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Label {
+pub enum IntersectionLabel {
     /// The subject goes from outside to inside: from here the result follows the subject.
     Entering,
     /// The subject goes from inside to outside: from here the result follows the clip polygon.
@@ -35,7 +35,7 @@ pub enum Label {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Labelled {
     /// For the walk.
-    pub label: Label,
+    pub label: IntersectionLabel,
     /// The subject's edges before and after.
     pub subject: [Side; 2],
     /// The clip polygon's edges before and after.

@@ -5,12 +5,12 @@ use std::sync::Arc;
 use crate::{algo::line::Ratio, geom::Point, trace::Log};
 
 use super::{
-    answer::{Clipped, Relation},
+    answer::{Relation, WeilerAthertonOutput},
     event::WeilerAthertonEvent as Event,
     input::List,
     meeting::Contact,
     rings::{RingKind, pieces},
-    side::{Label, Side},
+    side::{IntersectionLabel, Side},
 };
 
 /// A place in one of the two lists.
@@ -45,7 +45,7 @@ pub struct ListNode {
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct NodeLabel {
     /// For the walk.
-    pub label: Label,
+    pub label: IntersectionLabel,
     /// Where the subject comes from.
     pub before: Side,
     /// Where it goes.
@@ -246,9 +246,9 @@ impl WeilerAthertonState {
         }
     }
 
-    pub(super) fn finish(&self) -> Clipped {
+    pub(super) fn finish(&self) -> WeilerAthertonOutput {
         let rings = self.rings.iter().map(|ring| (&ring.points[..], ring.kind));
-        Clipped {
+        WeilerAthertonOutput {
             relation: self.relation.unwrap_or(Relation::Disjoint),
             pieces: pieces(rings, self.owners.iter().copied()),
         }

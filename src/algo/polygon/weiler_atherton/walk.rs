@@ -20,15 +20,15 @@ use crate::geom::{Point, Rings, winding};
 use super::{
     event::WeilerAthertonEvent as Event,
     input::List,
-    lists::{Entry, Lists, NONE},
+    lists::{Entry, LinkedLists, NONE},
     rings::{Ring, RingKind},
-    side::{Label, Labelled, Side, bounds_the_result},
+    side::{IntersectionLabel, Labelled, Side, bounds_the_result},
 };
 
 /// Walks over both lists.
 pub struct Walker<'a> {
     pub borders: [&'a Rings; 2],
-    pub lists: &'a Lists,
+    pub lists: &'a LinkedLists,
     pub labels: &'a [Labelled],
     /// Steps that are left: see the module.
     left: usize,
@@ -44,7 +44,7 @@ pub struct Walker<'a> {
 }
 
 impl<'a> Walker<'a> {
-    pub fn new(borders: [&'a Rings; 2], lists: &'a Lists, labels: &'a [Labelled]) -> Self {
+    pub fn new(borders: [&'a Rings; 2], lists: &'a LinkedLists, labels: &'a [Labelled]) -> Self {
         let n_nodes = lists.nodes.len();
         Self {
             borders,
@@ -64,7 +64,7 @@ impl<'a> Walker<'a> {
         for node_idx in 0..self.labels.len() {
             let starts = matches!(
                 self.labels[node_idx].label,
-                Label::Entering | Label::Pinching
+                IntersectionLabel::Entering | IntersectionLabel::Pinching
             );
             if starts && !self.entered[node_idx] {
                 self.walk(node_idx, emit);
@@ -94,10 +94,10 @@ impl<'a> Walker<'a> {
             }
             self.cut_at(list, place, node, emit);
             switched = match self.labels[node as usize].label {
-                Label::Entering => list == List::Clip,
-                Label::Leaving => list == List::Subject,
-                Label::Pinching => true,
-                Label::Touching => false,
+                IntersectionLabel::Entering => list == List::Clip,
+                IntersectionLabel::Leaving => list == List::Subject,
+                IntersectionLabel::Pinching => true,
+                IntersectionLabel::Touching => false,
             };
             if !switched {
                 continue;
@@ -174,7 +174,7 @@ fn is_corner(entry: &Entry, labels: &[Labelled]) -> bool {
     entry.vertex != NONE || entry.node != NONE && labels[entry.node as usize].shares_an_edge()
 }
 
-fn at(entry: &Entry, border: &Rings, lists: &Lists) -> Point {
+fn at(entry: &Entry, border: &Rings, lists: &LinkedLists) -> Point {
     if entry.node == NONE {
         border.points()[entry.vertex as usize]
     } else {
@@ -186,7 +186,7 @@ fn at(entry: &Entry, border: &Rings, lists: &Lists) -> Point {
 pub fn whole_ring(
     entries: &[Entry],
     border: &Rings,
-    lists: &Lists,
+    lists: &LinkedLists,
     labels: &[Labelled],
 ) -> Vec<Point> {
     let corners = entries.iter().filter(|entry| is_corner(entry, labels));

@@ -8,7 +8,7 @@ use crate::{
     labs::{
         Click, Document, Edit, Handle, HandleKind, Lab, MethodCard, Motion, Own, Scene, record,
     },
-    lesson::{Fields, SceneFormat, Sink, number},
+    lesson::{SceneFormat, Sink, TomlFields, number},
     panels::{LabPanel, PanelAsk},
     text::{Diagnostic, Message},
     widgets::Look,
@@ -145,7 +145,12 @@ impl SceneFormat for BoxFormat {
         100
     }
 
-    fn read(&self, fields: &Fields<'_>, room: &mut usize, sink: &mut Sink<'_>) -> Option<Scene> {
+    fn read(
+        &self,
+        fields: &TomlFields<'_>,
+        room: &mut usize,
+        sink: &mut Sink<'_>,
+    ) -> Option<Scene> {
         *room -= 8;
         let mut read = |name| {
             let item = fields.require(name, sink)?;

@@ -13,7 +13,7 @@ use crate::{
     text::{Formula, Value},
 };
 
-use super::parametric::{Crossing, Interval, quotient, value_of};
+use super::parametric::{ShownCrossing, ShownInterval, quotient, value_of};
 
 /// `e₁`, `e₂`, …: edges are numbered from 1 on screen.
 pub fn edge_name(edge_idx: usize) -> Value {
@@ -49,10 +49,10 @@ pub fn edge_in_hand(state: &State, event: Option<Event>) -> Option<usize> {
 }
 
 /// What is left of t in a state; `event` tells which edge is the step's.
-pub fn interval(state: &State, event: Option<Event>) -> Interval {
+pub fn interval(state: &State, event: Option<Event>) -> ShownInterval {
     let current = edge_in_hand(state, event).or(current_edge(event));
     let crossings = state.rows.iter().enumerate().filter_map(|(i, row)| {
-        Some(Crossing {
+        Some(ShownCrossing {
             at: row.t?,
             quotient: ratio(row, row.t?),
             side: if row.slope > 0.0 {
@@ -66,7 +66,7 @@ pub fn interval(state: &State, event: Option<Event>) -> Interval {
             link: edge_link(i),
         })
     });
-    Interval {
+    ShownInterval {
         symbol: "t",
         crossing_symbol: "t",
         bounds: state.interval,

@@ -3,7 +3,7 @@
 use crate::{
     algo::line::{
         CornerLine, End, NichollLeeNicholl, NichollLeeNichollEvent as Event,
-        NichollLeeNichollState as State, Question, Region, Turn, WindowInput,
+        NichollLeeNichollState as State, Question, Turn, WindowInput, WindowRegion,
     },
     figure::{
         Body, Caption, Cell, Mark, Role, Shape, Table, TableNote, TableRow, Tick, View, Watch,
@@ -280,7 +280,7 @@ fn ray(role: Role, from: Point, through: Point) -> Mark {
 }
 
 /// Catalogue key of a region's name.
-fn key_of(region: Region) -> &'static str {
+fn key_of(region: WindowRegion) -> &'static str {
     region_key(|edge| region.edges().any(|e| e == edge))
 }
 
@@ -301,7 +301,7 @@ const fn turn_key(turn: Turn) -> &'static str {
 }
 
 /// "P₁ is below left", and what says so: `x = −2 < −1`.
-fn region_caption(end: End, region: Region, input: &WindowInput) -> Caption {
+fn region_caption(end: End, region: WindowRegion, input: &WindowInput) -> Caption {
     let at = end.of(&input.segment);
     let message = Message::new("nln-region")
         .with("end", end_name(end))

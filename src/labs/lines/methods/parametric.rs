@@ -12,7 +12,7 @@ use crate::{
 use super::shared::{end_link, end_name, end_name_now, segment_marks};
 
 /// A crossing that has been computed.
-pub struct Crossing {
+pub struct ShownCrossing {
     /// Its parameter.
     pub at: f64,
     /// The quotient that it was computed as.
@@ -30,7 +30,7 @@ pub struct Crossing {
 }
 
 /// The interval as a step shows it: on the stage, on the number line, in the watch table.
-pub struct Interval {
+pub struct ShownInterval {
     /// The parameter: `u` or `t`.
     pub symbol: &'static str,
     /// What a crossing's parameter is called: `r` or `t`.
@@ -38,7 +38,7 @@ pub struct Interval {
     /// Lower and upper bound.
     pub bounds: [f64; 2],
     /// Computed so far.
-    pub crossings: Vec<Crossing>,
+    pub crossings: Vec<ShownCrossing>,
     /// The answer, once known.
     pub verdict: Option<Visible>,
     /// Is the segment's line drawn beyond its ends, with the crossings there?
@@ -47,7 +47,7 @@ pub struct Interval {
     pub vector: Option<&'static str>,
 }
 
-impl Interval {
+impl ShownInterval {
     /// Have the bounds passed each other?
     fn is_crossed_over(&self) -> bool {
         self.bounds[0] > self.bounds[1]
@@ -90,7 +90,7 @@ impl Interval {
     }
 
     /// A bound where it stands on the segment, with what it is.
-    fn bound_mark(&self, crossing: &Crossing, segment: &Segment) -> Mark {
+    fn bound_mark(&self, crossing: &ShownCrossing, segment: &Segment) -> Mark {
         let at = on_line(segment, crossing.at);
         let role = match (crossing.current, self.is_crossed_over()) {
             (true, _) => Role::Signal,
@@ -184,7 +184,7 @@ impl Interval {
         let sides = [Side::Entering, Side::Leaving].into_iter();
         sides.zip(self.bounds).map(|(side, bound)| {
             let row = WatchRow::new(self.bound_symbol(side), Some(self.written(bound)));
-            let set_by = |c: &&Crossing| c.holds && c.side == side;
+            let set_by = |c: &&ShownCrossing| c.holds && c.side == side;
             match self.crossings.iter().find(set_by) {
                 Some(crossing) => row.noted(crossing.name.clone()).linked(crossing.link),
                 None => row,
@@ -232,7 +232,7 @@ impl Interval {
 }
 
 /// The quotient that a bound was computed as; of those with the same value any tells it.
-fn written(at: f64, crossings: &[Crossing]) -> Ratio {
+fn written(at: f64, crossings: &[ShownCrossing]) -> Ratio {
     let same = crossings.iter().find(|crossing| crossing.at == at);
     same.map_or(Ratio { num: at, den: 1.0 }, |crossing| crossing.quotient)
 }

@@ -15,16 +15,16 @@ use crate::{
 };
 
 use super::{
-    parametric::{Crossing, Interval, quotient, value_of},
+    parametric::{ShownCrossing, ShownInterval, quotient, value_of},
     shared::side_key,
 };
 
 /// What is left of u in a state; `event` tells which side is the step's.
-pub fn interval(state: &State, event: Option<Event>) -> Interval {
+pub fn interval(state: &State, event: Option<Event>) -> ShownInterval {
     let current = edge_in_hand(state, event);
     let crossings = state.rows.into_iter().flatten().filter_map(|row| {
         let at = row.r?;
-        Some(Crossing {
+        Some(ShownCrossing {
             at,
             quotient: quotient(row.q, row.p, at),
             side: if row.p < 0.0 {
@@ -38,7 +38,7 @@ pub fn interval(state: &State, event: Option<Event>) -> Interval {
             link: edge_link(row.edge),
         })
     });
-    Interval {
+    ShownInterval {
         symbol: "u",
         crossing_symbol: "r",
         bounds: state.interval,

@@ -13,14 +13,14 @@ use crate::{
 
 /// How a variant looks at its clip edges.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Look {
+pub struct EdgeLook {
     /// Takes the wrong side of every edge for its inside.
     pub is_flipped: bool,
     /// Takes what lies on an edge for outside.
     pub is_strict: bool,
 }
 
-impl Look {
+impl EdgeLook {
     /// The right one's.
     pub const RIGHT: Self = Self {
         is_flipped: false,
@@ -33,14 +33,14 @@ impl Look {
 pub struct ClipEdge<'a> {
     region: &'a ClipRegion,
     idx: usize,
-    look: Look,
+    look: EdgeLook,
 }
 
 /// A vertex: how it is called, and where it is.
 pub type Named = (String, Point);
 
 impl<'a> ClipEdge<'a> {
-    pub const fn new(region: &'a ClipRegion, idx: usize, look: Look) -> Self {
+    pub const fn new(region: &'a ClipRegion, idx: usize, look: EdgeLook) -> Self {
         Self { region, idx, look }
     }
 

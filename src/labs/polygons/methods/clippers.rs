@@ -2,7 +2,7 @@
 
 use crate::{
     algo::polygon::{Pipeline, PipelineEvent as Event, PipelineState as State},
-    figure::{Clipper, ClipperRow, Fate, Traveller},
+    figure::{ClipperBox, ClipperRow, Fate, Traveller},
     geom::Point,
     labs::{
         Step,
@@ -11,7 +11,7 @@ use crate::{
 };
 
 use super::{
-    clip_edge::{ClipEdge, Look},
+    clip_edge::{ClipEdge, EdgeLook},
     lists::output_symbol,
     rules::is_crossed,
 };
@@ -23,8 +23,8 @@ pub const CLIPPERS: &str = "clippers";
 pub fn row(step: &Step<'_, Pipeline>) -> ClipperRow {
     let (region, state) = (&step.input.region, step.state);
     let clipper = |idx: usize| {
-        let edge = ClipEdge::new(region, idx, Look::RIGHT);
-        Clipper {
+        let edge = ClipEdge::new(region, idx, EdgeLook::RIGHT);
+        ClipperBox {
             name: edge.border(),
             first: state.stages[idx].first.map(Point::to_array),
             previous: previous(state, idx).map(Point::to_array),

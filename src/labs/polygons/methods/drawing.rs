@@ -12,7 +12,7 @@ use crate::{
 };
 
 use super::{
-    clip_edge::{ClipEdge, Look},
+    clip_edge::{ClipEdge, EdgeLook},
     lists::{names, outline, output_symbol, vertex_link, with_texel},
     result::{bridges, result},
     rules::starts_inside,
@@ -24,7 +24,7 @@ pub fn marks<V: Corner>(
     input: &Input<V>,
     state: &State<V>,
     event: Option<Event<V>>,
-    look: Look,
+    look: EdgeLook,
 ) -> Vec<Mark> {
     let mut marks = Vec::from_iter(skin(&state.input));
     if let Some(outcome) = state.outcome {

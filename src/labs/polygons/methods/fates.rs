@@ -4,7 +4,7 @@ use crate::{
     algo::polygon::{
         EachTriangleEvent as Each, TriangulateAndClip, TriangulateAndClipEvent as Event,
     },
-    figure::{List, ListEntry, ListLink, Lists, Marker, Role},
+    figure::{ItemMarker, List, ListLink, ListRow, Lists, Role},
     labs::{
         Step,
         words::{name, subscript},
@@ -19,7 +19,7 @@ pub const FATES: &str = "fates";
 
 /// What has become of a triangle.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Fate {
+enum TriangleFate {
     ToCome,
     Now,
     /// It is, or has left, a piece.
@@ -54,7 +54,7 @@ fn is_new(step: &Step<'_, TriangulateAndClip>) -> bool {
     is_done && step.state.pieces.triangles().last().copied() == step.state.triangle_idx
 }
 
-fn fate(step: &Step<'_, TriangulateAndClip>, triangle_idx: usize) -> Fate {
+fn fate(step: &Step<'_, TriangulateAndClip>, triangle_idx: usize) -> TriangleFate {
     let state = step.state;
     let n_done = match (state.triangle_idx, step.event) {
         (Some(idx), Some(Event::Each(Each::Piece { .. }))) => idx + 1,
@@ -64,12 +64,16 @@ fn fate(step: &Step<'_, TriangulateAndClip>, triangle_idx: usize) -> Fate {
     };
     if triangle_idx < n_done {
         let is_piece = state.pieces.triangles().contains(&triangle_idx);
-        return if is_piece { Fate::Piece } else { Fate::Dropped };
+        return if is_piece {
+            TriangleFate::Piece
+        } else {
+            TriangleFate::Dropped
+        };
     }
     if state.triangle_idx == Some(triangle_idx) {
-        Fate::Now
+        TriangleFate::Now
     } else {
-        Fate::ToCome
+        TriangleFate::ToCome
     }
 }
 
@@ -77,19 +81,19 @@ fn triangles(step: &Step<'_, TriangulateAndClip>) -> List {
     let (state, all) = (step.state, step.state.ears.cut_off.triangles());
     let entry = |i: usize| {
         let fate = fate(step, i);
-        let mut entry = ListEntry::new(triangle_name(all[i]));
+        let mut entry = ListRow::new(triangle_name(all[i]));
         entry.role = match fate {
-            Fate::Now => Role::Signal,
-            Fate::Piece => Role::Ink,
-            Fate::Dropped => Role::Discarded,
-            Fate::ToCome => Role::Soft,
+            TriangleFate::Now => Role::Signal,
+            TriangleFate::Piece => Role::Ink,
+            TriangleFate::Dropped => Role::Discarded,
+            TriangleFate::ToCome => Role::Soft,
         };
         entry.marker = match fate {
-            Fate::Piece => Some(Marker::Dot),
-            Fate::Dropped => Some(Marker::Ring),
-            Fate::Now | Fate::ToCome => None,
+            TriangleFate::Piece => Some(ItemMarker::Dot),
+            TriangleFate::Dropped => Some(ItemMarker::Ring),
+            TriangleFate::Now | TriangleFate::ToCome => None,
         };
-        let word = (fate == Fate::Dropped).then_some(Value::Term("tac-dropped"));
+        let word = (fate == TriangleFate::Dropped).then_some(Value::Term("tac-dropped"));
         entry.details = vec![word];
         entry.link = Some(triangle_link(i));
         entry
@@ -114,7 +118,7 @@ fn pieces(step: &Step<'_, TriangulateAndClip>) -> List {
     let rings = pieces.rings().zip(pieces.triangles());
     let shown = rings.enumerate().skip(reach.start).take(reach.len());
     let entry = |(i, (ring, &triangle_idx)): (usize, (&[_], &usize))| {
-        let mut entry = ListEntry::new(name(format!("Q{}", subscript(i + 1))));
+        let mut entry = ListRow::new(name(format!("Q{}", subscript(i + 1))));
         entry.role = Role::Accepted;
         entry.details = vec![Some(Value::Count(ring.len()))];
         entry.link = Some(triangle_link(triangle_idx));

@@ -14,9 +14,9 @@ use crate::{
 };
 
 use super::{
-    clip_edge::Look,
+    clip_edge::EdgeLook,
     skin::{Corner, Named},
-    variant::{Code, EACH, EDGES, IN_OUT, OUT_IN, Variant, but_for},
+    variant::{EACH, EDGES, IN_OUT, OUT_IN, Pseudocode, Variant, but_for},
 };
 
 /// Takes a vertex on the border for outside.
@@ -35,11 +35,11 @@ pub type Kept = KeepsUv;
 impl Variant for DropsOnBorder {
     const ID: &'static str = "faulty-on-border";
     const NAME_KEY: &'static str = "alg-faulty-on-border";
-    const LOOK: Look = Look {
+    const LOOK: EdgeLook = EdgeLook {
         is_strict: true,
-        ..Look::RIGHT
+        ..EdgeLook::RIGHT
     };
-    const CODE: Code = but_for([(
+    const CODE: Pseudocode = but_for([(
         EACH,
         code_line(0, "code-faulty-on-border", "words-faulty-on-border"),
     )]);
@@ -49,18 +49,19 @@ impl Variant for DropsOnBorder {
 impl Variant for LeavesOpen {
     const ID: &'static str = "faulty-open";
     const NAME_KEY: &'static str = "alg-faulty-open";
-    const CODE: Code = but_for([(EDGES, code_line(1, "code-faulty-open", "words-faulty-open"))]);
+    const CODE: Pseudocode =
+        but_for([(EDGES, code_line(1, "code-faulty-open", "words-faulty-open"))]);
     const DIFFERS_KEY: Option<&'static str> = Some("faulty-open-differs");
 }
 
 impl Variant for WalksClockwise {
     const ID: &'static str = "faulty-clockwise";
     const NAME_KEY: &'static str = "alg-faulty-clockwise";
-    const LOOK: Look = Look {
+    const LOOK: EdgeLook = EdgeLook {
         is_flipped: true,
-        ..Look::RIGHT
+        ..EdgeLook::RIGHT
     };
-    const CODE: Code = but_for([(
+    const CODE: Pseudocode = but_for([(
         EACH,
         code_line(0, "code-faulty-clockwise", "words-faulty-clockwise"),
     )]);
@@ -70,7 +71,7 @@ impl Variant for WalksClockwise {
 impl Variant for CutsTwice {
     const ID: &'static str = "faulty-twice";
     const NAME_KEY: &'static str = "alg-faulty-twice";
-    const CODE: Code = but_for([
+    const CODE: Pseudocode = but_for([
         (
             IN_OUT,
             code_line(2, "code-faulty-twice-out", "words-faulty-twice-out"),
@@ -86,7 +87,7 @@ impl Variant for CutsTwice {
 impl Variant for EndFirst {
     const ID: &'static str = "faulty-end-first";
     const NAME_KEY: &'static str = "alg-faulty-end-first";
-    const CODE: Code = but_for([(
+    const CODE: Pseudocode = but_for([(
         OUT_IN,
         code_line(2, "code-faulty-end-first", "words-faulty-end-first"),
     )]);

@@ -2,7 +2,7 @@
 
 use crate::{
     algo::polygon::{Pipeline, PipelineEvent as Event},
-    figure::{List, ListEntry, ListLink, Lists, Marker, Role},
+    figure::{ItemMarker, List, ListLink, ListRow, Lists, Role},
     labs::{
         Step,
         words::{name, vertex_symbol},
@@ -26,7 +26,7 @@ pub fn in_and_out(step: &Step<'_, Pipeline>) -> Lists {
 fn polygon(step: &Step<'_, Pipeline>) -> List {
     let (given, state) = (&step.input.vertices, step.state);
     let entry = |i: usize| {
-        let mut entry = ListEntry::new(name(vertex_symbol(i)));
+        let mut entry = ListRow::new(name(vertex_symbol(i)));
         let is_entering = matches!(
             step.event,
             Some(Event::Enter { vertex_idx: Some(idx), .. }) if idx == i
@@ -55,13 +55,13 @@ fn ring(step: &Step<'_, Pipeline>) -> List {
     let ring = &step.state.output;
     let (is_done, n) = (step.state.outcome.is_some(), ring.len());
     let entry = |i: usize| {
-        let mut entry = ListEntry::new(name(output_symbol(i)));
+        let mut entry = ListRow::new(name(output_symbol(i)));
         entry.role = if is_done {
             Role::Accepted
         } else {
             Role::Accent
         };
-        entry.marker = Some(Marker::Dot);
+        entry.marker = Some(ItemMarker::Dot);
         entry.details = vec![Some(Value::Point(ring[i].to_array()))];
         entry
     };

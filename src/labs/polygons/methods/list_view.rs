@@ -5,7 +5,7 @@ use crate::{
         SutherlandHodgmanEvent as Event, SutherlandHodgmanInput as Input,
         SutherlandHodgmanState as State,
     },
-    figure::{List, ListEntry, ListLink, Lists, Marker, Role},
+    figure::{ItemMarker, List, ListLink, ListRow, Lists, Role},
     labs::words::{name, vertex_symbol},
     text::Value,
 };
@@ -137,18 +137,20 @@ impl<V: Corner> Pair<'_, V> {
                 None if is_last => Some(origins.contains(&Some([i; 2]))),
                 None => None,
             };
-            let mut entry = ListEntry::new(name(vertex_symbol(i)));
+            let mut entry = ListRow::new(name(vertex_symbol(i)));
             entry.role = match is_inside {
                 _ if self.current.contains(&i) => Role::Signal,
                 Some(true) => Role::Ink,
                 Some(false) => Role::Discarded,
                 None => Role::Soft,
             };
-            entry.marker = is_inside.map(
-                |is_inside| {
-                    if is_inside { Marker::Dot } else { Marker::Ring }
-                },
-            );
+            entry.marker = is_inside.map(|is_inside| {
+                if is_inside {
+                    ItemMarker::Dot
+                } else {
+                    ItemMarker::Ring
+                }
+            });
             entry.details = vec![Some(place(&self.input[i]))];
             if !is_last {
                 let distance = self.sides.get(i).map(|&(d, _)| Value::Number(d));
@@ -190,9 +192,9 @@ impl<V: Corner> Pair<'_, V> {
                 (_, Now::Passes) => (vertex_symbol(i), Role::Accent),
                 (_, Now::Looks | Now::Finds(_) | Now::PutsOut) => (output_symbol(i), Role::Accent),
             };
-            let mut entry = ListEntry::new(name(symbol));
+            let mut entry = ListRow::new(name(symbol));
             entry.role = role;
-            entry.marker = Some(Marker::Dot);
+            entry.marker = Some(ItemMarker::Dot);
             entry.details = vec![self.output.get(i).or(found).map(place)];
             entry.link = is_closed.then(|| vertex_link(i));
             entry
@@ -307,7 +309,11 @@ mod tests {
             Role::Soft,
         ];
         assert_eq!(roles, expected, "S and P are this step's, two are to come");
-        assert_eq!(input.entries[2].marker, Some(Marker::Ring), "P is outside");
+        assert_eq!(
+            input.entries[2].marker,
+            Some(ItemMarker::Ring),
+            "P is outside"
+        );
         assert_eq!(
             input.entries[2].details[0],
             Some(Value::Number(-2.0)),
@@ -329,7 +335,7 @@ mod tests {
         assert_eq!(links, expected);
         let markers = passed.lists[0].entries.iter().map(|entry| entry.marker);
         let n_outside = markers
-            .filter(|&marker| marker == Some(Marker::Ring))
+            .filter(|&marker| marker == Some(ItemMarker::Ring))
             .count();
         assert_eq!(n_outside, 2);
         Ok(())

@@ -9,14 +9,14 @@ use crate::{
     geom::Point,
     labs::{
         CodeLine, Demo, Step, code_line,
-        polygons::{PolygonDemo, Refusal, Scene},
+        polygons::{PolygonDemo, Scene, UnfitScene},
         words::{name, vertex_symbol},
     },
     text::{Formula, Message, Value},
 };
 
 use super::{
-    clip_edge::{ClipEdge, Look},
+    clip_edge::{ClipEdge, EdgeLook},
     clippers::{CLIPPERS, previous, row},
     in_and_out::{IN_AND_OUT, in_and_out},
     lists::{names, outline, output_symbol},
@@ -37,7 +37,7 @@ const CLOSE: usize = 6;
 const ROWS: usize = 8;
 
 impl PolygonDemo for Pipeline {
-    fn input(scene: &Scene) -> Result<Input, Refusal> {
+    fn input(scene: &Scene) -> Result<Input, UnfitScene> {
         input(scene)
     }
 }
@@ -105,7 +105,7 @@ impl Demo for Pipeline {
     }
 
     fn caption(event: &Event<Point>, before: &State<Point>, input: &Input) -> Caption {
-        let edge = |stage_idx| ClipEdge::new(&input.region, stage_idx, Look::RIGHT);
+        let edge = |stage_idx| ClipEdge::new(&input.region, stage_idx, EdgeLook::RIGHT);
         match *event {
             Event::Enter {
                 stage_idx,
@@ -179,7 +179,7 @@ impl Demo for Pipeline {
         let state = step.state;
         let point = |p: Option<Point>| p.map(|p| Value::Point(p.to_array()));
         let stages = state.stages.iter().enumerate().map(|(i, stage)| {
-            let edge = ClipEdge::new(&step.input.region, i, Look::RIGHT);
+            let edge = ClipEdge::new(&step.input.region, i, EdgeLook::RIGHT);
             let held = vec![point(stage.first), point(previous(state, i))];
             let row = WatchRow::table(edge.name(), held);
             let row = row.linked(edge.link());
@@ -215,7 +215,7 @@ fn marks(step: &Step<'_, Pipeline>) -> Vec<Mark> {
     }
     let mut marks = Vec::new();
     if let Some(stage_idx) = state.stage_idx {
-        let edge = ClipEdge::new(&input.region, stage_idx, Look::RIGHT);
+        let edge = ClipEdge::new(&input.region, stage_idx, EdgeLook::RIGHT);
         marks.push(edge.mark(match step.event {
             Some(Event::First { .. } | Event::Test { .. } | Event::Cross { .. }) => Role::Signal,
             Some(

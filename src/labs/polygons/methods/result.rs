@@ -11,7 +11,7 @@ use crate::{
 };
 
 use super::{
-    clip_edge::{ClipEdge, Look},
+    clip_edge::{ClipEdge, EdgeLook},
     lists::{NAMED, outline},
     skin::Corner,
 };
@@ -65,7 +65,7 @@ pub fn bridges<V: Vertex>(ring: &[V], region: &ClipRegion) -> Vec<Mark> {
         .collect();
     let is_counter_clockwise = edges.iter().map(|&e| cross(e, ring[0].at())).sum::<f64>() > 0.0;
     let borders: Vec<_> = (0..region.n_edges())
-        .map(|idx| ClipEdge::new(region, idx, Look::RIGHT))
+        .map(|idx| ClipEdge::new(region, idx, EdgeLook::RIGHT))
         .collect();
     let is_bridge = |&ends: &[Point; 2]| {
         let mut borders = borders.iter().filter(|border| border.carries(ends));

@@ -13,7 +13,7 @@ use crate::{
     geom::Point,
     labs::{
         CodeLine, Demo, Step,
-        polygons::{Given, PolygonDemo, Refusal, Scene, Texture},
+        polygons::{GivenSubject, PolygonDemo, Scene, Texture, UnfitScene},
         record, record_wrong,
         words::{name, point_formula, vertex_symbol},
     },
@@ -21,7 +21,7 @@ use crate::{
 };
 
 use super::{
-    clip_edge::{ClipEdge, Look},
+    clip_edge::{ClipEdge, EdgeLook},
     drawing::{marks, right_outline},
     faulty::Kept,
     list_view::lists,
@@ -41,13 +41,13 @@ impl Variant for Right {
 
 impl<L: Variant> PolygonDemo for SutherlandHodgman<Point, L> {
     const CARRIES_TEXTURE: bool = L::DIFFERS_KEY.is_none();
-    const GIVEN: Given = Given::CutOff;
+    const GIVEN: GivenSubject = GivenSubject::CutOff;
 
-    fn input(scene: &Scene) -> Result<Input, Refusal> {
+    fn input(scene: &Scene) -> Result<Input, UnfitScene> {
         input(scene)
     }
 
-    fn record(scene: &Scene) -> Result<Box<dyn Run>, Refusal> {
+    fn record(scene: &Scene) -> Result<Box<dyn Run>, UnfitScene> {
         if L::DIFFERS_KEY.is_some() {
             return Ok(record_wrong::<Self, SutherlandHodgman>(input(scene)?));
         }
@@ -60,19 +60,19 @@ impl<L: Variant> PolygonDemo for SutherlandHodgman<Point, L> {
 }
 
 /// The window, or the clip polygon where it is convex.
-pub fn region(scene: &Scene) -> Result<ClipRegion, Refusal> {
+pub fn region(scene: &Scene) -> Result<ClipRegion, UnfitScene> {
     match scene.clip {
         None => Ok(scene.window.into()),
         Some(_) => scene.convex_clip().map(ClipRegion::from),
     }
 }
 
-pub fn input(scene: &Scene) -> Result<Input, Refusal> {
+pub fn input(scene: &Scene) -> Result<Input, UnfitScene> {
     Ok(Input::new(region(scene)?, &scene.subject))
 }
 
 /// With a place in the texture at every vertex.
-fn textured<V: Corner>(scene: &Scene) -> Result<Input<V>, Refusal> {
+fn textured<V: Corner>(scene: &Scene) -> Result<Input<V>, UnfitScene> {
     let texel = scene.texels();
     let vertices = scene.subject.vertices().iter();
     Ok(Input {
@@ -154,7 +154,7 @@ pub fn caption<V: Corner>(
     event: &Event<V>,
     before: &State<V>,
     region: &ClipRegion,
-    look: Look,
+    look: EdgeLook,
 ) -> Caption {
     let edge = ClipEdge::new(region, before.edge_idx.unwrap_or(0), look);
     match *event {

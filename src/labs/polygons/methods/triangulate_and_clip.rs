@@ -12,14 +12,14 @@ use crate::{
     geom::{Point, SimplePolygon},
     labs::{
         Answer, CodeLine, Demo, Step, code_line,
-        polygons::{Part, PolygonDemo, Refusal, Scene},
+        polygons::{PolygonDemo, Scene, ScenePart, UnfitScene},
         words::point_formula,
     },
     text::{Message, Value},
 };
 
 use super::{
-    clip_edge::Look,
+    clip_edge::EdgeLook,
     drawing, ear_clipping,
     fates::{FATES, fates},
     sutherland_hodgman,
@@ -35,10 +35,10 @@ const PIECE: usize = 3;
 const FEW_ENOUGH: usize = 200;
 
 impl PolygonDemo for TriangulateAndClip {
-    fn input(scene: &Scene) -> Result<Input, Refusal> {
+    fn input(scene: &Scene) -> Result<Input, UnfitScene> {
         let region = sutherland_hodgman::region(scene)?;
         let polygon = SimplePolygon::try_from(&scene.subject)
-            .map_err(|error| Refusal::new(Part::Subject, error))?;
+            .map_err(|error| UnfitScene::new(ScenePart::Subject, error))?;
         Ok(Input { region, polygon })
     }
 }
@@ -94,7 +94,9 @@ impl Demo for TriangulateAndClip {
             Event::Triangulate(event) => EarClipping::caption(event, &before.ears, &input.polygon),
             Event::Each(event) => each_caption(*event, before),
             Event::Clip(event) => match &before.clip {
-                Some(clip) => sutherland_hodgman::caption(event, clip, &before.region, Look::RIGHT),
+                Some(clip) => {
+                    sutherland_hodgman::caption(event, clip, &before.region, EdgeLook::RIGHT)
+                }
                 None => Self::opening(input),
             },
         }
@@ -149,7 +151,7 @@ fn marks(step: &Step<'_, TriangulateAndClip>) -> Vec<Mark> {
             region: state.region.clone(),
             vertices: corners.to_vec(),
         };
-        let look = Look::RIGHT;
+        let look = EdgeLook::RIGHT;
         marks.extend(drawing::marks(&input, clip, event, look));
     }
     marks

@@ -5,7 +5,7 @@ use crate::{
     labs::{CodeLine, code_line},
 };
 
-use super::clip_edge::Look;
+use super::clip_edge::EdgeLook;
 
 /// Lines of the pseudocode.
 pub const EACH: usize = 0;
@@ -18,10 +18,10 @@ pub const OUT_OUT: usize = 6;
 pub const PASS: usize = 7;
 
 /// The pseudocode of any variant.
-pub type Code = [CodeLine; PASS + 1];
+pub type Pseudocode = [CodeLine; PASS + 1];
 
 /// As Sutherland and Hodgman have it.
-pub const CODE: Code = [
+pub const CODE: Pseudocode = [
     code_line(0, "code-sh-each", "words-sh-each"),
     code_line(1, "code-sh-first", "words-sh-first"),
     code_line(1, "code-sh-edges", "words-sh-edges"),
@@ -33,7 +33,7 @@ pub const CODE: Code = [
 ];
 
 /// The right pseudocode with other lines in some places.
-pub const fn but_for<const N: usize>(others: [(usize, CodeLine); N]) -> Code {
+pub const fn but_for<const N: usize>(others: [(usize, CodeLine); N]) -> Pseudocode {
     let mut lines = CODE;
     let mut i = 0;
     while i < N {
@@ -50,9 +50,9 @@ pub trait Variant: Rules + 'static {
     /// Catalogue key of its name.
     const NAME_KEY: &'static str;
     /// Its clip edges.
-    const LOOK: Look = Look::RIGHT;
+    const LOOK: EdgeLook = EdgeLook::RIGHT;
     /// The right pseudocode, but for the lines with the mistake.
-    const CODE: Code = CODE;
+    const CODE: Pseudocode = CODE;
     /// Of a mistake: what is said at the first step that the right rules do not do.
     const DIFFERS_KEY: Option<&'static str> = None;
 }

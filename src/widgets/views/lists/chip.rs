@@ -3,7 +3,7 @@
 use egui::{Align2, Color32, Pos2, Rect, Shape, Stroke, StrokeKind, vec2};
 
 use crate::{
-    figure::{ListEntry, Marker, Role},
+    figure::{ItemMarker, ListRow, Role},
     text::Value,
 };
 
@@ -43,7 +43,7 @@ pub fn chip(
     slate: &mut Slate<'_>,
     place: Rect,
     widths: &Widths,
-    entry: &ListEntry,
+    entry: &ListRow,
     links: &mut Links,
 ) {
     let (fill, border, (face, ink)) = look_of(slate, entry.role);
@@ -130,7 +130,7 @@ fn dashed_box(slate: &Slate<'_>, place: Rect, stroke: Stroke) {
 }
 
 /// The same marks as on the stage.
-fn draw_marker(slate: &Slate<'_>, at: Pos2, marker: Marker, role: Role) {
+fn draw_marker(slate: &Slate<'_>, at: Pos2, marker: ItemMarker, role: Role) {
     let theme = slate.theme();
     let colour = match role {
         Role::Ink | Role::Accent | Role::Signal | Role::Accepted => theme.ink,
@@ -145,14 +145,14 @@ fn draw_marker(slate: &Slate<'_>, at: Pos2, marker: Marker, role: Role) {
         }
     };
     match marker {
-        Marker::Dot => {
+        ItemMarker::Dot => {
             slate.painter.circle_filled(at, r, colour);
         }
-        Marker::Ring => {
+        ItemMarker::Ring => {
             slate.painter.circle(at, r, theme.background, stroke);
         }
-        Marker::Cross => cross(r),
-        Marker::CrossedRing => {
+        ItemMarker::Cross => cross(r),
+        ItemMarker::CrossedRing => {
             slate.painter.circle(at, r, theme.background, stroke);
             cross(0.65 * r);
         }

@@ -2,7 +2,7 @@
 
 use egui::{Painter, Rect, Vec2, pos2, vec2};
 
-use crate::figure::{List, ListEntry, Lists};
+use crate::figure::{List, ListRow, Lists};
 
 use super::super::{
     super::Look,
@@ -273,7 +273,7 @@ fn detail_width(slate: &Slate<'_>, lists: &Lists, list: &List, nth: usize) -> f3
 
 fn widths_of(slate: &Slate<'_>, lists: &Lists, list: &List, n_details: usize) -> Widths {
     let ink = slate.theme().ink;
-    let name = |entry: &ListEntry| {
+    let name = |entry: &ListRow| {
         let style = (Face::Strong, NAME_SIZE, ink);
         slate.value(&entry.name, style).size().x
     };

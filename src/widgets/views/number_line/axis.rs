@@ -23,7 +23,7 @@ const ARROW: f32 = 8.0;
 const CROSS: f32 = 6.0;
 
 /// From a parameter to its place.
-pub struct Axis {
+pub struct NumberAxis {
     transform: PlotTransform,
     shown: [f64; 2],
     /// Where the axis and its labels may be.
@@ -31,7 +31,7 @@ pub struct Axis {
     y: f32,
 }
 
-impl Axis {
+impl NumberAxis {
     pub fn new(slate: &Slate<'_>, rect: Rect, line: &NumberLine) -> Self {
         let [left, right] = ENDS.map(|end| slate.pts(end));
         let y = (rect.top() + slate.pts(ABOVE)).round();

@@ -13,7 +13,7 @@ use super::super::{
     links::Links,
     slate::{Face, Slate, text_colour},
 };
-use super::axis::{Axis, role_of, role_of_bound};
+use super::axis::{NumberAxis, role_of, role_of_bound};
 
 const END_SIZE: f32 = 13.0;
 const BOUND_SIZE: f32 = 13.5;
@@ -22,7 +22,7 @@ const TICK_SIZE: f32 = 12.5;
 const OFF: f32 = 10.0;
 
 /// Writes everything: first what stands still, then the bounds, then the names of the crossings.
-pub fn draw(slate: &mut Slate<'_>, axis: &Axis, line: &NumberLine, links: &mut Links) {
+pub fn draw(slate: &mut Slate<'_>, axis: &NumberAxis, line: &NumberLine, links: &mut Links) {
     ends(slate, axis, line);
     symbol(slate, axis, line);
     // This step's bound chooses first.
@@ -52,7 +52,7 @@ pub fn draw(slate: &mut Slate<'_>, axis: &Axis, line: &NumberLine, links: &mut L
 }
 
 /// The names of the segment's ends over its marks, 0 and 1 under them where no bound says so.
-fn ends(slate: &mut Slate<'_>, axis: &Axis, line: &NumberLine) {
+fn ends(slate: &mut Slate<'_>, axis: &NumberAxis, line: &NumberLine) {
     let theme = slate.theme();
     let off = vec2(0.0, slate.pts(OFF));
     for (nth, name) in line.ends.iter().enumerate() {
@@ -71,7 +71,7 @@ fn ends(slate: &mut Slate<'_>, axis: &Axis, line: &NumberLine) {
 }
 
 /// The parameter's name beyond the axis's right end.
-fn symbol(slate: &mut Slate<'_>, axis: &Axis, line: &NumberLine) {
+fn symbol(slate: &mut Slate<'_>, axis: &NumberAxis, line: &NumberLine) {
     let style = (Face::Strong, END_SIZE, slate.theme().ink);
     let symbol = slate.words(line.symbol, style);
     let at = pos2(axis.room.right() - slate.pts(4.0), axis.at(0.0).y);
@@ -110,7 +110,7 @@ fn set_bound(slate: &Slate<'_>, line: &NumberLine, side: Side) -> Typeset {
 }
 
 /// Under its arrowhead, `way` points away from the other bound; beside it where something stands there, else over it.
-fn bound(slate: &mut Slate<'_>, axis: &Axis, line: &NumberLine, (side, way): (Side, f32)) {
+fn bound(slate: &mut Slate<'_>, axis: &NumberAxis, line: &NumberLine, (side, way): (Side, f32)) {
     let u = bound_of(line, side);
     let text = set_bound(slate, line, side);
     let half = 0.5 * text.size();
@@ -146,7 +146,7 @@ fn inside(room: Rect, centre: Pos2, half: f32) -> Pos2 {
 }
 
 /// The border's name over its crossing, with the parameter where it is no bound.
-fn crossing(slate: &mut Slate<'_>, axis: &Axis, tick: &LineTick, links: &mut Links) {
+fn crossing(slate: &mut Slate<'_>, axis: &NumberAxis, tick: &LineTick, links: &mut Links) {
     let at = axis.mark_of(slate, tick.u);
     let reach = vec2(slate.pts(8.0), slate.pts(14.0));
     if links.touch(Rect::from_center_size(at, 2.0 * reach), tick.link) {
@@ -179,7 +179,7 @@ fn crossing(slate: &mut Slate<'_>, axis: &Axis, tick: &LineTick, links: &mut Lin
 }
 
 /// Puts a crossing's name over it, as near as there is room, or under it; was there any?
-fn put_near(slate: &mut Slate<'_>, axis: &Axis, at: Pos2, text: &Typeset) -> bool {
+fn put_near(slate: &mut Slate<'_>, axis: &NumberAxis, at: Pos2, text: &Typeset) -> bool {
     let half = 0.5 * text.size();
     let off = slate.pts(OFF) + half.y;
     let row = slate.pts(1.5 * TICK_SIZE);

@@ -14,7 +14,7 @@ use crate::{
     geom::SimplePolygon,
     labs::{
         Answer, CodeLine, Demo, Step, code_line,
-        polygons::{Part, PolygonDemo, Refusal, Scene},
+        polygons::{PolygonDemo, Scene, ScenePart, UnfitScene},
         words::{name, vertex_name},
     },
     text::Value,
@@ -40,8 +40,9 @@ const MAX_ROWS: usize = 12;
 impl PolygonDemo for EarClipping {
     const CLIPS: bool = false;
 
-    fn input(scene: &Scene) -> Result<SimplePolygon, Refusal> {
-        SimplePolygon::try_from(&scene.subject).map_err(|error| Refusal::new(Part::Subject, error))
+    fn input(scene: &Scene) -> Result<SimplePolygon, UnfitScene> {
+        SimplePolygon::try_from(&scene.subject)
+            .map_err(|error| UnfitScene::new(ScenePart::Subject, error))
     }
 }
 

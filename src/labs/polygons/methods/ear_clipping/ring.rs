@@ -4,7 +4,7 @@ use crate::{
     algo::polygon::{
         Corner, EarClipping, EarClippingEvent as Event, EarClippingState as State, Triangle,
     },
-    figure::{List, ListEntry, ListLink, Lists, Marker, Role},
+    figure::{ItemMarker, List, ListLink, ListRow, Lists, Role},
     labs::{
         Step,
         polygons::methods::triangles::{triangle_link, triangle_name},
@@ -77,12 +77,12 @@ fn ring(step: &Step<'_, EarClipping>) -> (List, Option<usize>) {
     let tip = corner.and_then(|[_, tip, _]| vertices.iter().position(|&i| i == tip));
     let entry = |i: usize| {
         let fate = fate(step, i);
-        ListEntry {
+        ListRow {
             details: vec![fate.or(state.corners[i].map(corner_name))],
             marker: marker(state, i),
             role: role(step, corner, i),
             link: Some(vertex_link(i)),
-            ..ListEntry::new(vertex_name(i))
+            ..ListRow::new(vertex_name(i))
         }
     };
     let list = List {
@@ -185,10 +185,10 @@ fn fate(step: &Step<'_, EarClipping>, vertex_idx: usize) -> Option<Value> {
 }
 
 /// As in the drawing: a dot for a convex vertex, a ring for any other.
-fn marker(state: &State, vertex_idx: usize) -> Option<Marker> {
+fn marker(state: &State, vertex_idx: usize) -> Option<ItemMarker> {
     state.corners[vertex_idx].map(|corner| match corner {
-        Corner::Convex => Marker::Dot,
-        Corner::Straight | Corner::Reflex => Marker::Ring,
+        Corner::Convex => ItemMarker::Dot,
+        Corner::Straight | Corner::Reflex => ItemMarker::Ring,
     })
 }
 
@@ -199,18 +199,18 @@ fn triangles(step: &Step<'_, EarClipping>) -> List {
     let last = cut_off.len().checked_sub(1);
     let reach = List::reach(n, last);
     let entry = |triangle_idx: usize| match cut_off.get(triangle_idx) {
-        Some(&triangle) => ListEntry {
+        Some(&triangle) => ListRow {
             role: if cuts(step.event) && last == Some(triangle_idx) {
                 Role::Signal
             } else {
                 Role::Accepted
             },
             link: Some(triangle_link(triangle_idx)),
-            ..ListEntry::new(triangle_name(triangle))
+            ..ListRow::new(triangle_name(triangle))
         },
-        None => ListEntry {
+        None => ListRow {
             role: Role::Faint,
-            ..ListEntry::new(name("·"))
+            ..ListRow::new(name("·"))
         },
     };
     List {

@@ -4,8 +4,9 @@ use crate::{
     algo::{
         line::Ratio,
         polygon::weiler_atherton::{
-            Contact, Label, List, Relation, RingKind, Side, WeilerAthertonEvent as Event,
-            WeilerAthertonInput as Input, WeilerAthertonState as State,
+            Contact, IntersectionLabel, List, Relation, RingKind, Side,
+            WeilerAthertonEvent as Event, WeilerAthertonInput as Input,
+            WeilerAthertonState as State,
         },
     },
     figure::Caption,
@@ -234,15 +235,22 @@ fn inserted(node_idx: u32, at_vertex: bool, before: &State, input: &Input) -> Ca
 }
 
 /// Of a crossing the distances say it: `a₁ = −1 < 0 < 2 = a₂`.
-fn labelled(node_idx: u32, label: Label, [before, after]: [Side; 2], state: &State) -> Caption {
+fn labelled(
+    node_idx: u32,
+    label: IntersectionLabel,
+    [before, after]: [Side; 2],
+    state: &State,
+) -> Caption {
     let key = match label {
-        Label::Entering => "wa-entering",
-        Label::Leaving => "wa-leaving",
-        Label::Touching if before == after && matches!(before, Side::Inside | Side::Outside) => {
+        IntersectionLabel::Entering => "wa-entering",
+        IntersectionLabel::Leaving => "wa-leaving",
+        IntersectionLabel::Touching
+            if before == after && matches!(before, Side::Inside | Side::Outside) =>
+        {
             "wa-touching-same"
         }
-        Label::Touching => "wa-touching",
-        Label::Pinching => "wa-pinching",
+        IntersectionLabel::Touching => "wa-touching",
+        IntersectionLabel::Pinching => "wa-pinching",
     };
     let caption = Caption::new(
         Message::new(key)
@@ -252,7 +260,7 @@ fn labelled(node_idx: u32, label: Label, [before, after]: [Side; 2], state: &Sta
     );
     match state.nodes.get(node_idx as usize) {
         Some(node) if node.contact == Contact::Crossing => {
-            let order = if label == Label::Entering {
+            let order = if label == IntersectionLabel::Entering {
                 " < 0 < "
             } else {
                 " > 0 > "
@@ -299,8 +307,8 @@ fn switch(node_idx: u32, to: List, before: &State) -> Caption {
         .get(node_idx as usize)
         .map(|label| label.label);
     let key = match (label, to) {
-        (Some(Label::Pinching), List::Clip) => "wa-switch-pinch-clip",
-        (Some(Label::Pinching), List::Subject) => "wa-switch-pinch-subject",
+        (Some(IntersectionLabel::Pinching), List::Clip) => "wa-switch-pinch-clip",
+        (Some(IntersectionLabel::Pinching), List::Subject) => "wa-switch-pinch-subject",
         (_, List::Clip) => "wa-switch-clip",
         (_, List::Subject) => "wa-switch-subject",
     };

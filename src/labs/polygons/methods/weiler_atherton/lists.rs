@@ -6,10 +6,10 @@ use crate::{
     algo::{
         line::Ratio,
         polygon::weiler_atherton::{
-            Label, List, ListEntry, WeilerAtherton, WeilerAthertonEvent as Event,
+            IntersectionLabel, List, ListEntry, WeilerAtherton, WeilerAthertonEvent as Event,
         },
     },
-    figure::{self, ListLink, Lists, Marker, Role},
+    figure::{self, ItemMarker, ListLink, Lists, Role},
     labs::{Step, words::name},
     text::Value,
 };
@@ -79,32 +79,32 @@ fn entry(
     standing: &Standing,
     list: List,
     place: usize,
-) -> figure::ListEntry {
+) -> figure::ListRow {
     let (state, input) = (step.state, step.input);
     let role = standing.role(list, place).unwrap_or(Role::Soft);
     let own = vertex_at(step, list, place);
     let Some(known) = state.lists[list.idx()].get(place) else {
         let own = own.map_or_else(String::new, |own| names::vertex(input, list, own));
-        return figure::ListEntry {
+        return figure::ListRow {
             role,
-            ..figure::ListEntry::new(name(own))
+            ..figure::ListRow::new(name(own))
         };
     };
     let link = match (known.node, own) {
         (Some(node), _) => Some(names::node_link(node)),
         (None, own) => own.map(|own| names::vertex_link(list, own)),
     };
-    figure::ListEntry {
+    figure::ListRow {
         details: vec![detail(step, list, known)],
         marker: known.node.map(|node| match standing::label(state, node) {
-            Some(Label::Entering) => Marker::Dot,
-            Some(Label::Leaving) => Marker::Ring,
-            Some(Label::Pinching) => Marker::CrossedRing,
-            None | Some(Label::Touching) => Marker::Cross,
+            Some(IntersectionLabel::Entering) => ItemMarker::Dot,
+            Some(IntersectionLabel::Leaving) => ItemMarker::Ring,
+            Some(IntersectionLabel::Pinching) => ItemMarker::CrossedRing,
+            None | Some(IntersectionLabel::Touching) => ItemMarker::Cross,
         }),
         role,
         link,
-        ..figure::ListEntry::new(name(names::entry(input, list, known)))
+        ..figure::ListRow::new(name(names::entry(input, list, known)))
     }
 }
 
@@ -123,11 +123,11 @@ fn column(step: &Step<'_, WeilerAtherton>, list: List) -> Value {
 fn detail(step: &Step<'_, WeilerAtherton>, list: List, entry: &ListEntry) -> Option<Value> {
     let node_idx = entry.node?;
     match standing::label(step.state, node_idx) {
-        Some(label @ (Label::Entering | Label::Leaving)) => {
+        Some(label @ (IntersectionLabel::Entering | IntersectionLabel::Leaving)) => {
             return Some(Value::Term(names::label_key(label)));
         }
         // The marker says so, and the name is long: it is also a vertex's.
-        Some(Label::Touching | Label::Pinching) => return None,
+        Some(IntersectionLabel::Touching | IntersectionLabel::Pinching) => return None,
         None => {}
     }
     let is_on_edge = entry.vertex.is_none() && step.state.labels.is_empty();

@@ -4,8 +4,8 @@ use std::cmp::Ordering;
 
 use crate::{
     algo::polygon::weiler_atherton::{
-        Label, List, ListNode, RingKind, StateRing, WeilerAtherton, WeilerAthertonEvent as Event,
-        WeilerAthertonState as State,
+        IntersectionLabel, List, ListNode, RingKind, StateRing, WeilerAtherton,
+        WeilerAthertonEvent as Event, WeilerAthertonState as State,
     },
     figure::{Mark, Role, Shape},
     geom::{Point, orientation},
@@ -237,10 +237,10 @@ fn nodes_among_many(step: &Step<'_, WeilerAtherton>) -> Vec<Mark> {
 fn node_shapes(state: &State, node_idx: u32, node: &ListNode) -> Vec<Shape> {
     let at = node.at.to_array();
     match standing::label(state, node_idx) {
-        None | Some(Label::Touching) => vec![Shape::Cross(at)],
-        Some(Label::Entering) => vec![Shape::Dot(at)],
-        Some(Label::Leaving) => vec![Shape::Ring(at)],
-        Some(Label::Pinching) => vec![Shape::Ring(at), Shape::Cross(at)],
+        None | Some(IntersectionLabel::Touching) => vec![Shape::Cross(at)],
+        Some(IntersectionLabel::Entering) => vec![Shape::Dot(at)],
+        Some(IntersectionLabel::Leaving) => vec![Shape::Ring(at)],
+        Some(IntersectionLabel::Pinching) => vec![Shape::Ring(at), Shape::Cross(at)],
     }
 }
 

@@ -12,14 +12,14 @@ use serde_json::{Value as Json, json};
 
 use crate::{
     algo::polygon::weiler_atherton::{
-        Clipped, Label, List, Relation, WeilerAtherton, WeilerAthertonEvent as Event,
-        WeilerAthertonInput as Input, WeilerAthertonState as State,
+        IntersectionLabel, List, Relation, WeilerAtherton, WeilerAthertonEvent as Event,
+        WeilerAthertonInput as Input, WeilerAthertonOutput, WeilerAthertonState as State,
     },
     figure::{Body, Caption, Tick, View, Watch, WatchRow, WatchSection},
     geom::{GeomError, Point, Polygon, Region, SimplePolygon},
     labs::{
         Answer, CodeLine, Demo, Step, code_line,
-        polygons::{Part, PolygonDemo, Refusal, Scene},
+        polygons::{PolygonDemo, Scene, ScenePart, UnfitScene},
         words::name,
     },
     text::{Formula, Value},
@@ -42,28 +42,28 @@ const MAX_ROWS: usize = 12;
 impl PolygonDemo for WeilerAtherton {
     const KNOWS_HOLES: bool = true;
 
-    fn input(scene: &Scene) -> Result<Input, Refusal> {
+    fn input(scene: &Scene) -> Result<Input, UnfitScene> {
         let simple = |polygon: &Polygon, part| {
-            SimplePolygon::try_from(polygon).map_err(|error| Refusal::new(part, error))
+            SimplePolygon::try_from(polygon).map_err(|error| UnfitScene::new(part, error))
         };
-        let subject = simple(&scene.subject, Part::Subject)?;
-        let clip = simple(&scene.clip_outline(), Part::Clip)?;
+        let subject = simple(&scene.subject, ScenePart::Subject)?;
+        let clip = simple(&scene.clip_outline(), ScenePart::Clip)?;
         let holes = scene.holes.iter().enumerate();
         let holes: Vec<_> = holes
-            .map(|(i, hole)| simple(hole, Part::Hole(i)))
+            .map(|(i, hole)| simple(hole, ScenePart::Hole(i)))
             .collect::<Result<_, _>>()?;
         let subject = Region::new(subject, holes).map_err(|error| {
             let part = match error {
-                GeomError::MisplacedHole { hole_idx } => Part::Hole(hole_idx),
-                _ => Part::Subject,
+                GeomError::MisplacedHole { hole_idx } => ScenePart::Hole(hole_idx),
+                _ => ScenePart::Subject,
             };
-            Refusal::new(part, error)
+            UnfitScene::new(part, error)
         })?;
         Ok(Input { subject, clip })
     }
 }
 
-impl Answer for Clipped {
+impl Answer for WeilerAthertonOutput {
     fn json(&self) -> Json {
         let pieces = self.pieces.iter();
         let rings: Vec<&Vec<Point>> = pieces
@@ -134,7 +134,7 @@ impl Demo for WeilerAtherton {
                     .get(*node_idx as usize)
                     .map(|label| label.label);
                 match (label, to) {
-                    (Some(Label::Leaving), _) | (_, List::Clip) => LEAVE,
+                    (Some(IntersectionLabel::Leaving), _) | (_, List::Clip) => LEAVE,
                     (_, List::Subject) => ENTER,
                 }
             }

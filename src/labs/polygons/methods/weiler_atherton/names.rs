@@ -4,7 +4,7 @@
 
 use crate::{
     algo::polygon::weiler_atherton::{
-        Label, List, ListEntry, ListNode, Side, WeilerAthertonInput as Input,
+        IntersectionLabel, List, ListEntry, ListNode, Side, WeilerAthertonInput as Input,
         WeilerAthertonState as State,
     },
     figure::Link,
@@ -75,12 +75,12 @@ pub fn with_label(formula: Formula, state: &State, node_idx: Option<u32>) -> For
 }
 
 /// In a word.
-pub const fn label_key(label: Label) -> &'static str {
+pub const fn label_key(label: IntersectionLabel) -> &'static str {
     match label {
-        Label::Entering => "wa-in",
-        Label::Leaving => "wa-out",
-        Label::Touching => "wa-touches",
-        Label::Pinching => "wa-pinches",
+        IntersectionLabel::Entering => "wa-in",
+        IntersectionLabel::Leaving => "wa-out",
+        IntersectionLabel::Touching => "wa-touches",
+        IntersectionLabel::Pinching => "wa-pinches",
     }
 }
 

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use crate::{
     algo::polygon::weiler_atherton::{
-        Label, List, ListEntry, Passed, WeilerAtherton, WeilerAthertonEvent as Event,
+        IntersectionLabel, List, ListEntry, Passed, WeilerAtherton, WeilerAthertonEvent as Event,
         WeilerAthertonState as State,
     },
     figure::Role,
@@ -78,7 +78,7 @@ impl Standing {
                 continue;
             };
             let is_start = list == List::Subject && state.start == Some(node);
-            let stays = label(state, node).is_none_or(|label| label == Label::Touching);
+            let stays = label(state, node).is_none_or(|label| label == IntersectionLabel::Touching);
             if !(stays || is_start && role == Role::Accent) {
                 self.set(list.other(), twin, role);
             }
@@ -189,7 +189,7 @@ pub fn next_place(step: &Step<'_, WeilerAtherton>, list: List, place: usize) -> 
 }
 
 /// What the subject does at an intersection, once that is known.
-pub fn label(state: &State, node: u32) -> Option<Label> {
+pub fn label(state: &State, node: u32) -> Option<IntersectionLabel> {
     let label = state.labels.get(node as usize)?;
     Some(label.label)
 }

@@ -2,15 +2,15 @@
 
 use crate::{
     figure::{
-        Clipper, ClipperRow, Fate, List, ListEntry, ListLink, Lists, Marker, Role, Traveller,
+        ClipperBox, ClipperRow, Fate, ItemMarker, List, ListLink, ListRow, Lists, Role, Traveller,
     },
     text::Value,
 };
 
 use super::name;
 
-fn entry(symbol: &str, marker: Option<Marker>, role: Role) -> ListEntry {
-    let mut entry = ListEntry::new(name(symbol));
+fn entry(symbol: &str, marker: Option<ItemMarker>, role: Role) -> ListRow {
+    let mut entry = ListRow::new(name(symbol));
     entry.marker = marker;
     entry.role = role;
     entry
@@ -18,8 +18,8 @@ fn entry(symbol: &str, marker: Option<Marker>, role: Role) -> ListEntry {
 
 fn list(title: &str, entries: &[(&str, Role)], focus: usize) -> List {
     let marker = |symbol: &str| match symbol {
-        "C₁" | "C₃" => Some(Marker::Ring),
-        "C₂" | "C₄" => Some(Marker::Dot),
+        "C₁" | "C₃" => Some(ItemMarker::Ring),
+        "C₂" | "C₄" => Some(ItemMarker::Dot),
         _ => None,
     };
     let entries = entries.iter();
@@ -79,14 +79,14 @@ pub fn two_lists() -> Lists {
 /// Sutherland–Hodgman: what comes in, what has come out.
 pub fn in_and_out() -> Lists {
     use Role::{Accent, Discarded, Faint, Ink, Signal};
-    let place = |mut entry: ListEntry, at: [f64; 2]| {
+    let place = |mut entry: ListRow, at: [f64; 2]| {
         entry.details = vec![Some(Value::Point(at)), Some(Value::Number(at[0]))];
         entry
     };
     let input = vec![
-        place(entry("V₁", Some(Marker::Ring), Discarded), [-2.0, 1.0]),
-        place(entry("V₂", Some(Marker::Dot), Ink), [3.0, 1.0 / 3.0]),
-        place(entry("V₃", Some(Marker::Dot), Signal), [5.0, 4.5]),
+        place(entry("V₁", Some(ItemMarker::Ring), Discarded), [-2.0, 1.0]),
+        place(entry("V₂", Some(ItemMarker::Dot), Ink), [3.0, 1.0 / 3.0]),
+        place(entry("V₃", Some(ItemMarker::Dot), Signal), [5.0, 4.5]),
         place(entry("V₄", None, Faint), [-1.0, 3.0]),
     ];
     let output = vec![
@@ -105,7 +105,7 @@ pub fn in_and_out() -> Lists {
 
 /// Lists of which a part is folded, some of it before the view was asked.
 pub fn long_lists() -> Lists {
-    let entries = |letter: &str| -> Vec<ListEntry> {
+    let entries = |letter: &str| -> Vec<ListRow> {
         let entry = |i: usize| {
             entry(
                 &format!("{letter}{i}"),
@@ -134,7 +134,7 @@ pub fn long_lists() -> Lists {
 
 /// Four clippers, a vertex leaving the second and its crossing on the way to the third.
 pub fn pipeline() -> ClipperRow {
-    let clipper = |side, first, previous, is_closed| Clipper {
+    let clipper = |side, first, previous, is_closed| ClipperBox {
         name: name(side),
         first,
         previous,

@@ -14,7 +14,7 @@ use super::Scene;
 
 /// A part of the scene.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Part {
+pub enum ScenePart {
     /// The polygon that is clipped.
     Subject,
     /// A hole in it.
@@ -25,33 +25,33 @@ pub enum Part {
 
 /// Why a method cannot take a scene.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Refusal {
+pub struct UnfitScene {
     /// The part that is at fault.
-    pub part: Part,
+    pub part: ScenePart,
     /// What is wrong with it.
     pub error: GeomError,
 }
 
-impl Refusal {
+impl UnfitScene {
     /// This part, for this reason.
     #[must_use]
-    pub const fn new(part: Part, error: GeomError) -> Self {
+    pub const fn new(part: ScenePart, error: GeomError) -> Self {
         Self { part, error }
     }
 
     fn outline(self, scene: &Scene) -> Polygon {
         match self.part {
-            Part::Subject => scene.subject.clone(),
-            Part::Hole(i) => scene.holes[i].clone(),
-            Part::Clip => scene.clip_outline(),
+            ScenePart::Subject => scene.subject.clone(),
+            ScenePart::Hole(i) => scene.holes[i].clone(),
+            ScenePart::Clip => scene.clip_outline(),
         }
     }
 
     fn caption(self, scene: &Scene) -> Caption {
         let part = match self.part {
-            Part::Subject => Value::Term("part-subject"),
-            Part::Hole(_) => Value::Term("part-hole"),
-            Part::Clip => Value::Term("part-clip"),
+            ScenePart::Subject => Value::Term("part-subject"),
+            ScenePart::Hole(_) => Value::Term("part-hole"),
+            ScenePart::Clip => Value::Term("part-clip"),
         };
         let message = match self.error {
             GeomError::NotConvex { vertex_idx } => {
@@ -100,7 +100,7 @@ impl Refusal {
 
     /// A run without a step that shows it.
     pub(super) fn run(self, scene: &Scene) -> Box<dyn Run> {
-        Box::new(Refused {
+        Box::new(UnfitRun {
             refusal: self,
             caption: self.caption(scene),
             marks: self.marks(scene),
@@ -112,12 +112,12 @@ impl Scene {
     /// The clip region for methods that need it convex.
     ///
     /// # Errors
-    /// [`Refusal`] where it is not.
-    pub fn convex_clip(&self) -> Result<ConvexPolygon, Refusal> {
+    /// [`UnfitScene`] where it is not.
+    pub fn convex_clip(&self) -> Result<ConvexPolygon, UnfitScene> {
         match &self.clip {
             None => Ok(ConvexPolygon::from(self.window)),
             Some(clip) => ConvexPolygon::try_from(Vec::from(clip.clone()))
-                .map_err(|error| Refusal::new(Part::Clip, error)),
+                .map_err(|error| UnfitScene::new(ScenePart::Clip, error)),
         }
     }
 }
@@ -127,13 +127,13 @@ fn edge_name(ends: [usize; 2]) -> Value {
     name(ends.map(|i| format!("V{}", subscript(i + 1))).concat())
 }
 
-struct Refused {
-    refusal: Refusal,
+struct UnfitRun {
+    refusal: UnfitScene,
     caption: Caption,
     marks: Vec<Mark>,
 }
 
-impl Run for Refused {
+impl Run for UnfitRun {
     fn n_steps(&self) -> usize {
         0
     }

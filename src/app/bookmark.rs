@@ -1,19 +1,19 @@
 //! Where in the course the reader stands.
 
 use crate::{
-    lesson::{Course, Lesson, Step},
+    lesson::{Course, Lesson, LessonStep},
     text::Lang,
 };
 
 /// A course, and an open step of it where it has one.
 #[derive(Clone, Debug, Default)]
-pub struct Place {
+pub struct Bookmark {
     course: Course,
     lesson_idx: usize,
     step_idx: usize,
 }
 
-impl Place {
+impl Bookmark {
     /// At the first step of the first lesson.
     #[must_use]
     pub const fn new(course: Course) -> Self {
@@ -38,7 +38,7 @@ impl Place {
 
     /// The open step.
     #[must_use]
-    pub fn step(&self) -> Option<&Step> {
+    pub fn step(&self) -> Option<&LessonStep> {
         self.lesson()?.steps.get(self.step_idx)
     }
 

@@ -11,24 +11,24 @@ const PAUSE_SECS: f64 = 1.0;
 
 /// Which changes belong together.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Gesture {
+pub enum UndoGroup {
     /// A drag of this handle, until the pointer lets go.
     Drag(usize),
     /// Presses of arrow keys on this handle, until there is a pause.
     Nudge(usize),
 }
 
-/// A document with undo and redo.
+/// The document as it is now, with what can be undone and done again.
 #[derive(Clone, Debug)]
-pub struct Document<S> {
+pub struct History<S> {
     now: S,
     past: Vec<S>,
     future: Vec<S>,
-    open: Option<(Gesture, f64)>,
+    open: Option<(UndoGroup, f64)>,
     revision: u64,
 }
 
-impl<S: Clone + PartialEq> Document<S> {
+impl<S: Clone + PartialEq> History<S> {
     /// A document without a past.
     #[must_use]
     pub const fn new(now: S) -> Self {
@@ -60,14 +60,14 @@ impl<S: Clone + PartialEq> Document<S> {
     /// What `change` answers; it has to leave the document as it was then.
     pub fn edit<E>(
         &mut self,
-        gesture: Option<Gesture>,
+        gesture: Option<UndoGroup>,
         time: f64,
         size: usize,
         change: impl FnOnce(&mut S) -> Result<(), E>,
     ) -> Result<bool, E> {
         let continues = match (gesture, self.open) {
-            (Some(now @ Gesture::Drag(_)), Some((open, _))) => now == open,
-            (Some(now @ Gesture::Nudge(_)), Some((open, at))) => {
+            (Some(now @ UndoGroup::Drag(_)), Some((open, _))) => now == open,
+            (Some(now @ UndoGroup::Nudge(_)), Some((open, at))) => {
                 now == open && time - at <= PAUSE_SECS
             }
             _ => false,
@@ -91,7 +91,7 @@ impl<S: Clone + PartialEq> Document<S> {
     /// Is something being dragged?
     #[must_use]
     pub const fn is_in_gesture(&self) -> bool {
-        matches!(self.open, Some((Gesture::Drag(_), _)))
+        matches!(self.open, Some((UndoGroup::Drag(_), _)))
     }
 
     /// The pointer has let go: what comes next is another change.
@@ -139,7 +139,7 @@ mod tests {
 
     use super::*;
 
-    fn set(document: &mut Document<i32>, gesture: Option<Gesture>, time: f64, to: i32) {
+    fn set(document: &mut History<i32>, gesture: Option<UndoGroup>, time: f64, to: i32) {
         let changed: Result<bool, Infallible> = document.edit(gesture, time, 1, |now| {
             *now = to;
             Ok(())
@@ -149,12 +149,12 @@ mod tests {
 
     #[test]
     fn a_drag_is_undone_as_one() {
-        let mut document = Document::new(0);
+        let mut document = History::new(0);
         for to in [1, 2, 3] {
-            set(&mut document, Some(Gesture::Drag(0)), 0.0, to);
+            set(&mut document, Some(UndoGroup::Drag(0)), 0.0, to);
         }
         document.end_gesture();
-        set(&mut document, Some(Gesture::Drag(0)), 0.1, 4);
+        set(&mut document, Some(UndoGroup::Drag(0)), 0.1, 4);
         document.undo();
         assert_eq!(*document.now(), 3);
         document.undo();
@@ -166,10 +166,10 @@ mod tests {
 
     #[test]
     fn key_presses_are_undone_together_until_there_is_a_pause() {
-        let mut document = Document::new(0);
-        set(&mut document, Some(Gesture::Nudge(1)), 0.0, 1);
-        set(&mut document, Some(Gesture::Nudge(1)), 0.5, 2);
-        set(&mut document, Some(Gesture::Nudge(1)), 3.0, 3);
+        let mut document = History::new(0);
+        set(&mut document, Some(UndoGroup::Nudge(1)), 0.0, 1);
+        set(&mut document, Some(UndoGroup::Nudge(1)), 0.5, 2);
+        set(&mut document, Some(UndoGroup::Nudge(1)), 3.0, 3);
         document.undo();
         assert_eq!(*document.now(), 2);
         document.undo();
@@ -178,7 +178,7 @@ mod tests {
 
     #[test]
     fn a_change_that_changes_nothing_or_fails_leaves_no_trace() {
-        let mut document = Document::new(7);
+        let mut document = History::new(7);
         set(&mut document, None, 0.0, 7);
         let refused: Result<bool, ()> = document.edit(None, 0.0, 1, |_| Err(()));
         assert!(refused.is_err());
@@ -188,7 +188,7 @@ mod tests {
 
     #[test]
     fn a_new_change_forgets_what_was_undone() {
-        let mut document = Document::new(0);
+        let mut document = History::new(0);
         set(&mut document, None, 0.0, 1);
         document.undo();
         set(&mut document, None, 0.0, 2);
@@ -197,7 +197,7 @@ mod tests {
 
     #[test]
     fn the_past_is_bounded_by_the_size_of_what_is_kept() {
-        let mut document = Document::new(0);
+        let mut document = History::new(0);
         for to in 1..200 {
             set(&mut document, None, 0.0, to);
         }
