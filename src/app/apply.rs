@@ -79,7 +79,13 @@ impl App {
             Command::View(..) | Command::Turn(..) | Command::FitView | Command::Zoom(_) => {
                 self.stage.look(ctx, self.history.now(), &command);
             }
-            _ => self.apply_transport(&command),
+            Command::Step(_)
+            | Command::Phase(_)
+            | Command::Seek(_)
+            | Command::First
+            | Command::Last
+            | Command::Play
+            | Command::Speed(_) => self.apply_transport(&command),
         }
     }
 

@@ -41,7 +41,7 @@ pub fn run_native(opening: Opening) -> Result<(), Message> {
     let result = eframe::run_native(
         "clipscope",
         options,
-        Box::new(|creation| Ok(Box::new(Window(create(creation, opening))))),
+        Box::new(|creation| Ok(Box::new(NativeWindow(create(creation, opening))))),
     );
     // What eframe says is the system's own; its frame is the reader's.
     result.map_err(|error| Message::new("status-no-window").with("reason", error.to_string()))
@@ -75,9 +75,9 @@ fn icon() -> egui::IconData {
     eframe::icon_data::from_png_bytes(bytes).unwrap_or_default()
 }
 
-struct Window(App);
+struct NativeWindow(App);
 
-impl eframe::App for Window {
+impl eframe::App for NativeWindow {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         self.0.ui(ui);
     }

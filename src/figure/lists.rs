@@ -10,19 +10,19 @@ use super::{Link, Role};
 #[derive(Clone, PartialEq, Debug)]
 pub struct Lists {
     /// At least one.
-    pub lists: Vec<List>,
+    pub lists: Vec<ListColumn>,
     /// Between entries of neighbouring lists.
     pub links: Vec<ListLink>,
 }
 
 /// One list, from top to bottom.
 #[derive(Clone, PartialEq, Debug)]
-pub struct List {
+pub struct ListColumn {
     /// Over it: "Subject list".
     pub title: Value,
     /// Over the entries' details: `(x, y)`, `d`. None where no entry has any.
     pub columns: Vec<Value>,
-    /// All of a short list, of a long one those about the focus ([`List::reach`]); a view folds what it has no room
+    /// All of a short list, of a long one those about the focus ([`ListColumn::reach`]); a view folds what it has no room
     /// for, and says so.
     pub entries: Vec<ListRow>,
     /// How many more come before them.
@@ -37,7 +37,7 @@ pub struct List {
     pub focus: Option<usize>,
 }
 
-impl List {
+impl ListColumn {
     /// Of a longer list no more entries than these are given.
     const MOST: usize = 40;
 
@@ -127,9 +127,9 @@ mod tests {
 
     #[test]
     fn a_long_list_is_given_about_its_focus() {
-        assert_eq!(List::reach(7, Some(6)), 0..7, "all of a short one");
-        assert_eq!(List::reach(100, None), 0..40);
-        assert_eq!(List::reach(100, Some(50)), 30..70);
-        assert_eq!(List::reach(100, Some(99)), 60..100);
+        assert_eq!(ListColumn::reach(7, Some(6)), 0..7, "all of a short one");
+        assert_eq!(ListColumn::reach(100, None), 0..40);
+        assert_eq!(ListColumn::reach(100, Some(50)), 30..70);
+        assert_eq!(ListColumn::reach(100, Some(99)), 60..100);
     }
 }

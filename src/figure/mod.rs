@@ -22,7 +22,7 @@ pub use bits::{BitRow, Bits};
 pub use extent::{Need, Stand, needs, sentences};
 pub use frame::{Caption, Frame};
 pub use layout::{ColumnLayout, Layout, Sheet, Slot};
-pub use lists::{ItemMarker, List, ListLink, ListRow, Lists};
+pub use lists::{ItemMarker, ListColumn, ListLink, ListRow, Lists};
 pub use mark::{Label, Link, Mark, Role, Shape, Texel};
 pub use moment::{Moment, MomentError};
 pub use products::{Measured, Product, Products, Vector};

@@ -56,14 +56,14 @@ pub(super) fn triangles<O: Iterator<Item = Pos2>>(
     let done = FillTessellator::new().tessellate_path(
         &path.build(),
         &options,
-        &mut BuffersBuilder::new(&mut buffers, Place),
+        &mut BuffersBuilder::new(&mut buffers, Position),
     );
     done.map_or_else(|_| Triangles::default(), |()| Triangles(buffers))
 }
 
-struct Place;
+struct Position;
 
-impl FillVertexConstructor<Pos2> for Place {
+impl FillVertexConstructor<Pos2> for Position {
     fn new_vertex(&mut self, vertex: FillVertex<'_>) -> Pos2 {
         let at = vertex.position();
         Pos2::new(at.x, at.y)

@@ -13,13 +13,13 @@ use egui::epaint::{ClippedPrimitive, ImageData, Mesh, Primitive, Vertex};
 use egui::{Color32, Rect, TextureId, TexturesDelta};
 
 use super::image::Image;
-use super::texture::{Rgba, Surroundings, Texture};
+use super::texture::{CpuTexture, Rgba, Surroundings};
 use super::triangle::{PixelRect, PixelRun, RasterTriangle, mix};
 
 /// Paints tessellated egui output into an [`Image`].
 #[derive(Clone, Debug, Default)]
 pub struct CpuPainter {
-    textures: HashMap<TextureId, Texture>,
+    textures: HashMap<TextureId, CpuTexture>,
     /// Freed by egui, but perhaps still used by the frame they came with.
     to_free: Vec<TextureId>,
 }
@@ -46,7 +46,8 @@ impl CpuPainter {
                     if let Some(texture) = self.textures.get_mut(&id) {
                         texture.update(corner, image, change.options);
                     }
-                } else if let Some(texture) = Texture::new(image, change.options, surroundings(id))
+                } else if let Some(texture) =
+                    CpuTexture::new(image, change.options, surroundings(id))
                 {
                     self.textures.insert(id, texture);
                 } else {
@@ -125,7 +126,7 @@ impl Painting {
     fn fill_mesh(
         &mut self,
         mesh: &Mesh,
-        texture: &Texture,
+        texture: &CpuTexture,
         pixels_per_point: f32,
         clip: PixelRect,
     ) {
@@ -140,7 +141,7 @@ impl Painting {
     fn fill_triangle(
         &mut self,
         mut corners: [&Vertex; 3],
-        texture: &Texture,
+        texture: &CpuTexture,
         pixels_per_point: f32,
         clip: PixelRect,
     ) {

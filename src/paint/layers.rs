@@ -86,13 +86,13 @@ const fn layer_of(part: &Part<'_>, role: Role) -> Layer {
 }
 
 fn stop_short(theme: &Theme, pieces: &mut [LayeredPart<'_>]) {
-    let markers: Vec<(Pos2, f32)> = pieces
-        .iter()
-        .filter_map(|piece| match piece.part {
-            Part::Marker(marker, at) => Some((at, radius(theme, marker, piece.mark.role))),
-            _ => None,
-        })
-        .collect();
+    let room = |piece: &LayeredPart<'_>| {
+        let Part::Marker(marker, at) = piece.part else {
+            return None;
+        };
+        Some((at, radius(theme, marker, piece.mark.role)))
+    };
+    let markers: Vec<(Pos2, f32)> = pieces.iter().filter_map(room).collect();
     for piece in pieces {
         let Part::Arrow([from, tip]) = &mut piece.part else {
             continue;

@@ -39,9 +39,11 @@ impl Pen {
     /// For a mark.
     #[must_use]
     pub fn of(theme: &Theme, mark: &Mark) -> Self {
-        let colour = match mark.shape {
-            Shape::Segment(_) if mark.role == Role::Discarded => theme.soft,
-            _ => stroke_colour(theme, mark.role),
+        let is_cut_off = mark.role == Role::Discarded && matches!(mark.shape, Shape::Segment(_));
+        let colour = if is_cut_off {
+            theme.soft
+        } else {
+            stroke_colour(theme, mark.role)
         };
         let is_dashed = mark.is_dashed || matches!(mark.role, Role::Discarded | Role::Faint);
         Self {
@@ -113,9 +115,12 @@ fn wash(theme: &Theme, role: Role) -> Color32 {
 fn width(mark: &Mark) -> f32 {
     let role = mark.role;
     let is_living = matches!(role, Role::Accent | Role::Accepted | Role::Signal);
+    let is_angle = matches!(mark.shape, Shape::Angle(_) | Shape::RightAngle(_));
+    if role == Role::Faint && !is_angle {
+        return 1.0;
+    }
     match &mark.shape {
         Shape::Angle(_) | Shape::RightAngle(_) => 1.25,
-        _ if role == Role::Faint => 1.0,
         Shape::Segment(_) if role != Role::Soft => 3.0,
         Shape::Path(_) if is_living || mark.is_dashed => 3.0,
         Shape::Arrow(_) => 2.5,

@@ -15,7 +15,7 @@ const FARTHEST_TEXEL: f64 = 32_768.0;
 
 /// An image that triangles are filled with.
 #[derive(Clone, Debug)]
-pub(super) struct Texture {
+pub(super) struct CpuTexture {
     size: [usize; 2],
     texels: Vec<Rgba>,
     options: TextureOptions,
@@ -33,7 +33,7 @@ pub(super) enum Surroundings {
     Empty,
 }
 
-impl Texture {
+impl CpuTexture {
     /// `None` if the image has no texels: there is nothing to sample.
     pub fn new(
         image: &ColorImage,

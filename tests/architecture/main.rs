@@ -223,6 +223,24 @@ fn files_are_about_one_thing() {
     assert!(main.lines().count() < 80, "main.rs only hands over to cli");
 }
 
+/// Where a shape, a part or an event that is new must not slip through.
+#[test]
+fn what_is_shown_of_a_step_names_every_variant() {
+    let painters = ["pen", "parts", "layers", "stage", "labels/anchor"];
+    let painters = painters.map(|name| src().join(format!("paint/{name}.rs")));
+    let is_method = |file: &PathBuf| file.iter().any(|part| part == "methods");
+    let methods = files_of("labs").into_iter().filter(is_method);
+    for file in methods.chain(painters) {
+        let catches_all = |line: &str| line.trim_start().starts_with("_ =>");
+        let code = code(&file);
+        assert!(
+            !code.lines().any(catches_all),
+            "{} has an arm that catches all: a variant added later would be forgotten there",
+            file.display()
+        );
+    }
+}
+
 #[test]
 fn no_files_take_from_each_other() {
     let circles = imports::circles(&imports::House::read());

@@ -242,7 +242,7 @@ fn moderate(mut normal: [f64; 2]) -> [f64; 2] {
 
 /// Where an edge crosses a border.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct Crossing<V> {
+pub(super) struct BorderCrossing<V> {
     /// On the border.
     pub at: V,
     /// The parameter, from the edge's first end to its second.
@@ -297,7 +297,7 @@ impl Borders {
         idx: usize,
         ends: [&V; 2],
         distances: [R; 2],
-    ) -> Option<Crossing<V>> {
+    ) -> Option<BorderCrossing<V>> {
         let border = &self.all[idx];
         let is_leaving = distances[0].get() > 0.0;
         let ([inside, outside], along) = if is_leaving {
@@ -323,7 +323,7 @@ impl Borders {
             self.settle(idx, at, p1)
         };
         let t = share.ratio(is_leaving);
-        (at != p1).then(|| Crossing {
+        (at != p1).then(|| BorderCrossing {
             at: inside.crossing(outside, at, &share),
             t,
         })

@@ -45,7 +45,7 @@ use super::SutherlandHodgman;
 use super::{
     super::line::Ratio,
     ClippedRing, RingOutcome, Rule, SutherlandHodgmanInput, Vertex,
-    border::{Borders, Crossing},
+    border::{BorderCrossing, Borders},
     rules::Right,
     step::{Clip, Happening},
 };
@@ -302,7 +302,7 @@ fn tell<V>(
             distances,
             rule,
         }),
-        Happening::Cross(Crossing { at, t }) => emit(Event::Cross { stage_idx, at, t }),
+        Happening::Cross(BorderCrossing { at, t }) => emit(Event::Cross { stage_idx, at, t }),
         Happening::Output(at) => waiting.push((stage_idx + 1, at)),
     }
 }

@@ -22,7 +22,7 @@ use crate::trace::Real;
 
 use super::{
     Vertex,
-    border::{Border, Borders, Crossing},
+    border::{Border, BorderCrossing, Borders},
     rules::{Right, Rules},
 };
 
@@ -81,7 +81,7 @@ pub(super) enum Happening<V> {
         distances: [f64; 2],
         rule: Rule,
     },
-    Cross(Crossing<V>),
+    Cross(BorderCrossing<V>),
     Output(V),
 }
 

@@ -56,7 +56,7 @@ use crate::{
 use super::{
     super::line::Ratio,
     ClipRegion, ClippedRing, RingOutcome, Rule, Vertex,
-    border::{Borders, Crossing},
+    border::{BorderCrossing, Borders},
     rules::{Right, Rules},
     step::{Clip, Happening},
 };
@@ -285,7 +285,7 @@ fn clip_edge<L: Rules, V: Vertex, R: Real>(
             distances,
             rule,
         }),
-        Happening::Cross(Crossing { at, t }) => emit(Event::Cross { at, t }),
+        Happening::Cross(BorderCrossing { at, t }) => emit(Event::Cross { at, t }),
         Happening::Output(at) => {
             output.push(at);
             emit(Event::Output { at });

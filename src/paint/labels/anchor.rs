@@ -49,11 +49,15 @@ impl Anchor {
                 Some(Self::Within(outlines.iter().map(on_screen).collect()))
             }
             Shape::Wash(_) => {
-                let corners = parts.into_iter().filter_map(|part| match part {
-                    Part::Wash(corners) => Some(corners),
-                    _ => None,
-                });
-                Some(Self::Within(corners.collect()))
+                let corners = |part| {
+                    let Part::Wash(corners) = part else {
+                        return None;
+                    };
+                    Some(corners)
+                };
+                Some(Self::Within(
+                    parts.into_iter().filter_map(corners).collect(),
+                ))
             }
             Shape::Arrow(_)
             | Shape::Heading(_)
@@ -69,7 +73,11 @@ impl Anchor {
                     Part::Marker(marker, at) => Some((*at, radius(theme, *marker, mark.role))),
                     Part::Arrow([_, tip]) | Part::Head([_, tip]) => Some((*tip, 2.0)),
                     Part::Stroke(points) => points.get(points.len() / 2).map(|&at| (at, 2.0)),
-                    _ => None,
+                    Part::Wash(_)
+                    | Part::Fill(_)
+                    | Part::Texture(_)
+                    | Part::Crowd(_)
+                    | Part::Ring(_) => None,
                 })
                 .filter(|(at, _)| stage.expand(1.0).contains(*at))
                 .map(|(at, radius)| Self::Point(at, radius)),

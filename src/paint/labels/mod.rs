@@ -183,14 +183,14 @@ fn can_join(a: &Text, b: &Text) -> bool {
 /// On the screen, where y points down.
 fn toward(viewport: &Viewport, mark: &Mark, label: &Label) -> Option<Vec2> {
     let on_screen = |[x, y]: [f64; 2]| vec2(x as f32, -y as f32);
-    let unshaded = match mark.shape {
-        Shape::HalfPlane([a, b]) => {
-            let along = viewport.to_screen(b) - viewport.to_screen(a);
-            Some(vec2(-along.y, along.x))
-        }
-        _ => None,
+    let unshaded = || {
+        let Shape::HalfPlane([a, b]) = mark.shape else {
+            return None;
+        };
+        let along = viewport.to_screen(b) - viewport.to_screen(a);
+        Some(vec2(-along.y, along.x))
     };
-    label.toward.map(on_screen).or(unshaded)
+    label.toward.map(on_screen).or_else(unshaded)
 }
 
 /// A candidate, and what it costs whatever the other labels do.

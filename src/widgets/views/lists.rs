@@ -13,7 +13,7 @@ mod plan;
 
 use egui::{Align2, Painter, Pos2, Rect, pos2, vec2};
 
-use crate::figure::{List, ListLink, ListRow, Lists, Role};
+use crate::figure::{ListColumn, ListLink, ListRow, Lists, Role};
 
 use super::{
     super::Look,
@@ -65,7 +65,7 @@ impl OnSlate for Lists {
 }
 
 /// `Subject list: S₁, → C₁ (1/2), …`.
-fn spoken(look: Look<'_>, list: &List) -> String {
+fn spoken(look: Look<'_>, list: &ListColumn) -> String {
     let entry = |entry: &ListRow| {
         let arrow = if entry.role == Role::Signal {
             "→ "
@@ -99,7 +99,7 @@ fn spoken(look: Look<'_>, list: &List) -> String {
     format!("{}: {}", look.catalog.value(&list.title), said.join(", "))
 }
 
-fn title(slate: &mut Slate<'_>, list: &List, column: &Column, top: f32) {
+fn title(slate: &mut Slate<'_>, list: &ListColumn, column: &Column, top: f32) {
     let style = (Face::Strong, TITLE_SIZE, slate.theme().ink);
     let title = slate.value(&list.title, style);
     let at = pos2(column.chips.center().x, top);
@@ -108,7 +108,7 @@ fn title(slate: &mut Slate<'_>, list: &List, column: &Column, top: f32) {
 }
 
 /// What the columns of details are, over the first entry.
-fn headings(slate: &mut Slate<'_>, list: &List, column: &Column) {
+fn headings(slate: &mut Slate<'_>, list: &ListColumn, column: &Column) {
     let ends = column.widths.columns(slate, column.chips.center().x);
     for (nth, (heading, [left, right])) in list.columns.iter().zip(ends).enumerate() {
         let details = list
@@ -130,7 +130,7 @@ fn headings(slate: &mut Slate<'_>, list: &List, column: &Column) {
 }
 
 /// Each ring leads back to its first entry in a thin loop on the outer side.
-fn loops(slate: &mut Slate<'_>, list: &List, column: &Column, plan: &Plan) {
+fn loops(slate: &mut Slate<'_>, list: &ListColumn, column: &Column, plan: &Plan) {
     if !list.is_ring {
         return;
     }
@@ -176,7 +176,7 @@ fn loops(slate: &mut Slate<'_>, list: &List, column: &Column, plan: &Plan) {
 }
 
 /// Short strokes from entry to entry: thick where the walk has gone.
-fn connectors(slate: &mut Slate<'_>, list: &List, column: &Column, plan: &Plan) {
+fn connectors(slate: &mut Slate<'_>, list: &ListColumn, column: &Column, plan: &Plan) {
     let theme = slate.theme();
     for idx in column.fold.shown.clone().skip(1) {
         let nth = idx - list.n_before;
@@ -196,7 +196,13 @@ fn connectors(slate: &mut Slate<'_>, list: &List, column: &Column, plan: &Plan) 
     }
 }
 
-fn entries(slate: &mut Slate<'_>, list: &List, column: &Column, plan: &Plan, links: &mut Links) {
+fn entries(
+    slate: &mut Slate<'_>,
+    list: &ListColumn,
+    column: &Column,
+    plan: &Plan,
+    links: &mut Links,
+) {
     if list.entries.is_empty() {
         chip::none(slate, plan.chip(column, 0));
     }

@@ -75,7 +75,7 @@ use crate::{
 
 use labels::label;
 use lists::{LinkedLists, NONE};
-use rings::{Ring, owners, pieces};
+use rings::{BorderRing, owners, pieces};
 use walk::{Walker, kind, whole_ring, whole_ring_bounds};
 
 pub use answer::{OutputPolygon, Relation, WeilerAthertonOutput};
@@ -215,7 +215,7 @@ fn whole_rings(
     list: List,
     input: &WeilerAthertonInput,
     (lists, labels): (&LinkedLists, &[Labelled]),
-    rings: &mut Vec<Ring>,
+    rings: &mut Vec<BorderRing>,
     sides: &mut Sides,
     emit: &mut impl FnMut(WeilerAthertonEvent),
 ) {
@@ -260,7 +260,7 @@ fn whole_rings(
         let ring = whole_ring_bounds(list, side).then(|| {
             let points = whole_ring(entries, borders, lists, labels);
             let kind = kind(&points, is_hole);
-            Ring { points, kind }
+            BorderRing { points, kind }
         });
         emit(WeilerAthertonEvent::Whole {
             list,

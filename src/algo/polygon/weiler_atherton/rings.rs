@@ -20,7 +20,7 @@ pub enum RingKind {
 
 /// A closed ring. Consecutive corners may have been rounded to the same point.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Ring {
+pub struct BorderRing {
     /// Its corners.
     pub points: Vec<Point>,
     /// What it is.
@@ -28,7 +28,7 @@ pub struct Ring {
 }
 
 /// The outer ring that each hole lies in, by their numbers.
-pub fn owners(rings: &[Ring]) -> Vec<[u32; 2]> {
+pub fn owners(rings: &[BorderRing]) -> Vec<[u32; 2]> {
     let outers = || {
         rings
             .iter()

@@ -21,7 +21,7 @@ use super::{
     event::WeilerAthertonEvent as Event,
     input::List,
     lists::{Entry, LinkedLists, NONE},
-    rings::{Ring, RingKind},
+    rings::{BorderRing, RingKind},
     side::{IntersectionLabel, Labelled, Side, bounds_the_result},
 };
 
@@ -40,7 +40,7 @@ pub struct Walker<'a> {
     /// Where on the path the walk last switched lists.
     stretch: usize,
     /// Closed so far.
-    pub rings: Vec<Ring>,
+    pub rings: Vec<BorderRing>,
 }
 
 impl<'a> Walker<'a> {
@@ -159,7 +159,7 @@ impl<'a> Walker<'a> {
             from: from as u32,
             kind,
         });
-        self.rings.push(Ring { points, kind });
+        self.rings.push(BorderRing { points, kind });
     }
 
     fn ring_of(&self, list: List, place: u32) -> usize {

@@ -37,7 +37,7 @@ pub struct ClipEdge<'a> {
 }
 
 /// A vertex: how it is called, and where it is.
-pub type Named = (String, Point);
+pub type NamedPoint = (String, Point);
 
 impl<'a> ClipEdge<'a> {
     pub const fn new(region: &'a ClipRegion, idx: usize, look: EdgeLook) -> Self {
@@ -142,7 +142,7 @@ impl<'a> ClipEdge<'a> {
     }
 
     /// `V₄: x = −2 < −1`, or `V₄: n·(V₄ − E) = 1 · (3 − 1) + 2 · (0 − 2) = −2 < 0`.
-    pub fn position(&self, (symbol, at): &Named, distance: f64, is_inside: bool) -> Formula {
+    pub fn position(&self, (symbol, at): &NamedPoint, distance: f64, is_inside: bool) -> Formula {
         let formula = Formula::default().sym(format!("{symbol}: "));
         match self.side() {
             Some((window, edge)) => formula

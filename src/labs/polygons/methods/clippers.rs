@@ -48,7 +48,7 @@ pub fn row(step: &Step<'_, Pipeline>) -> ClipperRow {
 pub fn previous(state: &State<Point>, idx: usize) -> Option<Point> {
     match state.test {
         Some((ends, ..)) if state.stage_idx == Some(idx) => Some(ends[0]),
-        _ => state.stages[idx].previous,
+        Some(_) | None => state.stages[idx].previous,
     }
 }
 

@@ -16,11 +16,11 @@ use super::{
     lists::{names, outline, output_symbol, vertex_link, with_texel},
     result::{bridges, result},
     rules::starts_inside,
-    skin::{Corner, skin},
+    skin::{LabVertex, skin},
 };
 
 /// All of it; `look` is how the variant looks at its clip edges.
-pub fn marks<V: Corner>(
+pub fn marks<V: LabVertex>(
     input: &Input<V>,
     state: &State<V>,
     event: Option<Event<V>>,
@@ -76,14 +76,14 @@ pub fn marks<V: Corner>(
 }
 
 /// What the right rules leave, to be seen beside what these do.
-pub fn right_outline<V: Corner>(input: &Input<V>, state: &State<V>) -> Option<Mark> {
+pub fn right_outline<V: LabVertex>(input: &Input<V>, state: &State<V>) -> Option<Mark> {
     let right = silent::<SutherlandHodgman<V>>(input).vertices;
     let shape = Shape::Outline(outline(&right));
     (right != state.input).then(|| Mark::new(Role::Ink, shape).dashed().linked("right"))
 }
 
 /// From where a vertex's place in the texture was given to where it is now: with the right rules it stays.
-fn slipped<V: Corner>(given: &[V], ring: &[V]) -> Vec<Mark> {
+fn slipped<V: LabVertex>(given: &[V], ring: &[V]) -> Vec<Mark> {
     let place = |v: &V| v.uv().map(|uv| (uv, v.at()));
     let given: Vec<_> = given.iter().filter_map(place).collect();
     let moved = ring.iter().filter_map(place).filter_map(|(uv, now)| {
@@ -100,7 +100,7 @@ fn slipped<V: Corner>(given: &[V], ring: &[V]) -> Vec<Mark> {
 }
 
 /// What happens at this step: the edge, its ends, its crossing, the vertex put out.
-fn moment<V: Corner>(state: &State<V>, event: Option<Event<V>>) -> Vec<Mark> {
+fn moment<V: LabVertex>(state: &State<V>, event: Option<Event<V>>) -> Vec<Mark> {
     let mut marks = Vec::new();
     let vertex = |i: usize, is_inside: bool| {
         let at = state.input[i].at().to_array();

@@ -4,7 +4,7 @@ use crate::{
     algo::polygon::{
         EachTriangleEvent as Each, TriangulateAndClip, TriangulateAndClipEvent as Event,
     },
-    figure::{ItemMarker, List, ListLink, ListRow, Lists, Role},
+    figure::{ItemMarker, ListColumn, ListLink, ListRow, Lists, Role},
     labs::{
         Step,
         words::{name, subscript},
@@ -77,7 +77,7 @@ fn fate(step: &Step<'_, TriangulateAndClip>, triangle_idx: usize) -> TriangleFat
     }
 }
 
-fn triangles(step: &Step<'_, TriangulateAndClip>) -> List {
+fn triangles(step: &Step<'_, TriangulateAndClip>) -> ListColumn {
     let (state, all) = (step.state, step.state.ears.cut_off.triangles());
     let entry = |i: usize| {
         let fate = fate(step, i);
@@ -99,22 +99,22 @@ fn triangles(step: &Step<'_, TriangulateAndClip>) -> List {
         entry
     };
     let focus = state.triangle_idx.or(all.len().checked_sub(1));
-    let reach = List::reach(all.len(), focus);
-    List {
+    let reach = ListColumn::reach(all.len(), focus);
+    ListColumn {
         n_before: reach.start,
         n_after: all.len() - reach.end,
         focus: focus.map(|focus| focus - reach.start),
-        ..List::new(
+        ..ListColumn::new(
             Value::Term("tac-list-triangles"),
             reach.clone().map(entry).collect(),
         )
     }
 }
 
-fn pieces(step: &Step<'_, TriangulateAndClip>) -> List {
+fn pieces(step: &Step<'_, TriangulateAndClip>) -> ListColumn {
     let (pieces, n) = (&step.state.pieces, step.state.pieces.len());
     let focus = n.checked_sub(1);
-    let reach = List::reach(n, focus);
+    let reach = ListColumn::reach(n, focus);
     let rings = pieces.rings().zip(pieces.triangles());
     let shown = rings.enumerate().skip(reach.start).take(reach.len());
     let entry = |(i, (ring, &triangle_idx)): (usize, (&[_], &usize))| {
@@ -124,11 +124,11 @@ fn pieces(step: &Step<'_, TriangulateAndClip>) -> List {
         entry.link = Some(triangle_link(triangle_idx));
         entry
     };
-    List {
+    ListColumn {
         columns: vec![Value::Term("tac-vertices")],
         n_before: reach.start,
         n_after: n - reach.end,
         focus: focus.map(|focus| focus - reach.start),
-        ..List::new(Value::Term("tac-list-pieces"), shown.map(entry).collect())
+        ..ListColumn::new(Value::Term("tac-list-pieces"), shown.map(entry).collect())
     }
 }

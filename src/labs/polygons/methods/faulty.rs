@@ -15,7 +15,7 @@ use crate::{
 
 use super::{
     clip_edge::EdgeLook,
-    skin::{Corner, Named},
+    skin::{LabVertex, Named},
     variant::{EACH, EDGES, IN_OUT, OUT_IN, Pseudocode, Variant, but_for},
 };
 
@@ -94,7 +94,7 @@ impl Variant for EndFirst {
     const DIFFERS_KEY: Option<&'static str> = Some("faulty-end-first-differs");
 }
 
-impl Corner for KeepsUv {
+impl LabVertex for KeepsUv {
     fn with_uv(at: Point, uv: [f64; 2]) -> Self {
         Self { at, uv }
     }

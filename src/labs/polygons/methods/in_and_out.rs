@@ -2,7 +2,7 @@
 
 use crate::{
     algo::polygon::{Pipeline, PipelineEvent as Event},
-    figure::{ItemMarker, List, ListLink, ListRow, Lists, Role},
+    figure::{ItemMarker, ListColumn, ListLink, ListRow, Lists, Role},
     labs::{
         Step,
         words::{name, vertex_symbol},
@@ -23,7 +23,7 @@ pub fn in_and_out(step: &Step<'_, Pipeline>) -> Lists {
     Lists { lists, links }
 }
 
-fn polygon(step: &Step<'_, Pipeline>) -> List {
+fn polygon(step: &Step<'_, Pipeline>) -> ListColumn {
     let (given, state) = (&step.input.vertices, step.state);
     let entry = |i: usize| {
         let mut entry = ListRow::new(name(vertex_symbol(i)));
@@ -40,18 +40,18 @@ fn polygon(step: &Step<'_, Pipeline>) -> List {
         entry.link = Some(vertex_link(i));
         entry
     };
-    let reach = List::reach(given.len(), state.vertex_idx);
-    List {
+    let reach = ListColumn::reach(given.len(), state.vertex_idx);
+    ListColumn {
         n_before: reach.start,
         n_after: given.len() - reach.end,
         columns: vec![name("(x, y)")],
         is_ring: true,
         focus: state.vertex_idx.map(|idx| idx - reach.start),
-        ..List::new(Value::Term("sh-list-given"), reach.map(entry).collect())
+        ..ListColumn::new(Value::Term("sh-list-given"), reach.map(entry).collect())
     }
 }
 
-fn ring(step: &Step<'_, Pipeline>) -> List {
+fn ring(step: &Step<'_, Pipeline>) -> ListColumn {
     let ring = &step.state.output;
     let (is_done, n) = (step.state.outcome.is_some(), ring.len());
     let entry = |i: usize| {
@@ -66,19 +66,19 @@ fn ring(step: &Step<'_, Pipeline>) -> List {
         entry
     };
     let focus = n.checked_sub(1);
-    let reach = List::reach(n, focus);
-    List {
+    let reach = ListColumn::reach(n, focus);
+    ListColumn {
         n_before: reach.start,
         n_after: n - reach.end,
         columns: vec![name("(x, y)")],
         is_ring: is_done,
         focus: focus.map(|focus| focus - reach.start),
-        ..List::new(Value::Term("pipe-list-ring"), reach.map(entry).collect())
+        ..ListColumn::new(Value::Term("pipe-list-ring"), reach.map(entry).collect())
     }
 }
 
 /// From the vertices that have come through to what they are in the ring.
-fn links(step: &Step<'_, Pipeline>, [polygon, ring]: [&List; 2]) -> Vec<ListLink> {
+fn links(step: &Step<'_, Pipeline>, [polygon, ring]: [&ListColumn; 2]) -> Vec<ListLink> {
     let given = step.input.vertices.iter().skip(polygon.n_before);
     let given: Vec<_> = given.take(polygon.entries.len()).collect();
     let out = step.state.output.iter().skip(ring.n_before).enumerate();

@@ -5,14 +5,14 @@ use crate::{
         SutherlandHodgmanEvent as Event, SutherlandHodgmanInput as Input,
         SutherlandHodgmanState as State,
     },
-    figure::{ItemMarker, List, ListLink, ListRow, Lists, Role},
+    figure::{ItemMarker, ListColumn, ListLink, ListRow, Lists, Role},
     labs::words::{name, vertex_symbol},
     text::Value,
 };
 
 use super::{
     lists::{output_symbol, vertex_link},
-    skin::Corner,
+    skin::LabVertex,
 };
 
 /// Two lists, the second made of the first.
@@ -45,7 +45,7 @@ enum Now<V> {
 }
 
 /// Both lists at a step; after a pass the old and the new one, at the end what was given and what is left.
-pub fn lists<V: Corner>(input: &Input<V>, state: &State<V>, event: Option<Event<V>>) -> Lists {
+pub fn lists<V: LabVertex>(input: &Input<V>, state: &State<V>, event: Option<Event<V>>) -> Lists {
     let first = [0];
     let pair = Pair {
         titles: ["sh-list-input", "sh-list-output"],
@@ -90,7 +90,7 @@ pub fn lists<V: Corner>(input: &Input<V>, state: &State<V>, event: Option<Event<
     pair.lists()
 }
 
-impl<V: Corner> Pair<'_, V> {
+impl<V: LabVertex> Pair<'_, V> {
     fn lists(&self) -> Lists {
         let origins = self.origins();
         let input = self.input_list(&origins);
@@ -126,10 +126,10 @@ impl<V: Corner> Pair<'_, V> {
         output.map(origin).collect()
     }
 
-    fn input_list(&self, origins: &[Option<[usize; 2]>]) -> List {
+    fn input_list(&self, origins: &[Option<[usize; 2]>]) -> ListColumn {
         let n = self.input.len();
         let focus = self.current.last().copied();
-        let reach = List::reach(n, focus);
+        let reach = ListColumn::reach(n, focus);
         let is_last = matches!(self.now, Now::Ends);
         let entry = |i: usize| {
             let is_inside = match self.sides.get(i) {
@@ -163,27 +163,27 @@ impl<V: Corner> Pair<'_, V> {
         if !is_last {
             columns.insert(usize::from(V::IS_TEXTURED), name("d"));
         }
-        List {
+        ListColumn {
             columns,
             n_before: reach.start,
             n_after: n - reach.end,
             focus: focus.map(|focus| focus - reach.start),
             is_ring: true,
-            ..List::new(
+            ..ListColumn::new(
                 Value::Term(self.titles[0]),
                 reach.clone().map(entry).collect(),
             )
         }
     }
 
-    fn output_list(&self) -> List {
+    fn output_list(&self) -> ListColumn {
         let found = match &self.now {
             Now::Finds(at) => Some(at),
             Now::Looks | Now::PutsOut | Now::Passes | Now::Ends => None,
         };
         let n = self.output.len() + usize::from(found.is_some());
         let focus = n.checked_sub(1);
-        let reach = List::reach(n, focus);
+        let reach = ListColumn::reach(n, focus);
         let is_closed = matches!(self.now, Now::Passes | Now::Ends);
         let entry = |i: usize| {
             let (symbol, role) = match (self.output.get(i), self.now) {
@@ -199,13 +199,13 @@ impl<V: Corner> Pair<'_, V> {
             entry.link = is_closed.then(|| vertex_link(i));
             entry
         };
-        List {
+        ListColumn {
             columns: vec![column::<V>()],
             n_before: reach.start,
             n_after: n - reach.end,
             focus: focus.map(|focus| focus - reach.start),
             is_ring: is_closed,
-            ..List::new(
+            ..ListColumn::new(
                 Value::Term(self.titles[1]),
                 reach.clone().map(entry).collect(),
             )
@@ -214,7 +214,7 @@ impl<V: Corner> Pair<'_, V> {
 
     /// What came from where, of the entries that are given: a crossing from both ends of its edge while that is at work,
     /// afterwards from the outer one, in whose place it stands.
-    fn links(&self, origins: &[Option<[usize; 2]>], lists: [&List; 2]) -> Vec<ListLink> {
+    fn links(&self, origins: &[Option<[usize; 2]>], lists: [&ListColumn; 2]) -> Vec<ListLink> {
         let is_now = matches!(self.now, Now::Finds(_) | Now::PutsOut);
         let given = |list: usize, i: usize| {
             let entry = i.checked_sub(lists[list].n_before);
@@ -241,12 +241,12 @@ impl<V: Corner> Pair<'_, V> {
 }
 
 /// Over the column that every list has: what the drawing does not tell.
-fn column<V: Corner>() -> Value {
+fn column<V: LabVertex>() -> Value {
     name(if V::IS_TEXTURED { "(u, v)" } else { "(x, y)" })
 }
 
 /// Where in the texture a vertex is, if it has a place there, else where on the stage.
-fn place<V: Corner>(vertex: &V) -> Value {
+fn place<V: LabVertex>(vertex: &V) -> Value {
     let at = vertex.uv().unwrap_or_else(|| vertex.at().to_array());
     Value::Point(at)
 }

@@ -7,7 +7,7 @@ use crate::{
     text::{Formula, Value},
 };
 
-use super::skin::Corner;
+use super::skin::LabVertex;
 
 /// The view of the lists.
 pub const LISTS: &str = "lists";
@@ -34,7 +34,7 @@ fn point<V: Vertex>(vertex: &V) -> Value {
 
 /// Input list and output list, with their places in the texture where they have such. Where they are long: the
 /// input about `current`, and the output's end.
-pub fn rows<V: Corner>(input: &[V], output: &[V], current: usize) -> Vec<WatchSection> {
+pub fn rows<V: LabVertex>(input: &[V], output: &[V], current: usize) -> Vec<WatchSection> {
     let n = input.len().max(output.len());
     if n <= FEW {
         let table = |header: [&'static str; 2], value: fn(&V) -> Option<Value>| {
@@ -65,7 +65,7 @@ pub fn rows<V: Corner>(input: &[V], output: &[V], current: usize) -> Vec<WatchSe
 
 /// Vertices with their names, and their places in the texture, where they are few; but for those that this step shows
 /// by themselves. Hollow where they are known to be outside. Those at one place have one label.
-pub fn names<V: Corner>(
+pub fn names<V: LabVertex>(
     list: &[V],
     role: Role,
     sides: &[(f64, bool)],
@@ -94,7 +94,7 @@ pub fn names<V: Corner>(
 }
 
 /// `V₂: uv = (1, 1/4)`, or the name alone of a vertex that has no place in a texture.
-pub fn with_texel<V: Corner>(symbol: String, vertex: &V) -> Value {
+pub fn with_texel<V: LabVertex>(symbol: String, vertex: &V) -> Value {
     match vertex.uv() {
         Some(uv) => Formula::default()
             .sym(symbol)

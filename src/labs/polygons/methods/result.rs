@@ -13,15 +13,15 @@ use crate::{
 use super::{
     clip_edge::{ClipEdge, EdgeLook},
     lists::{NAMED, outline},
-    skin::Corner,
+    skin::LabVertex,
 };
 
-impl<V: Corner> Answer for ClippedRing<V> {
+impl<V: LabVertex> Answer for ClippedRing<V> {
     fn json(&self) -> Json {
         let polygon = self.polygon();
         let mut json = json!({ "polygons": Vec::from_iter(&polygon), "outcome": self.outcome });
         if V::IS_TEXTURED {
-            let uv = || self.vertices.iter().map(Corner::uv).collect::<Vec<_>>();
+            let uv = || self.vertices.iter().map(LabVertex::uv).collect::<Vec<_>>();
             json["uv"] = json!(Vec::from_iter(polygon.map(|_| uv())));
         }
         json

@@ -17,7 +17,7 @@ use crate::{
 const MOST: usize = 400;
 
 /// A vertex as the lab clips it: with a place in a texture, or without.
-pub trait Corner: Vertex + Serialize + 'static {
+pub trait LabVertex: Vertex + Serialize + 'static {
     /// Has every vertex a place in a texture?
     const IS_TEXTURED: bool = true;
 
@@ -47,7 +47,7 @@ pub struct Named<V> {
     pub vertex: V,
 }
 
-impl Corner for Point {
+impl LabVertex for Point {
     const IS_TEXTURED: bool = false;
 
     fn with_uv(at: Point, _: [f64; 2]) -> Self {
@@ -59,7 +59,7 @@ impl Corner for Point {
     }
 }
 
-impl Corner for Textured {
+impl LabVertex for Textured {
     fn with_uv(at: Point, uv: [f64; 2]) -> Self {
         Self { at, uv }
     }
@@ -70,7 +70,7 @@ impl Corner for Textured {
 }
 
 /// The texture on a ring, where its vertices have places in one.
-pub fn skin<V: Corner>(ring: &[V]) -> Option<Mark> {
+pub fn skin<V: LabVertex>(ring: &[V]) -> Option<Mark> {
     let texels = ring.iter().map(|v| Some((v.at().to_array(), v.uv()?)));
     let texels: Vec<Texel> = texels.collect::<Option<_>>()?;
     (3..=MOST).contains(&texels.len()).then(|| {

@@ -27,7 +27,7 @@ use super::{
     list_view::lists,
     lists::{LISTS, output_symbol, rows},
     rules::{side_term, starts_inside, test_caption},
-    skin::{Corner, Named},
+    skin::{LabVertex, Named},
     variant::{EACH, FIRST, IN_IN, IN_OUT, OUT_IN, OUT_OUT, PASS, Variant},
 };
 
@@ -72,7 +72,7 @@ pub fn input(scene: &Scene) -> Result<Input, UnfitScene> {
 }
 
 /// With a place in the texture at every vertex.
-fn textured<V: Corner>(scene: &Scene) -> Result<Input<V>, UnfitScene> {
+fn textured<V: LabVertex>(scene: &Scene) -> Result<Input<V>, UnfitScene> {
     let texel = scene.texels();
     let vertices = scene.subject.vertices().iter();
     Ok(Input {
@@ -81,7 +81,7 @@ fn textured<V: Corner>(scene: &Scene) -> Result<Input<V>, UnfitScene> {
     })
 }
 
-impl<V: Corner, L: Variant> Demo for SutherlandHodgman<V, L> {
+impl<V: LabVertex, L: Variant> Demo for SutherlandHodgman<V, L> {
     const ID: &'static str = L::ID;
     const NAME_KEY: &'static str = L::NAME_KEY;
     const SOURCE: &'static str = SOURCE;
@@ -150,7 +150,7 @@ impl<V: Corner, L: Variant> Demo for SutherlandHodgman<V, L> {
     }
 }
 
-pub fn caption<V: Corner>(
+pub fn caption<V: LabVertex>(
     event: &Event<V>,
     before: &State<V>,
     region: &ClipRegion,
@@ -214,7 +214,7 @@ pub fn caption<V: Corner>(
     }
 }
 
-fn cross_caption<V: Corner>(
+fn cross_caption<V: LabVertex>(
     edge: &ClipEdge<'_>,
     before: &State<V>,
     crossing: V,
@@ -242,7 +242,7 @@ fn cross_caption<V: Corner>(
 }
 
 /// I, or the vertex of the input list that it is.
-fn put_out_symbol<V: Corner>(before: &State<V>, vertex: V) -> String {
+fn put_out_symbol<V: LabVertex>(before: &State<V>, vertex: V) -> String {
     match (before.crossing, before.test) {
         (Some((crossing, _)), _) if crossing == vertex => "I".to_owned(),
         (_, Some(test)) => vertex_symbol(test.idx[1]),
@@ -263,7 +263,7 @@ pub fn done(outcome: RingOutcome, n_vertices: usize, n_edges: usize) -> Caption 
 }
 
 /// The distances of S and P from the clip edge, and where between them it is crossed.
-pub fn scalars<V: Corner>(state: &State<V>) -> Option<WatchSection> {
+pub fn scalars<V: LabVertex>(state: &State<V>) -> Option<WatchSection> {
     let test = state.test?;
     let distance = |i: usize| {
         let side = [starts_inside(test.rule), test.rule.ends_inside()][i];
@@ -280,7 +280,7 @@ pub fn scalars<V: Corner>(state: &State<V>) -> Option<WatchSection> {
 }
 
 /// Both lists.
-pub fn lists_watched<V: Corner>(state: &State<V>) -> Vec<WatchSection> {
+pub fn lists_watched<V: LabVertex>(state: &State<V>) -> Vec<WatchSection> {
     let current = state.test.map_or(0, |test| test.idx[1]);
     rows(&state.input, &state.output, current)
 }

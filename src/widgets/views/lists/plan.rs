@@ -2,7 +2,7 @@
 
 use egui::{Painter, Rect, Vec2, pos2, vec2};
 
-use crate::figure::{List, ListRow, Lists};
+use crate::figure::{ListColumn, ListRow, Lists};
 
 use super::super::{
     super::Look,
@@ -202,7 +202,7 @@ fn over(slate: &Slate<'_>, lists: &Lists) -> f32 {
     slate.pts(if has_headings { TITLE + HEADING } else { TITLE })
 }
 
-fn fold(list: &List, n_fit: usize) -> Fold {
+fn fold(list: &ListColumn, n_fit: usize) -> Fold {
     let n_all = list.n_before + list.entries.len() + list.n_after;
     let focus = list.focus.unwrap_or(0) + list.n_before;
     let mut fold = Fold::about(n_all, Some(focus), n_fit);
@@ -250,10 +250,10 @@ fn widths(slate: &Slate<'_>, lists: &Lists, n_details: usize) -> Vec<Widths> {
 }
 
 /// Columns with the same heading are as wide in every list, so that one that is still empty has its room.
-fn detail_width(slate: &Slate<'_>, lists: &Lists, list: &List, nth: usize) -> f32 {
+fn detail_width(slate: &Slate<'_>, lists: &Lists, list: &ListColumn, nth: usize) -> f32 {
     let ink = slate.theme().ink;
     let heading = list.columns.get(nth);
-    let set = |(of, nth): (&List, usize)| {
+    let set = |(of, nth): (&ListColumn, usize)| {
         let details = of.entries.iter();
         let details = details.filter_map(move |entry| entry.details.get(nth)?.as_ref());
         let width = |detail| slate.low(detail, (Face::Plain, DETAIL_SIZE, ink)).size().x;
@@ -271,7 +271,7 @@ fn detail_width(slate: &Slate<'_>, lists: &Lists, list: &List, nth: usize) -> f3
     widest.max(heading.unwrap_or(0.0))
 }
 
-fn widths_of(slate: &Slate<'_>, lists: &Lists, list: &List, n_details: usize) -> Widths {
+fn widths_of(slate: &Slate<'_>, lists: &Lists, list: &ListColumn, n_details: usize) -> Widths {
     let ink = slate.theme().ink;
     let name = |entry: &ListRow| {
         let style = (Face::Strong, NAME_SIZE, ink);
@@ -299,7 +299,7 @@ fn widths_of(slate: &Slate<'_>, lists: &Lists, list: &List, n_details: usize) ->
 }
 
 /// What may have to stand in the place of a chip: how many are folded.
-fn folded_width(slate: &Slate<'_>, list: &List) -> f32 {
+fn folded_width(slate: &Slate<'_>, list: &ListColumn) -> f32 {
     let n_all = list.n_before + list.entries.len() + list.n_after;
     if n_all <= LEAST_ROWS {
         return 0.0;

@@ -4,7 +4,7 @@ use crate::{
     algo::polygon::{
         Corner, EarClipping, EarClippingEvent as Event, EarClippingState as State, Triangle,
     },
-    figure::{ItemMarker, List, ListLink, ListRow, Lists, Role},
+    figure::{ItemMarker, ListColumn, ListLink, ListRow, Lists, Role},
     labs::{
         Step,
         polygons::methods::triangles::{triangle_link, triangle_name},
@@ -63,7 +63,7 @@ fn corner(step: &Step<'_, EarClipping>) -> Option<Triangle> {
 }
 
 /// The vertices that are left, and the place of this step's one. Of few, those that are cut off stand where they were.
-fn ring(step: &Step<'_, EarClipping>) -> (List, Option<usize>) {
+fn ring(step: &Step<'_, EarClipping>) -> (ListColumn, Option<usize>) {
     let state = step.state;
     let corner = corner(step);
     let n = step.input.vertices().len();
@@ -85,13 +85,13 @@ fn ring(step: &Step<'_, EarClipping>) -> (List, Option<usize>) {
             ..ListRow::new(vertex_name(i))
         }
     };
-    let list = List {
+    let list = ListColumn {
         columns: vec![name("")],
         n_before,
         n_after: state.ring.len().saturating_sub(n_before + n_shown),
         is_ring: true,
         focus: tip.or(focus),
-        ..List::new(
+        ..ListColumn::new(
             Value::Term("ear-list-ring"),
             vertices.into_iter().map(entry).collect(),
         )
@@ -110,7 +110,7 @@ fn about(state: &State, corner: Option<Triangle>) -> (Vec<usize>, usize, Option<
     let place = tip
         .or(state.stand)
         .and_then(|stand| state.ring.iter().position(|i| i == stand));
-    let reach = List::reach(state.ring.len(), place);
+    let reach = ListColumn::reach(state.ring.len(), place);
     let shown = state.ring.iter().skip(reach.start).take(reach.len());
     (
         shown.collect(),
@@ -193,11 +193,11 @@ fn marker(state: &State, vertex_idx: usize) -> Option<ItemMarker> {
 }
 
 /// The triangles that have been cut off, and a place for each that is still to come.
-fn triangles(step: &Step<'_, EarClipping>) -> List {
+fn triangles(step: &Step<'_, EarClipping>) -> ListColumn {
     let cut_off = step.state.cut_off.triangles();
     let n = step.input.vertices().len() - 2;
     let last = cut_off.len().checked_sub(1);
-    let reach = List::reach(n, last);
+    let reach = ListColumn::reach(n, last);
     let entry = |triangle_idx: usize| match cut_off.get(triangle_idx) {
         Some(&triangle) => ListRow {
             role: if cuts(step.event) && last == Some(triangle_idx) {
@@ -213,11 +213,11 @@ fn triangles(step: &Step<'_, EarClipping>) -> List {
             ..ListRow::new(name("·"))
         },
     };
-    List {
+    ListColumn {
         n_before: reach.start,
         n_after: n - reach.end,
         focus: last.map(|last| last - reach.start),
-        ..List::new(
+        ..ListColumn::new(
             Value::Term("ear-list-triangles"),
             reach.map(entry).collect(),
         )

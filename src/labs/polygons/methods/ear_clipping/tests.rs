@@ -1,6 +1,6 @@
 use super::*;
 use crate::{
-    figure::{List, Lists, Role, Run},
+    figure::{ListColumn, Lists, Role, Run},
     text::{Catalog, Lang},
 };
 
@@ -27,7 +27,7 @@ fn at(run: &dyn Run, moment: &str) -> Lists {
 }
 
 /// Names of the entries of a list that have a role, or of all.
-fn names_of(list: &List, role: Option<Role>) -> String {
+fn names_of(list: &ListColumn, role: Option<Role>) -> String {
     let catalog = Catalog::of(Lang::En);
     let entries = list.entries.iter();
     let entries = entries.filter(|entry| role.is_none_or(|role| role == entry.role));

@@ -24,7 +24,8 @@ pub const VIEW: &str = "lists";
 
 pub fn lists(step: &Step<'_, WeilerAtherton>) -> Lists {
     let focus = BOTH.map(|list| focus(step, list));
-    let ranges = BOTH.map(|list| figure::List::reach(standing::len(step, list), focus[list.idx()]));
+    let ranges =
+        BOTH.map(|list| figure::ListColumn::reach(standing::len(step, list), focus[list.idx()]));
     let standing = Standing::of(step, ranges.clone());
     Lists {
         links: links(step, &ranges),
@@ -43,7 +44,7 @@ fn shown(
     list: List,
     range: Range<usize>,
     focus: Option<usize>,
-) -> figure::List {
+) -> figure::ListColumn {
     let title = Value::Term(match list {
         List::Subject => "wa-list-subject",
         List::Clip => "wa-list-clip",
@@ -54,7 +55,7 @@ fn shown(
         let ring_idx = rings.ring_of(vertex);
         (ring_idx > 0 && rings.bounds(ring_idx)[0] == vertex).then_some(place - range.start)
     };
-    figure::List {
+    figure::ListColumn {
         columns: vec![column(step, list)],
         n_before: range.start,
         n_after: standing::len(step, list) - range.end,
@@ -64,7 +65,7 @@ fn shown(
             .filter_map(|place| begins_a_hole(&place))
             .collect(),
         focus: focus.and_then(|place| place.checked_sub(range.start)),
-        ..figure::List::new(
+        ..figure::ListColumn::new(
             title,
             range
                 .clone()
@@ -195,7 +196,7 @@ fn focus(step: &Step<'_, WeilerAtherton>, list: List) -> Option<usize> {
 /// The place of the intersection that comes next after a place of the other list, or came last.
 fn beside(step: &Step<'_, WeilerAtherton>, list: List, other: usize) -> Option<usize> {
     let entries = &step.state.lists[list.other().idx()];
-    let reach = figure::List::reach(entries.len(), Some(other));
+    let reach = figure::ListColumn::reach(entries.len(), Some(other));
     let node = |place: usize| entries.get(place)?.node;
     let ahead = (other..reach.end).find_map(node);
     let node = ahead.or_else(|| (reach.start..other).rev().find_map(node))?;

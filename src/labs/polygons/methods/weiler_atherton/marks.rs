@@ -316,10 +316,10 @@ fn onwards(step: &Step<'_, WeilerAtherton>, list: List, place: usize) -> Vec<Mar
     let next = standing::next_place(step, list, place);
     let entries = &step.state.lists[list.idx()];
     let ends = [place, next].map(|place| entries.get(place).map(|entry| entry.at));
-    match ends {
-        [Some(from), Some(to)] => directed([from, to]),
-        _ => Vec::new(),
-    }
+    let [Some(from), Some(to)] = ends else {
+        return Vec::new();
+    };
+    directed([from, to])
 }
 
 /// The subject's edge that comes to an intersection, and the one that goes on from it.

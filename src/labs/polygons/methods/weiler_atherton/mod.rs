@@ -53,9 +53,10 @@ impl PolygonDemo for WeilerAtherton {
             .map(|(i, hole)| simple(hole, ScenePart::Hole(i)))
             .collect::<Result<_, _>>()?;
         let subject = Region::new(subject, holes).map_err(|error| {
-            let part = match error {
-                GeomError::MisplacedHole { hole_idx } => ScenePart::Hole(hole_idx),
-                _ => ScenePart::Subject,
+            let part = if let GeomError::MisplacedHole { hole_idx } = error {
+                ScenePart::Hole(hole_idx)
+            } else {
+                ScenePart::Subject
             };
             UnfitScene::new(part, error)
         })?;

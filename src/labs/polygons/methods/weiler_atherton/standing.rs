@@ -181,7 +181,7 @@ pub fn next_place(step: &Step<'_, WeilerAtherton>, list: List, place: usize) -> 
     let next = place + 1;
     match entries.get(next) {
         Some(entry) if begins(entry).is_none() => next,
-        _ => (0..=place)
+        Some(_) | None => (0..=place)
             .rev()
             .find(|&place| entries.get(place).and_then(begins).is_some())
             .unwrap_or(0),

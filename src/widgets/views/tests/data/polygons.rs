@@ -2,7 +2,8 @@
 
 use crate::{
     figure::{
-        ClipperBox, ClipperRow, Fate, ItemMarker, List, ListLink, ListRow, Lists, Role, Traveller,
+        ClipperBox, ClipperRow, Fate, ItemMarker, ListColumn, ListLink, ListRow, Lists, Role,
+        Traveller,
     },
     text::Value,
 };
@@ -16,7 +17,7 @@ fn entry(symbol: &str, marker: Option<ItemMarker>, role: Role) -> ListRow {
     entry
 }
 
-fn list(title: &str, entries: &[(&str, Role)], focus: usize) -> List {
+fn list(title: &str, entries: &[(&str, Role)], focus: usize) -> ListColumn {
     let marker = |symbol: &str| match symbol {
         "C₁" | "C₃" => Some(ItemMarker::Ring),
         "C₂" | "C₄" => Some(ItemMarker::Dot),
@@ -24,10 +25,10 @@ fn list(title: &str, entries: &[(&str, Role)], focus: usize) -> List {
     };
     let entries = entries.iter();
     let entries = entries.map(|&(symbol, role)| entry(symbol, marker(symbol), role));
-    List {
+    ListColumn {
         is_ring: true,
         focus: Some(focus),
-        ..List::new(name(title), entries.collect())
+        ..ListColumn::new(name(title), entries.collect())
     }
 }
 
@@ -95,9 +96,9 @@ pub fn in_and_out() -> Lists {
     ];
     Lists {
         lists: vec![
-            List::new(name("In"), input),
-            List::new(name("Out: x ≥ 0"), output),
-            List::new(name("Next"), Vec::new()),
+            ListColumn::new(name("In"), input),
+            ListColumn::new(name("Out: x ≥ 0"), output),
+            ListColumn::new(name("Next"), Vec::new()),
         ],
         links: Vec::new(),
     }
@@ -115,12 +116,12 @@ pub fn long_lists() -> Lists {
         };
         (10..50).map(entry).collect()
     };
-    let long = |letter: &str| List {
+    let long = |letter: &str| ListColumn {
         n_before: 10,
         n_after: 150,
         is_ring: true,
         focus: Some(15),
-        ..List::new(name(letter), entries(letter))
+        ..ListColumn::new(name(letter), entries(letter))
     };
     Lists {
         lists: vec![long("S"), long("W")],
