@@ -9,6 +9,9 @@ use crate::{
 
 /// The part of a line that is inside a rectangle: dashes of lines that reach far beyond the stage are not laid in vain.
 pub fn cut_to([a, b]: [Pos2; 2], rect: Rect) -> Option<[Pos2; 2]> {
+    if rect.contains(a) && rect.contains(b) {
+        return Some([a, b]);
+    }
     let [left, top, right, bottom] =
         [rect.left(), rect.top(), rect.right(), rect.bottom()].map(f64::from);
     let window = Window::new(left, top, right, bottom).ok()?;

@@ -89,11 +89,20 @@ impl Anchor {
     fn along(parts: &[Part<'_>], stage: Rect) -> Option<Self> {
         let edges = parts.iter().flat_map(edges_of);
         let seen = edges.filter_map(|ends| cut_to(ends, stage));
-        let mut longest: Vec<(f32, [Pos2; 2])> =
-            seen.map(|[a, b]| (a.distance(b), [a, b])).collect();
-        longest.sort_by(|(a, _), (b, _)| b.total_cmp(a));
-        longest.truncate(MOST_EDGES);
-        let edges: Vec<[Pos2; 2]> = longest.into_iter().map(|(_, ends)| ends).collect();
+        let mut longest: Vec<(f32, usize, [Pos2; 2])> = seen
+            .enumerate()
+            .map(|(i, [a, b])| (a.distance(b), i, [a, b]))
+            .collect();
+        // Of edges of one length the first: the same place at every step.
+        let order = |(a, i, _): &(f32, usize, _), (b, k, _): &(f32, usize, _)| {
+            b.total_cmp(a).then(i.cmp(k))
+        };
+        if longest.len() > MOST_EDGES {
+            longest.select_nth_unstable_by(MOST_EDGES, order);
+            longest.truncate(MOST_EDGES);
+        }
+        longest.sort_unstable_by(order);
+        let edges: Vec<[Pos2; 2]> = longest.into_iter().map(|(.., ends)| ends).collect();
         (!edges.is_empty()).then_some(Self::Along(edges))
     }
 }
