@@ -11,7 +11,7 @@
 mod pictures;
 
 use clipscope::{
-    app::{App, Settings},
+    app::{App, Page, Settings},
     lesson::Course,
     paint::{Headless, ThemeKind},
     text::Lang,
@@ -64,7 +64,7 @@ fn window(
     let settings = Settings {
         lang,
         theme,
-        last: Some((lesson.to_owned(), step.id.clone())),
+        page: Some(Page::Step(lesson.to_owned(), step.id.clone())),
         ..Settings::default()
     };
     let mut app = App::new(course.clone(), settings);

@@ -9,6 +9,7 @@ use crate::{
 
 use super::{
     App, Command, Dialog,
+    dialog::Target,
     history::UndoGroup,
     notice::Notice,
     platform::StageFigure,
@@ -48,17 +49,14 @@ impl App {
             Command::Redo => self.travel(|app| app.history.redo()),
             Command::Reset => self.reset(now),
             Command::Lesson { forward } => {
-                if self.bookmark.go(forward) {
-                    self.enter_step();
-                }
+                self.turn_to(|bookmark| bookmark.go(forward));
             }
             Command::Lab(lab) => self.open_lab(lab),
             Command::Open([lesson, step]) => {
-                if self.bookmark.open(lesson, step) {
-                    self.enter_step();
-                    self.shown.room = Room::Stage;
-                }
+                self.turn_to(|bookmark| bookmark.open(lesson, step));
+                self.shown.room = Room::Stage;
             }
+            Command::Free => self.toggle_free(),
             Command::Save
             | Command::Export
             | Command::Show(_)
@@ -109,7 +107,7 @@ impl App {
         }
     }
 
-    fn edit(&mut self, edit: Edit, gesture: Option<UndoGroup>, now: f64) {
+    pub(super) fn edit(&mut self, edit: Edit, gesture: Option<UndoGroup>, now: f64) {
         let size = self.history.now().document().size();
         let is_drag = matches!(edit, Edit::Drag(..));
         let fits = edit.brings_another();
@@ -174,20 +172,6 @@ impl App {
         }
     }
 
-    /// The first lesson of a lab; its own first scene where the course has none.
-    fn open_lab(&mut self, lab: &str) {
-        let lessons = self.bookmark.lessons();
-        if let Some(lesson_idx) = lessons.iter().position(|lesson| lesson.lab == lab) {
-            self.bookmark.open(lesson_idx, 0);
-            self.enter_step();
-        } else {
-            let mut labs = self.kit.panels.iter().map(|panel| panel.lab());
-            if let Some(lab) = labs.find(|known| known.id() == lab) {
-                self.show_scene(lab.first_scene());
-            }
-        }
-    }
-
     /// Undo or redo.
     fn travel(&mut self, step: impl FnOnce(&mut Self)) {
         let before = self.history.revision();
@@ -197,19 +181,11 @@ impl App {
         }
     }
 
-    /// The scene, the moment and the view as the lesson has them; undo brings back what was there.
+    /// The scene, the moment and the view as the page has them at first; undo brings back what was there.
     fn reset(&mut self, now: f64) {
-        self.stage.is_foreign = false;
-        let wanted = self
-            .bookmark
-            .step()
-            .map(|step| (step.scene.clone(), step.position().unwrap_or_default()));
-        if let Some((scene, position)) = wanted {
-            let replace = Edit::Replace((*scene).clone());
-            self.edit(replace, None, now);
+        if let Some((scene, position)) = self.own() {
+            self.edit(Edit::Replace(scene), None, now);
             self.playback.transport_mut().seek(position);
-        } else {
-            self.playback.transport_mut().seek(0);
         }
         self.stage.fit(self.history.now());
     }
@@ -274,46 +250,59 @@ impl App {
             Command::Help if self.shown.dialog == Some(Dialog::Help) => self.shown.dialog = None,
             Command::Help => self.shown.dialog = Some(Dialog::Help),
             Command::Save => {
-                self.shown.dialog = Some(Dialog::Save {
-                    path: name(self, "toml"),
-                });
+                let path = self.file.clone().unwrap_or_else(|| name(self, "toml"));
+                self.shown.dialog = Some(Dialog::Save(Target::new(path)));
             }
             Command::Export => {
-                self.shown.dialog = Some(Dialog::Export {
-                    path: name(self, "png"),
-                });
+                self.shown.dialog = Some(Dialog::Export(Target::new(name(self, "png"))));
             }
             Command::Show(dialog) => self.shown.dialog = dialog,
-            Command::Confirm => {
-                let asked = self.shown.dialog.take();
-                let notice = match &asked {
-                    Some(Dialog::Save { path }) => self.save(path, now),
-                    Some(Dialog::Export { path }) => self.export(path, now),
-                    _ => return,
-                };
-                if notice.is_problem {
-                    // The path is still there to be mended.
-                    self.shown.dialog = asked;
-                }
-                self.notices.clear();
-                self.notices.push(notice);
-                ctx.request_repaint();
-            }
+            Command::Confirm => self.confirm(ctx, now),
             _ => {}
         }
     }
 
+    /// Writes the file that the open dialog is about; one that the scene is not of only when told to a second time.
+    fn confirm(&mut self, ctx: &Context, now: f64) {
+        let mut asked = self.shown.dialog.take();
+        let (target, is_scene) = match &mut asked {
+            Some(Dialog::Save(target)) => (target, true),
+            Some(Dialog::Export(target)) => (target, false),
+            Some(Dialog::Help) | None => return,
+        };
+        let is_known = target.replaces || (is_scene && self.file.as_deref() == Some(&target.path));
+        if !is_known && self.platform.exists(&target.path) {
+            target.replaces = true;
+            self.shown.dialog = asked;
+            return;
+        }
+        let path = target.path.clone();
+        let notice = if is_scene {
+            self.save(&path, now)
+        } else {
+            self.export(&path, now)
+        };
+        if notice.is_problem {
+            // The path is still there to be mended.
+            self.shown.dialog = asked;
+        }
+        self.notices.clear();
+        self.notices.push(notice);
+        ctx.request_repaint();
+    }
+
     fn save(&mut self, path: &str, now: f64) -> Notice {
-        let text = self.kit.formats.write(self.history.now());
-        let written = self.platform.write(path, text.as_bytes());
+        let written = self.platform.write(path, self.as_file().as_bytes());
+        if let Ok(path) = &written {
+            self.file = Some(path.clone());
+        }
         self.reported(path, written, ["status-saved", "status-save-failed"], now)
     }
 
     fn export(&mut self, path: &str, now: f64) -> Notice {
-        let is_lessons = self.is_untouched() && !self.stage.is_foreign;
         let title = self.bookmark.title(self.settings.lang);
         let picture = StageFigure {
-            title: title.filter(|_| is_lessons),
+            title: title.filter(|_| self.is_untouched()),
             scene: self.history.now(),
             position: self.playback.transport().position(),
             theme: self.settings.theme,

@@ -192,10 +192,7 @@ fn scene(
     let look = model.look;
     let panel = panel_of(panels, model.scene);
     let asked = panel.and_then(|panel| panel.menu(ui, look, model.scene));
-    commands.extend(asked.map(|asked| match asked {
-        PanelAsk::Edit(edit) => Command::Edit(edit, None),
-        PanelAsk::Draw(outline) => Command::Draw(outline),
-    }));
+    commands.extend(asked.map(asked_of));
     let mut snap = model.settings.snap;
     if ui.checkbox(&mut snap, look.say("settings-snap")).changed() {
         commands.push(Command::Snap(snap));
@@ -223,6 +220,12 @@ fn scene(
         Command::Redo,
     );
     action(ui, "action-reset", "R", true, Command::Reset);
+    let free = if model.bookmark.free().is_some() {
+        "action-course"
+    } else {
+        "action-free"
+    };
+    action(ui, free, "F8", true, Command::Free);
     action(ui, "action-reset-view", "0", true, Command::FitView);
     ui.separator();
     action(ui, "action-save", "Ctrl+S", true, Command::Save);
@@ -235,6 +238,14 @@ fn scene(
         Command::Measure(true),
     );
     action(ui, "action-help", "?", true, Command::Help);
+}
+
+/// What a lab's menu asked for.
+pub fn asked_of(asked: PanelAsk) -> Command {
+    match asked {
+        PanelAsk::Edit(edit) => Command::Edit(edit, None),
+        PanelAsk::Draw(outline) => Command::Draw(outline),
+    }
 }
 
 /// The buttons, the timeline, the number of the step, and the speed.

@@ -1,16 +1,20 @@
-//! Where in the course the reader stands.
+//! Where the reader stands: in the course, or beside it.
 
 use crate::{
+    labs::Lab,
     lesson::{Course, Lesson, LessonStep},
     text::Lang,
 };
 
-/// A course, and an open step of it where it has one.
+use super::desk::Page;
+
+/// A course, and an open step of it where it has one; or the free scene of a lab, and the step to come back to.
 #[derive(Clone, Debug, Default)]
 pub struct Bookmark {
     course: Course,
     lesson_idx: usize,
     step_idx: usize,
+    free: Option<&'static dyn Lab>,
 }
 
 impl Bookmark {
@@ -21,6 +25,7 @@ impl Bookmark {
             course,
             lesson_idx: 0,
             step_idx: 0,
+            free: None,
         }
     }
 
@@ -30,16 +35,49 @@ impl Bookmark {
         &self.course.lessons
     }
 
-    /// The open lesson.
+    /// The lab whose free scene is open.
+    #[must_use]
+    pub const fn free(&self) -> Option<&'static dyn Lab> {
+        self.free
+    }
+
+    /// The open page.
+    #[must_use]
+    pub fn page(&self) -> Option<Page> {
+        match self.free {
+            Some(lab) => Some(Page::Free(lab.id().to_owned())),
+            None => self.page_of(self.lesson_idx, self.step_idx),
+        }
+    }
+
+    /// The page of a step, by its indices.
+    #[must_use]
+    pub fn page_of(&self, lesson_idx: usize, step_idx: usize) -> Option<Page> {
+        let lesson = self.course.lessons.get(lesson_idx)?;
+        let step = lesson.steps.get(step_idx)?;
+        Some(Page::Step(lesson.id.clone(), step.id.clone()))
+    }
+
+    /// The step with these ids.
+    #[must_use]
+    pub fn step_of(&self, lesson: &str, step: &str) -> Option<&LessonStep> {
+        let lesson = self.course.lessons.iter().find(|l| l.id == lesson)?;
+        lesson.steps.get(lesson.step_index(step)?)
+    }
+
+    /// The open lesson, or the one to come back to.
     #[must_use]
     pub fn lesson(&self) -> Option<&Lesson> {
         self.course.lessons.get(self.lesson_idx)
     }
 
-    /// The open step.
+    /// The open step; none in a free scene.
     #[must_use]
     pub fn step(&self) -> Option<&LessonStep> {
-        self.lesson()?.steps.get(self.step_idx)
+        match self.free {
+            Some(_) => None,
+            None => self.lesson()?.steps.get(self.step_idx),
+        }
     }
 
     /// The open step's title.
@@ -54,12 +92,6 @@ impl Bookmark {
         [self.lesson_idx, self.step_idx]
     }
 
-    /// Ids of the open lesson and step.
-    #[must_use]
-    pub fn ids(&self) -> Option<(String, String)> {
-        Some((self.lesson()?.id.clone(), self.step()?.id.clone()))
-    }
-
     /// Opens a step, where there is one with these indices.
     pub fn open(&mut self, lesson_idx: usize, step_idx: usize) -> bool {
         let steps = self
@@ -69,20 +101,35 @@ impl Bookmark {
             .map_or(0, |lesson| lesson.steps.len());
         let exists = step_idx < steps;
         if exists {
-            (self.lesson_idx, self.step_idx) = (lesson_idx, step_idx);
+            (self.lesson_idx, self.step_idx, self.free) = (lesson_idx, step_idx, None);
         }
         exists
     }
 
     /// Opens the step with these ids, else the lesson's first, else nothing else than now.
-    pub fn open_ids(&mut self, lesson: &str, step: &str) {
+    pub fn open_ids(&mut self, lesson: &str, step: &str) -> bool {
         let found = self.course.lessons.iter().position(|l| l.id == lesson);
-        if let Some(lesson_idx) = found {
-            let step_idx = self.course.lessons[lesson_idx]
-                .step_index(step)
-                .unwrap_or(0);
-            self.open(lesson_idx, step_idx);
-        }
+        found.is_some_and(|lesson_idx| {
+            let step_idx = self.course.lessons[lesson_idx].step_index(step);
+            self.open(lesson_idx, step_idx.unwrap_or(0))
+        })
+    }
+
+    /// Opens the first lesson of the lab with this id, where there is one.
+    pub fn open_lab(&mut self, id: &str) -> bool {
+        let found = self.course.lessons.iter().position(|l| l.lab == id);
+        found.is_some_and(|lesson_idx| self.open(lesson_idx, 0))
+    }
+
+    /// Opens the free scene of a lab.
+    pub const fn open_free(&mut self, lab: &'static dyn Lab) -> bool {
+        self.free = Some(lab);
+        true
+    }
+
+    /// Back to the course.
+    pub fn close_free(&mut self) -> bool {
+        self.open(self.lesson_idx, self.step_idx)
     }
 
     /// One step on or back, into the neighbouring lesson at an end.
@@ -104,11 +151,13 @@ impl Bookmark {
     /// Another version of the course (a browser's never changes); the reader stays at the same step where it is still there.
     #[cfg(not(target_arch = "wasm32"))]
     pub fn replace(&mut self, course: Course) {
-        let ids = self.ids();
+        let page = self.page_of(self.lesson_idx, self.step_idx);
+        let free = self.free;
         self.course = course;
         (self.lesson_idx, self.step_idx) = (0, 0);
-        if let Some((lesson, step)) = ids {
+        if let Some(Page::Step(lesson, step)) = page {
             self.open_ids(&lesson, &step);
         }
+        self.free = free;
     }
 }

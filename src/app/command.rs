@@ -40,8 +40,10 @@ pub enum Command {
     },
     /// Opens a step of a lesson, by its indices.
     Open([usize; 2]),
-    /// To the first lesson of the lab with this id, or to a scene of its own where it has none.
+    /// To the lab with this id, where it was left.
     Lab(&'static str),
+    /// From the course to the lab's free scene, or back.
+    Free,
     /// Changes the scene.
     Edit(Edit, Option<UndoGroup>),
     /// One more of what the lab has many of.
@@ -162,7 +164,7 @@ const fn once(command: Command, keys: &'static [(Modifiers, Key)], help: &'stati
 }
 
 /// Every key, in the order of the help.
-pub static BINDINGS: [Binding; 32] = [
+pub static BINDINGS: [Binding; 33] = [
     held(Command::Step(-1), &[(NONE, Key::ArrowLeft)], "help-step"),
     held(Command::Step(1), &[(NONE, Key::ArrowRight)], "help-step"),
     held(
@@ -231,6 +233,7 @@ pub static BINDINGS: [Binding; 32] = [
     once(Command::Export, &[(CTRL, Key::E)], "action-export"),
     once(Command::Course, &[(NONE, Key::F6)], "help-course"),
     once(Command::Inspector, &[(NONE, Key::F7)], "help-inspector"),
+    once(Command::Free, &[(NONE, Key::F8)], "action-free"),
     once(Command::Present, &[(NONE, Key::F5)], "action-present"),
     once(Command::Cancel, &[(NONE, Key::Escape)], "help-leave"),
     once(

@@ -13,6 +13,9 @@ use crate::{
 
 use super::{Command, model::Model};
 
+/// How strongly a text is seen that speaks of another scene than the stage's.
+const ASIDE: f32 = 0.6;
+
 /// Draws the panel.
 pub fn show(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
     let look = model.look;
@@ -53,6 +56,10 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
             padded(ui, |ui| {
                 ui.spacing_mut().item_spacing.y = 8.0;
                 ui.label(RichText::new(&step.title).text_style(theme::strong()));
+                if !model.is_untouched {
+                    changed(ui, look, commands);
+                    ui.set_opacity(ASIDE);
+                }
                 lesson_text(ui, look, id, &step.body);
                 if !lesson.speaks(model.settings.lang) {
                     ui.label(
@@ -60,9 +67,6 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
                             .small()
                             .color(look.theme.soft),
                     );
-                }
-                if !model.is_untouched {
-                    changed(ui, look, commands);
                 }
             });
         });
@@ -84,9 +88,18 @@ fn padded<R>(ui: &mut Ui, content: impl FnOnce(&mut Ui) -> R) -> R {
 fn lessons(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
     ui.spacing_mut().item_spacing.y = 0.0;
     let [open, _] = model.bookmark.indices();
+    let free = model.look.say("action-free");
+    if row(ui, model.look, Row::new("+", &free)).clicked() {
+        commands.push(Command::Free);
+    }
     for (i, lesson) in model.bookmark.lessons().iter().enumerate() {
-        let title = &lesson.text(model.settings.lang).title;
-        let response = row(ui, model.look, i + 1, title, i == open);
+        let row_of = Row {
+            number: &(i + 1).to_string(),
+            title: &lesson.text(model.settings.lang).title,
+            is_open: i == open,
+            is_changed: (0..lesson.steps.len()).any(|step| is_changed(model, i, step)),
+        };
+        let response = row(ui, model.look, row_of);
         if i == open {
             bring_into_view(ui, open, response.rect);
         }
@@ -107,13 +120,53 @@ fn bring_into_view(ui: &Ui, open: usize, rect: Rect) {
     ui.ctx().request_repaint();
 }
 
+/// Is the scene of this step another than the lesson's?
+fn is_changed(model: &Model<'_>, lesson: usize, step: usize) -> bool {
+    if [lesson, step] == model.bookmark.indices() {
+        return !model.is_untouched;
+    }
+    let page = model.bookmark.page_of(lesson, step);
+    page.is_some_and(|page| model.desk.is_changed(&page))
+}
+
+/// A row of the list.
+struct Row<'a> {
+    number: &'a str,
+    title: &'a str,
+    is_open: bool,
+    /// Has the reader changed a scene of it?
+    is_changed: bool,
+}
+
+impl<'a> Row<'a> {
+    const fn new(number: &'a str, title: &'a str) -> Self {
+        Self {
+            number,
+            title,
+            is_open: false,
+            is_changed: false,
+        }
+    }
+}
+
 /// A lesson's number and title.
-fn row(ui: &mut Ui, look: Look<'_>, number: usize, title: &str, is_open: bool) -> Response {
+fn row(ui: &mut Ui, look: Look<'_>, row: Row<'_>) -> Response {
+    let Row {
+        number,
+        title,
+        is_open,
+        is_changed,
+    } = row;
     let theme = look.theme;
     let height = (28.0 * theme.text_scale.sqrt()).round();
     let (rect, response) =
         ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::click());
-    response.widget_info(|| WidgetInfo::selected(Role::Tab, true, is_open, title));
+    let name = if is_changed {
+        format!("{title}: {}", look.say("lesson-has-changes"))
+    } else {
+        title.to_owned()
+    };
+    response.widget_info(|| WidgetInfo::selected(Role::Tab, true, is_open, &name));
     let plate = rect.shrink2(vec2(0.0, 1.0));
     if is_open {
         ui.painter().rect_filled(plate, 6.0, theme.accent_wash);
@@ -129,6 +182,10 @@ fn row(ui: &mut Ui, look: Look<'_>, number: usize, title: &str, is_open: bool) -
         );
     }
     let mono = TextStyle::Small.resolve(ui.style());
+    if is_changed {
+        let at = pos2(rect.right() - 6.0, rect.center().y);
+        ui.painter().circle_filled(at, 3.0, theme.accent);
+    }
     let colour = if is_open { theme.accent } else { theme.faint };
     let at = pos2(rect.left() + 16.0, rect.center().y);
     ui.painter()
@@ -144,14 +201,14 @@ fn row(ui: &mut Ui, look: Look<'_>, number: usize, title: &str, is_open: bool) -
         title.to_owned(),
         egui::TextFormat::simple(style.resolve(ui.style()), colour),
     );
-    job.wrap = egui::text::TextWrapping::truncate_at_width(rect.right() - 8.0 - left);
+    job.wrap = egui::text::TextWrapping::truncate_at_width(rect.right() - 12.0 - left);
     let galley = ui.fonts_mut(|fonts| fonts.layout_job(job));
     let is_cut = galley.elided;
     let at = pos2(left, rect.center().y - 0.5 * galley.size().y);
     ui.painter().galley(at, galley, colour);
     let response = response.on_hover_cursor(CursorIcon::PointingHand);
-    if is_cut {
-        response.on_hover_text(title)
+    if is_cut || is_changed {
+        response.on_hover_text(name)
     } else {
         response
     }

@@ -4,7 +4,7 @@ use egui::Context;
 
 use crate::{
     labs::Edit,
-    lesson::Problem,
+    lesson::{Problem, SceneFile},
     text::{Catalog, Diagnostic, Message},
 };
 
@@ -13,11 +13,12 @@ use super::{App, notice::Notice};
 impl App {
     /// Opens a scene that was dropped, or says what is wrong with it.
     pub(super) fn take_dropped_files(&mut self, ctx: &Context) {
+        let now = ctx.input(|input| input.time);
         let dropped = ctx.input_mut(|input| std::mem::take(&mut input.raw.dropped_files));
         for file in dropped {
             let name = file.path().display().to_string();
             match bytes_of(&file) {
-                Ok(bytes) => self.open_scene(ctx, &name, &bytes),
+                Ok(bytes) => self.open_bytes(&name, &bytes, now),
                 Err(reason) => {
                     let message = Message::new("status-open-failed")
                         .with("path", name)
@@ -29,15 +30,13 @@ impl App {
         }
     }
 
-    /// Shows the scene in these bytes; what is wrong with them is shown, and the scene left as it was.
-    pub fn open_scene(&mut self, ctx: &Context, name: &str, bytes: &[u8]) {
+    /// Shows the scene in these bytes, in the free scene of its lab; what is wrong with them is shown, and all left as
+    /// it was.
+    pub fn open_bytes(&mut self, name: &str, bytes: &[u8], now: f64) {
         match self.kit.formats.read(name, bytes) {
-            Ok(scene) => {
+            Ok(read) => {
                 self.notices.clear();
-                let replace = Edit::Replace(scene);
-                self.apply(ctx, super::Command::Edit(replace, None));
-                self.apply(ctx, super::Command::First);
-                self.stage.is_foreign = true;
+                self.open_scene(name, read, now);
             }
             Err(problems) => {
                 let mut text = self.listing(&problems);
@@ -46,6 +45,16 @@ impl App {
                 self.notices.push(Notice::problem(text));
             }
         }
+    }
+
+    /// Shows a file's scene in the free scene of its lab; undo brings back what was there.
+    pub(super) fn open_scene(&mut self, file: &str, opened: SceneFile, now: f64) {
+        let SceneFile { scene, position } = opened;
+        let lab = scene.document().lab();
+        self.turn_to(|bookmark| bookmark.open_free(lab));
+        self.edit(Edit::Replace(scene), None, now);
+        self.playback.transport_mut().seek(position);
+        self.file = Some(file.to_owned());
     }
 
     /// Problems as a compiler prints them; of very many, the first.

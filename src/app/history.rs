@@ -88,6 +88,15 @@ impl<S: Clone + PartialEq> History<S> {
         Ok(true)
     }
 
+    /// Another one in its place.
+    pub fn replace(&mut self, now: S) {
+        if now != self.now {
+            self.past.push(std::mem::replace(&mut self.now, now));
+            self.future.clear();
+            self.moved();
+        }
+    }
+
     /// Is something being dragged?
     #[must_use]
     pub const fn is_in_gesture(&self) -> bool {

@@ -1,9 +1,12 @@
 //! Which labs a window has.
 
 use crate::{
+    labs::Lab,
     lesson::SceneFormats,
     panels::{self, LabPanel},
 };
+
+use super::{bookmark::Bookmark, desk::Page};
 
 /// The labs that the window has, with what each adds to it and how its scenes are spelt in files.
 pub struct Kit {
@@ -17,6 +20,22 @@ impl Default for Kit {
         Self {
             panels: panels::all(),
             formats: SceneFormats::standard(),
+        }
+    }
+}
+
+impl Kit {
+    /// The lab with this id.
+    pub(super) fn lab(&self, id: &str) -> Option<&'static dyn Lab> {
+        let mut labs = self.panels.iter().map(|panel| panel.lab());
+        labs.find(|lab| lab.id() == id)
+    }
+
+    /// Opens a page, where it is still there.
+    pub(super) fn open_page(&self, bookmark: &mut Bookmark, page: &Page) -> bool {
+        match page {
+            Page::Step(lesson, step) => bookmark.open_ids(lesson, step),
+            Page::Free(id) => self.lab(id).is_some_and(|lab| bookmark.open_free(lab)),
         }
     }
 }

@@ -5,7 +5,7 @@ use egui::{CentralPanel, Frame, Margin, Panel, Ui};
 use crate::panels::LabPanel;
 
 use super::{
-    Command, bars, course_panel, course_strip, inspector,
+    Command, bars, course_panel, course_strip, free_panel, inspector,
     model::Model,
     overlays,
     room::{COURSE, CoursePart, INSPECTOR, Room, panel_scale},
@@ -31,7 +31,7 @@ pub fn show(
         top(model, ui, panels, commands);
         bottom(model, ui, commands);
         if !model.is_narrow {
-            sides(model, ui, state, commands);
+            sides(model, ui, state, panels, commands);
         }
         let panel = Frame::new().fill(model.look.theme.panel).inner_margin(16);
         match model.room {
@@ -39,7 +39,7 @@ pub fn show(
             Room::Course => {
                 CentralPanel::no_frame()
                     .frame(panel)
-                    .show(ui, |ui| course_panel::show(model, ui, commands));
+                    .show(ui, |ui| left(model, ui, panels, commands));
             }
             Room::Inspector => {
                 CentralPanel::no_frame().frame(panel).show(ui, |ui| {
@@ -109,7 +109,27 @@ fn bottom(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
         });
 }
 
-fn sides(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &mut Vec<Command>) {
+/// The course, or what stands in its place in a free scene.
+fn left(
+    model: &Model<'_>,
+    ui: &mut Ui,
+    panels: &mut [Box<dyn LabPanel>],
+    commands: &mut Vec<Command>,
+) {
+    if model.bookmark.free().is_some() {
+        free_panel::show(model, ui, panels, commands);
+    } else {
+        course_panel::show(model, ui, commands);
+    }
+}
+
+fn sides(
+    model: &Model<'_>,
+    ui: &mut Ui,
+    state: &mut StageState,
+    panels: &mut [Box<dyn LabPanel>],
+    commands: &mut Vec<Command>,
+) {
     let width = ui.ctx().content_rect().width();
     let widest = 0.28 * width;
     let scale = panel_scale(model.look.theme);
@@ -133,7 +153,7 @@ fn sides(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &mut 
                 .default_size((COURSE * scale).round())
                 .size_range(160.0..=widest.max(COURSE * scale))
                 .frame(frame.inner_margin(margin(8)))
-                .show(ui, |ui| course_panel::show(model, ui, commands));
+                .show(ui, |ui| left(model, ui, panels, commands));
         }
     }
     if model.settings.inspector {

@@ -18,8 +18,10 @@ mod clicks;
 mod command;
 mod course_panel;
 mod course_strip;
+mod desk;
 mod dialog;
 mod drop;
+mod free_panel;
 mod history;
 mod inspector;
 mod keys;
@@ -30,6 +32,7 @@ mod model;
 mod native;
 mod notice;
 mod overlays;
+mod pages;
 mod platform;
 mod playback;
 #[cfg(not(target_arch = "wasm32"))]
@@ -46,6 +49,7 @@ mod tests;
 mod web;
 
 pub use command::{BINDINGS, Binding, Command};
+pub use desk::{Page, StoredWork};
 pub use dialog::Dialog;
 pub use kit::Kit;
 #[cfg(not(target_arch = "wasm32"))]
@@ -60,9 +64,8 @@ pub use web::start;
 use egui::{Pos2, Ui};
 
 use crate::{
-    figure::Moment,
     labs::Scene,
-    lesson::{CodeView, Course, LessonStep},
+    lesson::{CodeView, Course, SceneFile},
     paint::{Theme, ThemeKind},
     panels,
     text::Catalog,
@@ -70,10 +73,11 @@ use crate::{
 };
 
 use bookmark::Bookmark;
+use desk::Desk;
 use history::History;
 use keys::Focus;
 use model::Model;
-use notice::{Notice, Notices};
+use notice::Notices;
 use playback::Playback;
 use room::{CoursePart, Room};
 use stage_state::StageState;
@@ -83,7 +87,10 @@ use stopwatch::Stopwatch;
 pub struct App {
     settings: Settings,
     bookmark: Bookmark,
+    desk: Desk,
     history: History<Scene>,
+    /// The file that the scene was read from or written to last.
+    file: Option<String>,
     playback: Playback,
     stage: StageState,
     kit: Kit,
@@ -108,6 +115,8 @@ struct Shown {
     room: Room,
     /// The theme that the context has been given.
     theme: Option<ThemeKind>,
+    /// The window's title.
+    title: String,
 }
 
 impl App {
@@ -122,17 +131,21 @@ impl App {
     /// # Panics
     /// Where there is none.
     #[must_use]
-    pub fn with_kit(course: Course, settings: Settings, kit: Kit) -> Self {
+    pub fn with_kit(course: Course, mut settings: Settings, kit: Kit) -> Self {
         let mut bookmark = Bookmark::new(course);
-        if let Some((lesson, step)) = &settings.last {
-            bookmark.open_ids(lesson, step);
+        let first = kit.panels.first().expect("a window has a lab").lab();
+        let is_open = match &settings.page {
+            Some(page) => kit.open_page(&mut bookmark, page),
+            None => bookmark.step().is_some(),
+        };
+        if !is_open && bookmark.step().is_none() {
+            bookmark.open_free(first);
         }
-        let scene = bookmark
-            .step()
-            .map(|step| (*step.scene).clone())
-            .or_else(|| Some(kit.panels.first()?.lab().first_scene()))
-            .expect("a window has a lab");
+        let scene = first.first_scene();
+        let stored = std::mem::take(&mut settings.works);
         let mut app = Self {
+            desk: Desk::new(std::mem::take(&mut settings.labs)),
+            file: None,
             settings,
             bookmark,
             playback: Playback::record(&scene, 0),
@@ -147,13 +160,15 @@ impl App {
                 unfolded: false,
                 room: Room::Stage,
                 theme: None,
+                title: "Clipscope".to_owned(),
             },
             notices: Notices::default(),
             platform: Box::new(NoFiles),
             #[cfg(not(target_arch = "wasm32"))]
             reload: None,
         };
-        app.enter_step();
+        app.lay_out(stored);
+        app.enter();
         app
     }
 
@@ -164,19 +179,11 @@ impl App {
         self
     }
 
-    /// On this scene instead of the lesson's: what `clipscope open scene.toml` shows.
+    /// On this file's scene, in the free scene of its lab: what `clipscope open scene.toml` shows.
     #[must_use]
-    pub fn with_scene(mut self, scene: Scene) -> Self {
-        self.show_scene(scene);
+    pub fn with_scene(mut self, file: &str, opened: SceneFile) -> Self {
+        self.open_scene(file, opened, 0.0);
         self
-    }
-
-    /// Shows a scene that is not the lesson's own, from the start of its run.
-    fn show_scene(&mut self, scene: Scene) {
-        self.stage = StageState::new(&scene);
-        self.stage.is_foreign = true;
-        self.playback = Playback::record(&scene, 0);
-        self.history = History::new(scene);
     }
 
     /// Goes to a step of the run.
@@ -188,7 +195,9 @@ impl App {
     #[must_use]
     pub fn settings(&self) -> Settings {
         Settings {
-            last: self.bookmark.ids(),
+            page: self.bookmark.page(),
+            labs: self.desk.all_last().clone(),
+            works: self.stored_works(),
             speed: self.playback.transport().speed(),
             ..self.settings.clone()
         }
@@ -231,6 +240,7 @@ impl App {
         self.playback.prepare();
 
         self.install_theme(ui);
+        self.name_window(&ctx);
         let mut commands = Vec::new();
         let lit = self.stage.lit;
         let measures = self.measures();
@@ -298,27 +308,18 @@ impl App {
         self.shown.theme = Some(kind);
     }
 
-    /// Shows the open step as its lesson has it.
-    fn enter_step(&mut self) {
-        let speed = self.settings.speed;
-        let problem = self.bookmark.step().and_then(LessonStep::problem);
-        if let Some(step) = self.bookmark.step() {
-            // The end of two runs side by side is that of the longer one.
-            let position = match step.moment {
-                Moment::End => usize::MAX,
-                Moment::Start | Moment::Event { .. } => step.position().unwrap_or_default(),
-            };
-            let scene = &*step.scene;
-            self.playback = Playback::record(scene, position);
-            self.stage = StageState::new(scene);
-            self.shown.code = step.code;
-            self.history = History::new(scene.clone());
+    /// The window's title names the file that its scene is of.
+    fn name_window(&mut self, ctx: &egui::Context) {
+        let file = self.file.as_deref().map(std::path::Path::new);
+        let name = file.and_then(|path| path.file_name()?.to_str());
+        let title = name.map_or_else(
+            || "Clipscope".to_owned(),
+            |name| format!("{name} – Clipscope"),
+        );
+        if self.shown.title != title {
+            ctx.send_viewport_cmd(egui::ViewportCommand::Title(title.clone()));
+            self.shown.title = title;
         }
-        if let Some(problem) = problem {
-            let text = self.listing(&[problem]);
-            self.notices.push(Notice::problem(text));
-        }
-        self.playback.transport_mut().set_speed(speed);
     }
 
     /// Colours and words of the present settings.
@@ -344,6 +345,7 @@ impl App {
             code: self.shown.code,
             measures: self.measures(),
             is_untouched: self.is_untouched(),
+            desk: &self.desk,
             can_travel: [self.history.can_undo(), self.history.can_redo()],
             room: if is_narrow {
                 self.shown.room

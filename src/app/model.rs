@@ -5,6 +5,7 @@ use crate::{labs::Scene, lesson::CodeView, widgets::Look};
 use super::{
     Dialog, Settings,
     bookmark::Bookmark,
+    desk::Desk,
     notice::Notice,
     playback::Playback,
     room::{CoursePart, Room},
@@ -23,6 +24,8 @@ pub struct Model<'a> {
     pub settings: &'a Settings,
     /// Where in the course.
     pub bookmark: &'a Bookmark,
+    /// What was done on the other pages.
+    pub desk: &'a Desk,
     /// The document.
     pub scene: &'a Scene,
     /// Another number after every change of it.

@@ -4,7 +4,7 @@ use eframe::{CreationContext, NativeOptions, Storage};
 use egui::{Ui, ViewportBuilder};
 
 use crate::{
-    lesson::{Course, Folder},
+    lesson::{Course, Folder, SceneFile},
     paint::fonts,
     text::Message,
 };
@@ -20,8 +20,8 @@ const LEAST_SIZE: [f32; 2] = [320.0, 240.0];
 pub struct Opening {
     /// A lesson folder, read again whenever it changes; else the embedded course.
     pub folder: Option<Folder>,
-    /// A scene instead of the lesson's own.
-    pub scene: Option<crate::labs::Scene>,
+    /// A file and its scene, instead of what was open last.
+    pub scene: Option<(String, SceneFile)>,
 }
 
 /// Opens the window, and comes back when it has been closed.
@@ -59,8 +59,8 @@ fn create(creation: &CreationContext<'_>, opening: Opening) -> App {
         .as_ref()
         .map_or_else(Course::embedded, |loaded| loaded.course.clone());
     let mut app = App::new(course, settings).with_platform(Desktop);
-    if let Some(scene) = opening.scene {
-        app = app.with_scene(scene);
+    if let Some((file, scene)) = opening.scene {
+        app = app.with_scene(&file, scene);
     }
     if let Some(folder) = opening.folder {
         app.report(&loaded.unwrap_or_default().problems);

@@ -11,7 +11,7 @@ use crate::{
     widgets::{Icon, Look, icon_button},
 };
 
-use super::{BINDINGS, Command, Dialog, model::Model, notice::Notice};
+use super::{BINDINGS, Command, Dialog, dialog::Target, model::Model, notice::Notice};
 
 /// Width of the list of keys at text scale 1, where there is room.
 const WIDTH: f32 = 528.0;
@@ -187,11 +187,17 @@ fn written(ctx: &Context, modifiers: Modifiers, key: Key) -> String {
 }
 
 fn path_dialog(ctx: &Context, look: Look<'_>, dialog: &Dialog, commands: &mut Vec<Command>) {
-    let (key, action, mut path) = match dialog {
-        Dialog::Save { path } => ("save-title", "action-save", path.clone()),
-        Dialog::Export { path } => ("export-title", "action-export", path.clone()),
+    let (key, action, target) = match dialog {
+        Dialog::Save(target) => ("save-title", "action-save", target),
+        Dialog::Export(target) => ("export-title", "action-export", target),
         Dialog::Help => return,
     };
+    let action = if target.replaces {
+        "action-replace"
+    } else {
+        action
+    };
+    let mut path = target.path.clone();
     let response = modal("path", look).show(ctx, |ui| {
         ui.set_max_width((ctx.content_rect().width() - 64.0).clamp(120.0, 480.0));
         heading(ui, look, key, commands);
@@ -204,6 +210,9 @@ fn path_dialog(ctx: &Context, look: Look<'_>, dialog: &Dialog, commands: &mut Ve
         let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
         if !field.has_focus() && !entered && ui.memory(|memory| memory.focused().is_none()) {
             field.request_focus();
+        }
+        if target.replaces {
+            ui.label(look.say("save-exists"));
         }
         ui.add_space(8.0);
         ui.horizontal(|ui| {
@@ -223,9 +232,10 @@ fn path_dialog(ctx: &Context, look: Look<'_>, dialog: &Dialog, commands: &mut Ve
     });
     if response.inner {
         // Before a press of the button, so that it does what is written now.
+        let target = Target::new(path);
         let dialog = match dialog {
-            Dialog::Save { .. } => Dialog::Save { path },
-            _ => Dialog::Export { path },
+            Dialog::Save(_) => Dialog::Save(target),
+            Dialog::Export(_) | Dialog::Help => Dialog::Export(target),
         };
         commands.insert(0, Command::Show(Some(dialog)));
     } else if response.should_close() {

@@ -30,6 +30,9 @@ pub trait Platform {
     /// Where a file of this name would be put, to be shown and changed before it is written.
     fn suggest(&self, name: &str) -> String;
 
+    /// Is there a file at this path?
+    fn exists(&self, path: &str) -> bool;
+
     /// Writes a file whole or not at all; the path it was written to.
     ///
     /// # Errors
@@ -55,6 +58,10 @@ impl Platform for NoFiles {
         name.to_owned()
     }
 
+    fn exists(&self, _path: &str) -> bool {
+        false
+    }
+
     fn write(&mut self, _path: &str, _bytes: &[u8]) -> Result<String, Diagnostic> {
         Err(NO_FILES.into())
     }
@@ -78,6 +85,10 @@ impl Platform for Desktop {
     fn suggest(&self, name: &str) -> String {
         let folder = std::env::current_dir().unwrap_or_default();
         folder.join(name).display().to_string()
+    }
+
+    fn exists(&self, path: &str) -> bool {
+        std::path::Path::new(path).exists()
     }
 
     fn write(&mut self, path: &str, bytes: &[u8]) -> Result<String, Diagnostic> {

@@ -137,12 +137,7 @@ impl App {
     /// After another version of the course has been read.
     fn course_changed(&mut self, was_untouched: bool) {
         if was_untouched {
-            let position = self.playback.transport().position();
-            let has_lesson = self.bookmark.step().is_some();
-            self.enter_step();
-            if !has_lesson {
-                self.playback.transport_mut().seek(position);
-            }
+            self.enter();
         }
     }
 

@@ -1,8 +1,12 @@
 //! What the app remembers from one time to the next.
 
+use std::collections::BTreeMap;
+
 use serde::{Deserialize, Serialize};
 
 use crate::{paint::ThemeKind, text::Lang};
+
+use super::desk::{Page, StoredWork};
 
 /// Choices that outlive the window.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
@@ -20,8 +24,12 @@ pub struct Settings {
     pub snap: bool,
     /// Steps a second.
     pub speed: f32,
-    /// Ids of the lesson and of its step that were open.
-    pub last: Option<(String, String)>,
+    /// The page that was open.
+    pub page: Option<Page>,
+    /// The page of each lab that was open last, by the lab's id.
+    pub labs: BTreeMap<String, Page>,
+    /// What was done on the pages.
+    pub works: Vec<StoredWork>,
 }
 
 impl Default for Settings {
@@ -33,7 +41,9 @@ impl Default for Settings {
             inspector: true,
             snap: true,
             speed: 1.0,
-            last: None,
+            page: None,
+            labs: BTreeMap::new(),
+            works: Vec::new(),
         }
     }
 }

@@ -74,7 +74,7 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
         model.scene.document().handles()
     };
     // A scene from elsewhere is the reader's own: nothing of it is locked.
-    let step = model.bookmark.step().filter(|_| !state.is_foreign);
+    let step = model.bookmark.step();
     let hands = Hands {
         handles: &handles,
         locks: step.map_or(&[][..], |step| &step.locks),

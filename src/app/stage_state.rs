@@ -41,8 +41,6 @@ pub struct StageState {
     pub sketch: Option<Sketch>,
     /// The room that is kept for the captions.
     pub captions: CaptionRoom,
-    /// Does the scene come from elsewhere than the lesson's step?
-    pub is_foreign: bool,
     /// The drawing that was shown last, and its lens.
     drawn: Option<(ViewId, Lens)>,
     /// As they were drawn last.

@@ -10,7 +10,7 @@ use clap::{
 use egui::vec2;
 
 use crate::{
-    app::{App, Settings},
+    app::{App, Page, Settings},
     export::{self, Failure, Job, Options, jobs, run},
     lesson::Course,
     paint::{Headless, ThemeKind},
@@ -192,7 +192,7 @@ fn window_png(job: &Job<'_>, course: &Course, table: &mut Headless, args: &Args)
     let settings = Settings {
         lang: args.lang,
         theme: args.theme,
-        last: Some((job.lesson.id.clone(), job.step.id.clone())),
+        page: Some(Page::Step(job.lesson.id.clone(), job.step.id.clone())),
         ..Settings::default()
     };
     let size = vec2(args.size.width as f32, args.size.height as f32);

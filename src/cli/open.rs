@@ -54,7 +54,7 @@ fn opening(path: &Path, catalog: &Catalog) -> Result<Opening, String> {
             lines.join("\n")
         })?;
     Ok(Opening {
-        scene: Some(scene),
+        scene: Some((name, scene)),
         ..Opening::default()
     })
 }

@@ -3,7 +3,7 @@
 use std::{collections::BTreeMap, ops::Range, sync::Arc};
 
 use crate::{
-    figure::{Moment, MomentError, Run},
+    figure::{Moment, Run},
     labs::{Lab, Lock, Scene},
     text::{Lang, Message},
 };
@@ -12,7 +12,7 @@ use super::{
     course::{Lesson, LessonText},
     scene_file::{SceneFormat, SceneFormats},
     sink::{Sink, clipped},
-    step::{CodeView, LessonStep, Stop, never_comes},
+    step::{CodeView, LessonStep, Stop, moment, never_comes},
     toml_errors::with_toml,
     toml_fields::{Item, TomlFields, list, named, one_of, text},
 };
@@ -316,13 +316,6 @@ impl Steps {
         }
         Some((scene, moment, stop))
     }
-}
-
-fn moment(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Moment> {
-    text(item, sink)?
-        .parse()
-        .map_err(|error: MomentError| sink.refuse(item.span(), error, []))
-        .ok()
 }
 
 /// Those of an unknown lab cannot be known.

@@ -40,7 +40,7 @@ pub use markdown::{Block, BlockMarker, Inline};
 pub use problem::{Place, Problem, Severity};
 #[cfg(all(test, feature = "gui"))]
 pub(crate) use scene_file::SceneFormat;
-pub use scene_file::SceneFormats;
+pub use scene_file::{SceneFile, SceneFormats};
 pub use step::{CodeView, LessonStep};
 #[cfg(all(test, feature = "gui"))]
 pub(crate) use {

@@ -3,7 +3,7 @@
 use std::sync::{Arc, OnceLock};
 
 use crate::{
-    figure::{Moment, Run},
+    figure::{Moment, MomentError, Run},
     labs::{Lock, Scene},
     text::{Diagnostic, Message},
 };
@@ -11,8 +11,8 @@ use crate::{
 use super::{
     nearest::nearest,
     problem::{Place, Problem, Severity},
-    sink::clipped,
-    toml_fields::suggestion,
+    sink::{Sink, clipped},
+    toml_fields::{Item, suggestion, text},
 };
 
 /// One step of a lesson: a scene, and where its run stops.
@@ -74,6 +74,14 @@ impl PartialEq for Stop {
 
 /// The most moments that an error lists.
 const MAX_MOMENTS: usize = 60;
+
+/// A moment as a file spells it.
+pub(super) fn moment(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Moment> {
+    text(item, sink)?
+        .parse()
+        .map_err(|error: MomentError| sink.refuse(item.span(), error, []))
+        .ok()
+}
 
 /// What is said of a moment that never comes in this run.
 pub(super) fn never_comes(moment: &Moment, run: &dyn Run) -> Diagnostic {

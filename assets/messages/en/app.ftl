@@ -67,9 +67,17 @@ settings-snap = Snap to grid
 
 action-present = Present
 action-present-leave = Leave presentation
+action-free = Free scene
+action-course = Back to the course
+free-title = Free scene
+free-about = Your own scene: nothing is locked, and it is kept.
+free-back = ← {$lesson}
+free-from-course = Scenes of the course
 action-help = Help
 action-undo = Undo
 action-redo = Redo
+save-exists = This file exists already and is another than the one that was opened.
+action-replace = Replace it
 action-save = Save
 action-export = Export this figure
 action-reset = Reset

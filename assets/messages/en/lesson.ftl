@@ -4,8 +4,9 @@
 
 lesson-answer-show = Show the answer
 lesson-answer-hide = Hide the answer
-lesson-changed = You have changed the scene of this step.
-lesson-restore = Restore it
+lesson-changed = This is your scene. The text speaks of the lesson’s own.
+lesson-has-changes = has your changes
+lesson-restore = Restore the lesson’s scene
 lesson-not-translated = This text has not been translated yet.
 
 ## Lesson files

@@ -67,9 +67,17 @@ settings-snap = Ajustar a la cuadrícula
 
 action-present = Presentar
 action-present-leave = Salir de la presentación
+action-free = Escena libre
+action-course = Volver al curso
+free-title = Escena libre
+free-about = Tu propia escena: nada está bloqueado y se conserva.
+free-back = ← {$lesson}
+free-from-course = Escenas del curso
 action-help = Ayuda
 action-undo = Deshacer
 action-redo = Rehacer
+save-exists = Este archivo ya existe y no es el que se abrió.
+action-replace = Reemplazarlo
 action-save = Guardar
 action-export = Exportar esta figura
 action-reset = Restablecer

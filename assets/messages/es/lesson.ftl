@@ -4,8 +4,9 @@
 
 lesson-answer-show = Mostrar la respuesta
 lesson-answer-hide = Ocultar la respuesta
-lesson-changed = Has cambiado la escena de este paso.
-lesson-restore = Restaurarla
+lesson-changed = Esta es tu escena. El texto habla de la escena de la lección.
+lesson-has-changes = contiene cambios tuyos
+lesson-restore = Restaurar la de la lección
 lesson-not-translated = Este texto aún no está traducido.
 
 ## Lesson files

@@ -67,9 +67,17 @@ settings-snap = Ajustar à grade
 
 action-present = Apresentar
 action-present-leave = Sair da apresentação
+action-free = Cena livre
+action-course = Voltar ao curso
+free-title = Cena livre
+free-about = Sua própria cena: nada está bloqueado e ela é guardada.
+free-back = ← {$lesson}
+free-from-course = Cenas do curso
 action-help = Ajuda
 action-undo = Desfazer
 action-redo = Refazer
+save-exists = Este arquivo já existe e não é o que foi aberto.
+action-replace = Substituí-lo
 action-save = Salvar
 action-export = Exportar esta figura
 action-reset = Redefinir

@@ -4,8 +4,9 @@
 
 lesson-answer-show = Mostrar a resposta
 lesson-answer-hide = Ocultar a resposta
-lesson-changed = Você alterou a cena deste passo.
-lesson-restore = Restaurá-la
+lesson-changed = Esta é a sua cena. O texto fala da cena da lição.
+lesson-has-changes = contém mudanças suas
+lesson-restore = Restaurar a da lição
 lesson-not-translated = Este texto ainda não foi traduzido.
 
 ## Lesson files

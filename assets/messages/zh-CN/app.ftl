@@ -63,9 +63,17 @@ settings-snap = 吸附到网格
 
 action-present = 演示
 action-present-leave = 退出演示
+action-free = 自由场景
+action-course = 回到课程
+free-title = 自由场景
+free-about = 你自己的场景：没有任何锁定，并会一直保留。
+free-back = ← {$lesson}
+free-from-course = 课程中的场景
 action-help = 帮助
 action-undo = 撤销
 action-redo = 重做
+save-exists = 该文件已存在，且不是打开的那个文件。
+action-replace = 替换它
 action-save = 保存
 action-export = 导出此图
 action-reset = 重置

@@ -4,8 +4,9 @@
 
 lesson-answer-show = 显示答案
 lesson-answer-hide = 隐藏答案
-lesson-changed = 你已修改了这一步的场景。
-lesson-restore = 恢复原样
+lesson-changed = 这是你自己的场景，下文讲的是课程原来的场景。
+lesson-has-changes = 含有你的改动
+lesson-restore = 恢复课程的场景
 lesson-not-translated = 这段文字尚未翻译。
 
 ## Lesson files

@@ -7,6 +7,7 @@ mod frames;
 mod hands;
 mod keys;
 mod labs;
+mod pages;
 mod places;
 mod polygons;
 mod third_lab;

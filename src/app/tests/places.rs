@@ -35,8 +35,8 @@ fn for_each_step(bench: &mut Bench, mut what: impl FnMut(&mut Bench, &str)) {
         for step in 0..n_steps {
             bench.app.apply(&ctx, Command::Open([lesson, step]));
             bench.settle();
-            let (lesson, step) = bench.app.bookmark.ids().expect("a step is open");
-            what(bench, &format!("{lesson}/{step}"));
+            let page = bench.app.bookmark.page().expect("a step is open");
+            what(bench, &format!("{page:?}"));
         }
     }
 }

@@ -1,14 +1,33 @@
 //! How a lab's scenes are spelt, whichever lab it is.
 
+use std::fmt::Write as _;
+
 use toml::de::DeTable;
 
 use crate::{
+    figure::Moment,
     labs::{Lab, Scene},
     lesson::{
-        problem::Problem, sink::Sink, source::Source, toml_errors::with_toml,
-        toml_fields::TomlFields,
+        problem::Problem,
+        sink::Sink,
+        source::Source,
+        step::{moment, never_comes},
+        toml_errors::with_toml,
+        toml_fields::{Item, TomlFields},
     },
 };
+
+/// Where a scene's run stands.
+const AT: &str = "at";
+
+/// What is in a scene file.
+#[derive(Clone, PartialEq, Debug)]
+pub struct SceneFile {
+    /// The scene.
+    pub scene: Scene,
+    /// The step at which its run stands.
+    pub position: usize,
+}
 
 /// The spelling of one lab's scenes.
 pub(crate) trait SceneFormat: Sync {
@@ -52,25 +71,37 @@ impl SceneFormats {
     ///
     /// # Errors
     /// Every mistake in it, from the top to the end; `file` is how they name it.
-    pub fn read(self, file: &str, bytes: &[u8]) -> Result<Scene, Vec<Problem>> {
+    pub fn read(self, file: &str, bytes: &[u8]) -> Result<SceneFile, Vec<Problem>> {
         let source = Source::new(file.to_owned(), bytes);
         let mut sink = Sink::new(&source);
-        let scene = with_toml(&mut sink, |table, sink| {
+        let read = with_toml(&mut sink, |table, sink| {
             let format = self.of_table(table)?;
-            let fields = TomlFields::of_file(table, format.fields(), sink);
-            format.read(&fields, &mut format.room(), sink)
+            let known = [format.fields(), &[AT]].concat();
+            let fields = TomlFields::of_file(table, &known, sink);
+            let scene = format.read(&fields, &mut format.room(), sink)?;
+            let position = fields
+                .get(AT)
+                .map_or(Some(0), |at| position(&scene, at, sink))?;
+            Some(SceneFile { scene, position })
         });
-        match scene {
-            Some(scene) if sink.n_errors() == 0 => Ok(scene),
+        match read {
+            Some(read) if sink.n_errors() == 0 => Ok(read),
             _ => Err(sink.into_problems()),
         }
     }
 
-    /// Writes a scene so that [`SceneFormats::read`] reads the very same one, bit for bit.
+    /// Writes a scene so that [`SceneFormats::read`] reads the very same one, bit for bit, and finds the same moment.
     #[must_use]
-    pub fn write(self, scene: &Scene) -> String {
+    pub fn write(self, scene: &Scene, at: &Moment) -> String {
         let written = self.0.iter().find_map(|format| format.write(scene));
-        written.unwrap_or_default()
+        let mut text = written.unwrap_or_default();
+        match at {
+            Moment::Start => {}
+            Moment::End | Moment::Event { .. } => {
+                let _ = writeln!(text, "{AT} = {:?}", at.to_string());
+            }
+        }
+        text
     }
 
     /// The one that a scene file is for: that of its method's lab, or of a field that only one lab has.
@@ -86,4 +117,16 @@ impl SceneFormats {
             .or_else(|| formats().find(|format| table.contains_key(format.own_field())))
             .or_else(|| formats().next())
     }
+}
+
+/// The step of a scene's run that a file names.
+fn position(scene: &Scene, at: &Item<'_>, sink: &mut Sink<'_>) -> Option<usize> {
+    let moment = moment(at, sink)?;
+    let runs = scene.document().record();
+    let run = runs.first()?;
+    let found = run.find(&moment);
+    if found.is_none() {
+        sink.refuse(at.span(), never_comes(&moment, &**run), []);
+    }
+    found
 }

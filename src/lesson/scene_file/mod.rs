@@ -7,7 +7,7 @@ mod parts;
 mod polygons;
 
 pub(crate) use format::SceneFormat;
-pub use format::SceneFormats;
+pub use format::{SceneFile, SceneFormats};
 
 impl SceneFormats {
     /// Those of all labs.

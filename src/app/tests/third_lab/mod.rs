@@ -91,9 +91,13 @@ fn its_lessons_are_read_and_its_scenes_written() {
     assert!(errors.is_empty(), "{errors:?}");
     let step = &loaded.course.lessons[0].steps[0];
     assert_eq!(step.moment.to_string(), "corner #2");
-    let written = kit().formats.write(&step.scene);
+    let written = kit().formats.write(&step.scene, &step.moment);
     let again = kit().formats.read("box.toml", written.as_bytes());
-    assert_eq!(again.expect("as it was written"), *step.scene);
+    let again = again.expect("as it was written");
+    assert_eq!(
+        (again.scene, Some(again.position)),
+        ((*step.scene).clone(), step.position())
+    );
     let broken = kit().formats.read("box.toml", b"half = \"wide\"\nc = 0");
     assert_eq!(broken.expect_err("a word is no number").len(), 1);
 }

@@ -1,0 +1,87 @@
+//! Beside the course: a lab's free scene, with all that can be put into it at hand.
+
+use egui::{Button, Frame, Margin, RichText, ScrollArea, Ui};
+
+use crate::{
+    labs::Edit,
+    lesson::Lesson,
+    paint::theme,
+    panels::{LabPanel, panel_of},
+    text::Message,
+    widgets::rule,
+};
+
+use super::{Command, bars::asked_of, model::Model};
+
+/// Draws the panel that stands where the course does.
+pub fn show(
+    model: &Model<'_>,
+    ui: &mut Ui,
+    panels: &mut [Box<dyn LabPanel>],
+    commands: &mut Vec<Command>,
+) {
+    let look = model.look;
+    let margin = Margin::symmetric(8, 0);
+    Frame::new().inner_margin(margin).show(ui, |ui| {
+        ui.label(RichText::new(look.say("free-title")).text_style(theme::strong()));
+        ui.add_space(4.0);
+        ui.label(RichText::new(look.say("free-about")).color(look.theme.soft));
+        ui.add_space(8.0);
+        if let Some(lesson) = model.bookmark.lesson() {
+            let title = lesson.text(model.settings.lang).title.clone();
+            let back = look
+                .catalog
+                .message(&Message::new("free-back").with("lesson", title));
+            let back = Button::new(RichText::new(back).color(look.theme.accent)).frame(false);
+            if ui.add(back.truncate()).clicked() {
+                commands.push(Command::Free);
+            }
+        }
+        rule(ui, look);
+        let panel = panel_of(panels, model.scene);
+        commands.extend(
+            panel
+                .and_then(|panel| panel.menu(ui, look, model.scene))
+                .map(asked_of),
+        );
+        rule(ui, look);
+        ui.label(RichText::new(look.say("free-from-course")).color(look.theme.soft));
+    });
+    ScrollArea::vertical()
+        .id_salt("scenes of the course")
+        .auto_shrink(false)
+        .show(ui, |ui| {
+            Frame::new().inner_margin(margin).show(ui, |ui| {
+                let lab = model.scene.document().lab().id();
+                let lessons = model.bookmark.lessons().iter().enumerate();
+                for (i, lesson) in lessons.filter(|(_, lesson)| lesson.lab == lab) {
+                    of_lesson(model, ui, (i, lesson), commands);
+                }
+            });
+        });
+}
+
+/// The scenes of a lesson, each once, under the title of the step that shows it first.
+fn of_lesson(
+    model: &Model<'_>,
+    ui: &mut Ui,
+    (i, lesson): (usize, &Lesson),
+    commands: &mut Vec<Command>,
+) {
+    let text = lesson.text(model.settings.lang);
+    let title = format!("{} · {}", i + 1, text.title);
+    ui.menu_button(title, |ui| {
+        let mut shown = Vec::new();
+        for (step, title) in lesson.steps.iter().zip(&text.steps) {
+            if shown.contains(&&step.scene) {
+                continue;
+            }
+            shown.push(&step.scene);
+            if ui.button(&title.title).clicked() {
+                commands.push(Command::Edit(Edit::Replace((*step.scene).clone()), None));
+                commands.push(Command::First);
+                ui.close();
+            }
+        }
+    });
+}

@@ -1,0 +1,198 @@
+//! From page to page: a step of the course, or a lab's free scene. What was done on one is there again when it is opened.
+
+use crate::{
+    figure::Moment,
+    labs::{Lab, Scene},
+    lesson::{CodeView, LessonStep},
+};
+
+use super::{
+    App,
+    bookmark::Bookmark,
+    desk::{Page, StoredWork, Work},
+    history::History,
+    notice::Notice,
+    playback::Playback,
+    stage_state::StageState,
+};
+
+/// Larger scenes than so many segments or vertices in all are not kept over a restart: they would be written
+/// every half minute.
+const MOST_STORED: usize = 200_000;
+
+impl App {
+    /// Opens another page, where there is one; what was done on this one is put away.
+    pub(super) fn turn_to(&mut self, open: impl FnOnce(&mut Bookmark) -> bool) {
+        let (page, is_changed) = (self.bookmark.page(), !self.is_untouched());
+        let is_open = open(&mut self.bookmark);
+        if !is_open || self.bookmark.page() == page {
+            return;
+        }
+        let scene = self.history.now().clone();
+        let history = std::mem::replace(&mut self.history, History::new(scene));
+        let file = self.file.take();
+        let is_worth_keeping = history.can_undo() || history.can_redo() || is_changed;
+        if let Some(page) = page.filter(|page| is_worth_keeping || matches!(page, Page::Free(_))) {
+            let work = Work {
+                history,
+                position: self.playback.transport().position(),
+                file,
+                is_changed,
+            };
+            self.desk.put(page, work);
+        }
+        self.enter();
+    }
+
+    /// Shows the open page as it was left, else as it is at first.
+    pub(super) fn enter(&mut self) {
+        let speed = self.settings.speed;
+        let page = self.bookmark.page();
+        let work = page.as_ref().and_then(|page| self.desk.take(page));
+        if let Some(work) = work {
+            self.show(work);
+        } else if let Some((scene, position)) = self.own() {
+            self.show(Work {
+                history: History::new(scene),
+                position,
+                file: None,
+                is_changed: false,
+            });
+        }
+        self.shown.code = self
+            .bookmark
+            .step()
+            .map_or(CodeView::Full, |step| step.code);
+        if let Some(problem) = self.bookmark.step().and_then(LessonStep::problem) {
+            let text = self.listing(&[problem]);
+            self.notices.push(Notice::problem(text));
+        }
+        if let Some(page) = page {
+            let lab = self.history.now().document().lab();
+            self.desk.opened(lab.id(), page);
+        }
+        self.playback.transport_mut().set_speed(speed);
+    }
+
+    fn show(&mut self, work: Work) {
+        let scene = work.history.now();
+        self.playback = Playback::record(scene, work.position);
+        self.stage = StageState::new(scene);
+        self.history = work.history;
+        self.file = work.file;
+    }
+
+    /// The open page's own scene, and where its run stands at first.
+    pub(super) fn own(&self) -> Option<(Scene, usize)> {
+        if let Some(lab) = self.bookmark.free() {
+            return Some((lab.first_scene(), 0));
+        }
+        let step = self.bookmark.step()?;
+        // The end of two runs side by side is that of the longer one.
+        let position = match step.moment {
+            Moment::End => usize::MAX,
+            Moment::Start | Moment::Event { .. } => step.position().unwrap_or_default(),
+        };
+        Some(((*step.scene).clone(), position))
+    }
+
+    /// A lab where it was left; at first its first lesson, or its free scene where the course has none.
+    pub(super) fn open_lab(&mut self, id: &str) {
+        let Some(lab) = self.kit.lab(id) else { return };
+        let last = self.desk.last(id).cloned();
+        let mut bookmark = self.bookmark.clone();
+        let is_open = last.is_some_and(|page| self.kit.open_page(&mut bookmark, &page))
+            || bookmark.open_lab(id)
+            || bookmark.open_free(lab);
+        self.turn_to(|open| {
+            *open = bookmark;
+            is_open
+        });
+    }
+
+    /// From the course to the lab's free scene, or back.
+    pub(super) fn toggle_free(&mut self) {
+        let lab = self.history.now().document().lab();
+        self.turn_to(|bookmark| {
+            if bookmark.free().is_some() {
+                bookmark.close_free()
+            } else {
+                bookmark.open_free(lab)
+            }
+        });
+    }
+
+    /// The scene and its moment, as a file spells them.
+    pub(super) fn as_file(&self) -> String {
+        let at = self.playback.main().moment(self.position());
+        self.kit.formats.write(self.history.now(), &at)
+    }
+
+    /// All work, as it outlives the window.
+    pub(super) fn stored_works(&self) -> Vec<StoredWork> {
+        let mut room = MOST_STORED;
+        let mut store = |page: &Page, scene: &Scene, position: usize, file: &Option<String>| {
+            room = room.checked_sub(scene.document().size())?;
+            Some(StoredWork {
+                page: page.clone(),
+                scene: self.kit.formats.write(scene, &Moment::Start),
+                position,
+                file: file.clone(),
+            })
+        };
+        let page = self.bookmark.page();
+        let is_changed = page
+            .as_ref()
+            .is_some_and(|page| matches!(page, Page::Free(_)) || !self.is_untouched());
+        let open = page.filter(|_| is_changed).and_then(|page| {
+            let position = self.playback.transport().position();
+            store(&page, self.history.now(), position, &self.file)
+        });
+        let mut stored: Vec<StoredWork> = open.into_iter().collect();
+        for (page, work) in self.desk.works() {
+            if work.is_changed || matches!(page, Page::Free(_)) {
+                stored.extend(store(page, work.history.now(), work.position, &work.file));
+            }
+        }
+        stored
+    }
+
+    /// Lays out what was kept from the last time: one step of undo away from each page's own scene. What cannot be read
+    /// any more, of a lesson that is gone, say, is left out.
+    pub(super) fn lay_out(&mut self, stored: Vec<StoredWork>) {
+        for work in stored {
+            let Ok(read) = self.kit.formats.read("", work.scene.as_bytes()) else {
+                continue;
+            };
+            let scene = read.scene;
+            let own = match &work.page {
+                Page::Free(id) => self.kit.lab(id).map(Lab::first_scene),
+                Page::Step(lesson, step) => {
+                    let step = self.bookmark.step_of(lesson, step);
+                    step.map(|step| (*step.scene).clone())
+                }
+            };
+            let Some(own) = own.filter(|own| own.document().lab() == scene.document().lab()) else {
+                continue;
+            };
+            let is_changed = own != scene;
+            let mut history = History::new(own);
+            history.replace(scene);
+            let StoredWork {
+                page,
+                position,
+                file,
+                ..
+            } = work;
+            self.desk.put(
+                page,
+                Work {
+                    history,
+                    position,
+                    file,
+                    is_changed,
+                },
+            );
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! Nothing is lost: what was done on a page is there again when it is opened.
+
+use egui::Key;
+
+use super::{Bench, SIZE, ctrl};
+use crate::{
+    app::{App, Command, Settings},
+    labs::{Edit, Scene},
+    lesson::Course,
+};
+
+fn bench() -> Bench {
+    Bench::with(App::new(Course::embedded(), Settings::default()), SIZE)
+}
+
+/// One more segment; the scene before and after.
+fn change(bench: &mut Bench) -> [Scene; 2] {
+    let before = bench.app.scene().clone();
+    let ctx = bench.ctx.clone();
+    bench.app.apply(&ctx, Command::Edit(Edit::Add(None), None));
+    bench.settle();
+    let after = bench.app.scene().clone();
+    assert_ne!(before, after);
+    [before, after]
+}
+
+#[test]
+fn a_change_survives_page_down_a_lesson_and_a_tab_and_can_be_undone_after_them() {
+    let away: [(&str, &dyn Fn(&mut Bench), &dyn Fn(&mut Bench)); 4] = [
+        ("PageDown", &|bench| bench.key(Key::PageDown), &|bench| {
+            bench.key(Key::PageUp)
+        }),
+        (
+            "a lesson",
+            &|bench| bench.app.apply(&bench.ctx.clone(), Command::Open([4, 1])),
+            &|bench| bench.app.apply(&bench.ctx.clone(), Command::Open([0, 0])),
+        ),
+        (
+            "a tab",
+            &|bench| {
+                bench
+                    .app
+                    .apply(&bench.ctx.clone(), Command::Lab("polygons"))
+            },
+            &|bench| bench.app.apply(&bench.ctx.clone(), Command::Lab("lines")),
+        ),
+        ("the free scene", &|bench| bench.key(Key::F8), &|bench| {
+            bench.key(Key::F8)
+        }),
+    ];
+    for (what, leave, come_back) in away {
+        let mut bench = bench();
+        let [before, after] = change(&mut bench);
+        leave(&mut bench);
+        assert_ne!(bench.app.scene(), &after, "{what}");
+        let page = bench.app.bookmark.page_of(0, 0).expect("the first step");
+        assert!(bench.app.desk.is_changed(&page), "{what}");
+        come_back(&mut bench);
+        assert_eq!(bench.app.scene(), &after, "{what}");
+        bench.press(Key::Z, ctrl());
+        assert_eq!(bench.app.scene(), &before, "{what}");
+    }
+}
+
+#[test]
+fn a_tab_comes_back_to_where_it_was_left() {
+    let mut bench = bench();
+    let ctx = bench.ctx.clone();
+    bench.app.apply(&ctx, Command::Open([4, 2]));
+    let page = bench.app.bookmark.page();
+    bench.app.apply(&ctx, Command::Lab("polygons"));
+    assert_ne!(bench.app.bookmark.page(), page);
+    bench.app.apply(&ctx, Command::Lab("lines"));
+    assert_eq!(bench.app.bookmark.page(), page);
+}
+
+#[test]
+fn everything_is_there_again_after_a_restart() {
+    let mut bench = bench();
+    let ctx = bench.ctx.clone();
+    let [own, changed] = change(&mut bench);
+    bench.app.apply(&ctx, Command::Lab("polygons"));
+    bench.key(Key::F8);
+    let outline = bench.app.scene().clone();
+    bench.app.apply(&ctx, Command::Seek(5));
+    let stored = serde_json::to_string(&bench.app.settings()).expect("plain data");
+    let settings = serde_json::from_str(&stored).expect("as it was written");
+
+    let mut again = Bench::with(App::new(Course::embedded(), settings), SIZE);
+    assert_eq!(again.app.bookmark.page(), bench.app.bookmark.page());
+    assert_eq!((again.app.scene(), again.app.position()), (&outline, 5));
+    assert_eq!(again.app.settings(), bench.app.settings());
+    again.app.apply(&ctx, Command::Open([0, 0]));
+    assert_eq!(again.app.scene(), &changed);
+    again.press(Key::Z, ctrl());
+    assert_eq!(
+        again.app.scene(),
+        &own,
+        "the lesson's own is one step of undo away"
+    );
+}
+
+#[test]
+fn work_on_what_is_gone_is_left_out_and_the_rest_is_kept() {
+    let mut bench = bench();
+    change(&mut bench);
+    let mut settings = bench.app.settings();
+    settings.works[0].scene = "method = \"of another version\"".to_owned();
+    let again = App::new(Course::embedded(), settings.clone());
+    assert!(again.is_untouched());
+    let again = App::new(Course::default(), settings);
+    assert!(
+        again.bookmark.free().is_some(),
+        "without a course there is still a scene"
+    );
+}
