@@ -130,6 +130,7 @@ fn is_changed(model: &Model<'_>, lesson: usize, step: usize) -> bool {
 }
 
 /// A row of the list.
+#[derive(Clone, Copy)]
 struct Row<'a> {
     number: &'a str,
     title: &'a str,

@@ -86,7 +86,7 @@ fn fields_text(solver: &Solver) -> String {
     for field in solver.fields() {
         match (field.need, parts.last_mut()) {
             (Presence::Choice, Some(part)) if choosing => {
-                *part = format!("{part} | {}", field.name)
+                *part = format!("{part} | {}", field.name);
             }
             (Presence::Optional, _) => parts.push(format!("[{}]", field.name)),
             _ => parts.push(field.name.to_owned()),

@@ -26,39 +26,27 @@ fn change(bench: &mut Bench) -> [Scene; 2] {
 
 #[test]
 fn a_change_survives_page_down_a_lesson_and_a_tab_and_can_be_undone_after_them() {
-    let away: [(&str, &dyn Fn(&mut Bench), &dyn Fn(&mut Bench)); 4] = [
-        ("PageDown", &|bench| bench.key(Key::PageDown), &|bench| {
-            bench.key(Key::PageUp)
-        }),
-        (
-            "a lesson",
-            &|bench| bench.app.apply(&bench.ctx.clone(), Command::Open([4, 1])),
-            &|bench| bench.app.apply(&bench.ctx.clone(), Command::Open([0, 0])),
-        ),
-        (
-            "a tab",
-            &|bench| {
-                bench
-                    .app
-                    .apply(&bench.ctx.clone(), Command::Lab("polygons"))
-            },
-            &|bench| bench.app.apply(&bench.ctx.clone(), Command::Lab("lines")),
-        ),
-        ("the free scene", &|bench| bench.key(Key::F8), &|bench| {
-            bench.key(Key::F8)
-        }),
+    let ways = [
+        [
+            Command::Lesson { forward: true },
+            Command::Lesson { forward: false },
+        ],
+        [Command::Open([4, 1]), Command::Open([0, 0])],
+        [Command::Lab("polygons"), Command::Lab("lines")],
+        [Command::Free, Command::Free],
     ];
-    for (what, leave, come_back) in away {
+    for [leave, come_back] in ways {
         let mut bench = bench();
+        let ctx = bench.ctx.clone();
         let [before, after] = change(&mut bench);
-        leave(&mut bench);
-        assert_ne!(bench.app.scene(), &after, "{what}");
+        bench.app.apply(&ctx, leave.clone());
+        assert_ne!(bench.app.scene(), &after, "{leave:?}");
         let page = bench.app.bookmark.page_of(0, 0).expect("the first step");
-        assert!(bench.app.desk.is_changed(&page), "{what}");
-        come_back(&mut bench);
-        assert_eq!(bench.app.scene(), &after, "{what}");
+        assert!(bench.app.desk.is_changed(&page), "{leave:?}");
+        bench.app.apply(&ctx, come_back);
+        assert_eq!(bench.app.scene(), &after, "{leave:?}");
         bench.press(Key::Z, ctrl());
-        assert_eq!(bench.app.scene(), &before, "{what}");
+        assert_eq!(bench.app.scene(), &before, "{leave:?}");
     }
 }
 
