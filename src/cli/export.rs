@@ -17,7 +17,7 @@ use crate::{
     text::{Diagnostic, Lang, Message},
 };
 
-use super::{Outcome, Progress, lang_parser, lessons::choose, say};
+use super::{Outcome, Progress, lang_parser, lessons::choose, say, usage::Expected};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -101,11 +101,12 @@ pub(super) struct Size {
 }
 
 impl FromStr for Size {
-    type Err = String;
+    type Err = Expected;
 
-    fn from_str(text: &str) -> Result<Self, String> {
+    fn from_str(text: &str) -> Result<Self, Expected> {
         let expected = || {
-            format!("expected WIDTHxHEIGHT from 64x64 to {MAX_SIDE}x{MAX_SIDE}, such as 1920x1080")
+            let most = format!("{MAX_SIDE}x{MAX_SIDE}");
+            Expected(Message::new("usage-expected-size").with("most", most))
         };
         let (width, height) = text.split_once(['x', '×']).ok_or_else(expected)?;
         let side = |text: &str| match text.parse() {
@@ -122,10 +123,10 @@ impl FromStr for Size {
 /// A picture of this side at scale 1 takes 1 GiB in memory: nothing prints larger.
 const MAX_SIDE: u32 = 16_384;
 
-fn scale(text: &str) -> Result<f32, String> {
+fn scale(text: &str) -> Result<f32, Expected> {
     match text.parse() {
         Ok(scale) if (0.25..=8.0).contains(&scale) => Ok(scale),
-        _ => Err("expected a number from 0.25 to 8".to_owned()),
+        _ => Err(Expected(Message::new("usage-expected-scale"))),
     }
 }
 

@@ -11,8 +11,9 @@ mod open;
 mod progress;
 mod say;
 mod trace;
+mod usage;
 
-use std::{path::PathBuf, process::ExitCode};
+use std::{env, path::PathBuf, process::ExitCode};
 
 use clap::{
     Parser, Subcommand,
@@ -72,8 +73,10 @@ pub fn run() -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(error) => {
-            // Help goes to standard output, mistakes to standard error; neither may be there any more.
-            let _ = error.print();
+            let args: Vec<String> = env::args_os()
+                .map(|arg| arg.to_string_lossy().into_owned())
+                .collect();
+            usage::explain(&error, &args);
             return match error.exit_code() {
                 0 => Outcome::Done.into(),
                 _ => Outcome::Unusable.into(),

@@ -104,7 +104,7 @@ status-export-failed = The figure could not be exported: { $reason }
 status-saved = Saved to { $path }
 status-save-failed = The scene could not be saved: { $reason }
 status-open-failed = { $path } could not be opened: { $reason }
-status-no-window = The window could not be opened: { $reason }
+status-no-window = The window could not be opened: it needs a display and OpenGL. Without them, clipscope export draws the figures to files. The system says: “{ $reason }”
 status-kept = The scene is as it was.
 status-reloaded = { $path } changed and was read again.
 

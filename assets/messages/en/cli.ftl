@@ -20,6 +20,19 @@ cli-refused =
 cli-unreadable = { $path } could not be read: { $reason }
 cli-nothing = There is nothing to do.
 
+## Wrong usage
+
+usage-no-such-command = There is no command “{ $name }”.
+usage-no-such-argument = “{ $name }” is not taken here.
+usage-value-missing = { $name } needs a value.
+usage-wrong-value = { $name } cannot be “{ $value }”.
+usage-argument-missing = { $name } is missing.
+usage-conflict = { $name } does not go with { $other }.
+usage-expected = Possible: { $expected }.
+usage-expected-size = Expected WIDTHxHEIGHT, from 64x64 to { $most }, such as 1920x1080.
+usage-expected-scale = Expected a number from 0.25 to 8.
+usage-see-help = --help says what there is, with examples.
+
 ## What the refusal of a case says; the JSON answer has the English sentence
 
 case-bad-json = This is not valid JSON: see column { $column }.

@@ -104,7 +104,7 @@ status-export-failed = No se pudo exportar la figura: { $reason }
 status-saved = Guardado en { $path }
 status-save-failed = No se pudo guardar la escena: { $reason }
 status-open-failed = No se pudo abrir { $path }: { $reason }
-status-no-window = No se pudo abrir la ventana: { $reason }
+status-no-window = No se pudo abrir la ventana: necesita una pantalla y OpenGL. Sin ellas, clipscope export dibuja las figuras en archivos. El sistema dice: «{ $reason }»
 status-kept = La escena queda como estaba.
 status-reloaded = { $path } cambió y se volvió a leer.
 

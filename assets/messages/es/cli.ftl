@@ -20,6 +20,19 @@ cli-refused =
 cli-unreadable = No se pudo leer { $path }: { $reason }
 cli-nothing = No hay nada que hacer.
 
+## Wrong usage
+
+usage-no-such-command = No existe la orden «{ $name }».
+usage-no-such-argument = «{ $name }» no se admite aquí.
+usage-value-missing = { $name } necesita un valor.
+usage-wrong-value = { $name } no puede ser «{ $value }».
+usage-argument-missing = Falta { $name }.
+usage-conflict = { $name } no se puede usar con { $other }.
+usage-expected = Posibles: { $expected }.
+usage-expected-size = Se esperaba ANCHOxALTO, de 64x64 a { $most }, como 1920x1080.
+usage-expected-scale = Se esperaba un número de 0.25 a 8.
+usage-see-help = --help muestra lo que hay, con ejemplos.
+
 ## What the refusal of a case says; the JSON answer has the English sentence
 
 case-bad-json = No es JSON válido: véase la columna { $column }.

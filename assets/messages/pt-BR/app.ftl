@@ -104,7 +104,7 @@ status-export-failed = Não foi possível exportar a figura: { $reason }
 status-saved = Salvo em { $path }
 status-save-failed = Não foi possível salvar a cena: { $reason }
 status-open-failed = Não foi possível abrir { $path }: { $reason }
-status-no-window = Não foi possível abrir a janela: { $reason }
+status-no-window = Não foi possível abrir a janela: ela precisa de uma tela e de OpenGL. Sem isso, clipscope export desenha as figuras em arquivos. O sistema diz: “{ $reason }”
 status-kept = A cena continua como estava.
 status-reloaded = { $path } mudou e foi lido de novo.
 

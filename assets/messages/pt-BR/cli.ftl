@@ -20,6 +20,19 @@ cli-refused =
 cli-unreadable = Não foi possível ler { $path }: { $reason }
 cli-nothing = Não há nada a fazer.
 
+## Wrong usage
+
+usage-no-such-command = Não existe o comando “{ $name }”.
+usage-no-such-argument = “{ $name }” não é aceito aqui.
+usage-value-missing = { $name } precisa de um valor.
+usage-wrong-value = { $name } não pode ser “{ $value }”.
+usage-argument-missing = Falta { $name }.
+usage-conflict = { $name } não pode ser usado com { $other }.
+usage-expected = Possíveis: { $expected }.
+usage-expected-size = Esperava-se LARGURAxALTURA, de 64x64 a { $most }, como 1920x1080.
+usage-expected-scale = Esperava-se um número de 0.25 a 8.
+usage-see-help = --help mostra o que há, com exemplos.
+
 ## What the refusal of a case says; the JSON answer has the English sentence
 
 case-bad-json = Não é JSON válido: veja a coluna { $column }.

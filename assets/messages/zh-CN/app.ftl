@@ -100,7 +100,7 @@ status-export-failed = 无法导出此图：{ $reason }
 status-saved = 已保存到 { $path }
 status-save-failed = 无法保存场景：{ $reason }
 status-open-failed = 无法打开 { $path }：{ $reason }
-status-no-window = 无法打开窗口：{ $reason }
+status-no-window = 无法打开窗口：需要显示器和 OpenGL。没有它们时，可用 clipscope export 把图画成文件。系统的说明：“{ $reason }”
 status-kept = 场景保持不变。
 status-reloaded = { $path } 已更改并重新读取。
 

@@ -8,6 +8,19 @@ cli-refused = 拒绝了 { $count } 项输入
 cli-unreadable = 无法读取 { $path }：{ $reason }
 cli-nothing = 没有要处理的内容。
 
+## Wrong usage
+
+usage-no-such-command = 没有“{ $name }”这种用法。
+usage-no-such-argument = 这里不接受“{ $name }”。
+usage-value-missing = { $name } 需要一个值。
+usage-wrong-value = { $name } 不能是“{ $value }”。
+usage-argument-missing = 缺少 { $name }。
+usage-conflict = { $name } 不能与 { $other } 同时使用。
+usage-expected = 可用：{ $expected }。
+usage-expected-size = 应为 宽x高，从 64x64 到 { $most }，例如 1920x1080。
+usage-expected-scale = 应为 0.25 到 8 之间的数。
+usage-see-help = --help 列出全部用法和示例。
+
 ## What the refusal of a case says; the JSON answer has the English sentence
 
 case-bad-json = 不是有效的 JSON：见第 { $column } 列。
