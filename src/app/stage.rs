@@ -4,7 +4,7 @@
 use egui::{Align2, Id, Rect, Stroke, Ui, UiBuilder, pos2};
 
 use crate::{
-    figure::{Caption, ColumnLayout, Frame, Lens, Sheet, ViewId},
+    figure::{Caption, ColumnLayout, Frame, Layout, Lens, Sheet, ViewId},
     labs::{Handle, Lock, MethodCard, Sketch},
     paint::{Typeset, Viewport},
     panels::{Reach, spots},
@@ -82,19 +82,7 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
     };
     state.canvas_ids.clear();
     state.handle_ids.clear();
-    let look = model.look;
-    let title = title(model, ui, rect);
-    let width = rect.width() / frames.len().max(1) as f32 - 2.0 * INDENT;
-    let caption = state.captions.height(model, ui, width);
-    let sheet = sheet(model, rect, title.as_ref(), caption);
-    let layout = sheet.lay_out(model.playback.needs());
-    let views = layout.columns.iter().flat_map(|column| &column.views);
-    state.places = views.copied().collect();
-    ui.painter().rect_filled(rect, 0.0, look.theme.background);
-    if let Some(title) = title {
-        let at = pos2(rect.left() + INDENT, rect.top() + 0.5 * INDENT);
-        title.paint(ui.painter(), at, Align2::LEFT_TOP);
-    }
+    let layout = lay_out(model, ui, state, rect);
     let columns = frames.iter().zip(methods).zip(&layout.columns);
     for (i, ((frame, method), places)) in columns.enumerate() {
         let whole = rect_of(places.whole);
@@ -126,10 +114,29 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
             }
         });
         if i > 0 {
-            let line = Stroke::new(1.0, look.theme.hairline);
+            let line = Stroke::new(1.0, model.look.theme.hairline);
             ui.painter().vline(whole.left(), whole.y_range(), line);
         }
     }
+}
+
+/// Finds where everything stands, and draws what stands over all columns.
+fn lay_out(model: &Model<'_>, ui: &Ui, state: &mut StageState, rect: Rect) -> Layout {
+    let frames = model.playback.frames();
+    let title = title(model, ui, rect);
+    let width = rect.width() / frames.len().max(1) as f32 - 2.0 * INDENT;
+    let caption = state.captions.height(model, ui, width);
+    let sheet = sheet(model, rect, title.as_ref(), caption);
+    let layout = sheet.lay_out(model.playback.needs());
+    let views = layout.columns.iter().flat_map(|column| &column.views);
+    state.places = views.copied().collect();
+    ui.painter()
+        .rect_filled(rect, 0.0, model.look.theme.background);
+    if let Some(title) = title {
+        let at = pos2(rect.left() + INDENT, rect.top() + 0.5 * INDENT);
+        title.paint(ui.painter(), at, Align2::LEFT_TOP);
+    }
+    layout
 }
 
 /// One method's part of the stage.

@@ -1,6 +1,6 @@
 //! What the picture of a step needs: both lists, their intersections and labels, the walk, and the rings so far.
 
-use std::sync::Arc;
+use std::{ops::Range, sync::Arc};
 
 use crate::{algo::line::Ratio, geom::Point, trace::Log};
 
@@ -143,6 +143,32 @@ impl WeilerAthertonState {
         }
     }
 
+    /// The walk stands at an entry; a corner of its path, or one that the ring does not keep.
+    fn visit(&mut self, list: List, place: u32, corner: Option<Point>) {
+        self.position = Some((list, place));
+        self.passed.push(Passed {
+            list,
+            place,
+            n_before: self.path.len() as u32,
+        });
+        if let Some(corner) = corner {
+            self.path.push(corner);
+        }
+    }
+
+    /// A ring without a walk: a stretch of a list.
+    fn keep(&mut self, list: List, places: Range<u32>, kind: RingKind) {
+        let entries = &self.lists[list.idx()];
+        let ring = places.clone();
+        let ring = ring.filter_map(|place| entries.get(place as usize));
+        let corners = ring.filter(|entry| self.is_corner(entry));
+        let points = corners.map(|entry| entry.at).collect();
+        self.rings.push(Arc::new(StateRing { points, kind }));
+        for place in places {
+            self.kept.push((list, place));
+        }
+    }
+
     pub(super) fn apply(&mut self, event: Event) {
         match event {
             Event::Vertex {
@@ -204,17 +230,7 @@ impl WeilerAthertonState {
                 place,
                 at,
                 corner,
-            } => {
-                self.position = Some((list, place));
-                self.passed.push(Passed {
-                    list,
-                    place,
-                    n_before: self.path.len() as u32,
-                });
-                if corner {
-                    self.path.push(at);
-                }
-            }
+            } => self.visit(list, place, corner.then_some(at)),
             Event::Switch { to, place, .. } => self.position = Some((to, place)),
             Event::Closed { from, kind } => self.close(from, kind),
             Event::Whole {
@@ -225,14 +241,7 @@ impl WeilerAthertonState {
             } => {
                 (self.position, self.start) = (None, None);
                 if let Some(kind) = kind {
-                    let entries = &self.lists[list.idx()];
-                    let ring = (start..end).filter_map(|place| entries.get(place as usize));
-                    let corners = ring.filter(|entry| self.is_corner(entry));
-                    let points = corners.map(|entry| entry.at).collect();
-                    self.rings.push(Arc::new(StateRing { points, kind }));
-                    for place in start..end {
-                        self.kept.push((list, place));
-                    }
+                    self.keep(list, start..end, kind);
                 }
             }
             Event::Hole {

@@ -12,6 +12,8 @@ mod lists;
 mod pipeline;
 mod result;
 mod rules;
+#[cfg(test)]
+mod shown_lists;
 mod skin;
 mod sutherland_hodgman;
 mod triangles;

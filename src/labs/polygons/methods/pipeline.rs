@@ -1,9 +1,12 @@
 //! Sutherland–Hodgman as a pipeline, shown.
 
 use crate::{
-    algo::polygon::{
-        Pipeline, PipelineEvent as Event, PipelineState as State, RingOutcome, Rule,
-        SutherlandHodgmanInput as Input,
+    algo::{
+        line::Ratio,
+        polygon::{
+            Pipeline, PipelineEvent as Event, PipelineState as State, RingOutcome, Rule,
+            SutherlandHodgmanInput as Input,
+        },
     },
     figure::{Body, Caption, Mark, Role, Shape, Tick, View, Watch, WatchRow, WatchSection},
     geom::Point,
@@ -136,18 +139,7 @@ impl Demo for Pipeline {
                 let is_closing = before.stages[stage_idx].is_closed;
                 test_caption(&edge(stage_idx), ends, distances, rule, is_closing)
             }
-            Event::Cross { stage_idx, at, t } => {
-                let edge = edge(stage_idx);
-                let message = Message::new("pipe-cross").with("border", edge.border());
-                let caption = Caption::new(message);
-                match before.test {
-                    Some((ends, distances, _)) => {
-                        let formulas = edge.crossing(ends, distances, t, at);
-                        formulas.into_iter().fold(caption, Caption::so)
-                    }
-                    None => caption,
-                }
-            }
+            Event::Cross { stage_idx, at, t } => cross_caption(&edge(stage_idx), before, at, t),
             Event::Output { at } => Caption::new(
                 Message::new("pipe-output")
                     .with("vertex", name(output_symbol(before.output.len())))
@@ -248,6 +240,15 @@ fn enter_caption(edge: &ClipEdge<'_>, vertex_idx: Option<usize>, at: Point) -> C
         .with("vertex", name(symbol))
         .with("at", at.to_array());
     Caption::new(message.with("border", edge.border()))
+}
+
+fn cross_caption(edge: &ClipEdge<'_>, before: &State<Point>, at: Point, t: Ratio) -> Caption {
+    let caption = Caption::new(Message::new("pipe-cross").with("border", edge.border()));
+    let Some((ends, distances, _)) = before.test else {
+        return caption;
+    };
+    let formulas = edge.crossing(ends, distances, t, at);
+    formulas.into_iter().fold(caption, Caption::so)
 }
 
 fn test_caption(

@@ -163,8 +163,7 @@ pub fn caption<V: LabVertex>(
             normal,
             origin,
         } => {
-            let edge = ClipEdge::new(region, edge_idx, look);
-            let caption = Caption::new(edge.message());
+            let caption = Caption::new(ClipEdge::new(region, edge_idx, look).message());
             match region {
                 ClipRegion::Window(_) => caption,
                 ClipRegion::Convex(_) => caption
@@ -193,14 +192,7 @@ pub fn caption<V: LabVertex>(
             rule,
         } => test_caption(&edge, idx, ends.map(|v| v.at()), distances, rule),
         Event::Cross { at, t } => cross_caption(&edge, before, at, t),
-        Event::Output { at } => {
-            let symbol = output_symbol(before.output.len());
-            let message = Message::new("sh-output")
-                .with("vertex", name(put_out_symbol(before, at)))
-                .with("place", name(symbol.clone()));
-            let point = Formula::default().sym(symbol).sym(" = ");
-            Caption::new(message).so(point.point(at.at().to_array()))
-        }
+        Event::Output { at } => output_caption(before, at),
         Event::Pass { n_vertices, .. } => {
             let key = if n_vertices == 0 {
                 "sh-pass-empty"
@@ -212,6 +204,15 @@ pub fn caption<V: LabVertex>(
         }
         Event::Done { outcome } => done(outcome, before.input.len(), region.n_edges()),
     }
+}
+
+fn output_caption<V: LabVertex>(before: &State<V>, at: V) -> Caption {
+    let symbol = output_symbol(before.output.len());
+    let message = Message::new("sh-output")
+        .with("vertex", name(put_out_symbol(before, at)))
+        .with("place", name(symbol.clone()));
+    let point = Formula::default().sym(symbol).sym(" = ");
+    Caption::new(message).so(point.point(at.at().to_array()))
 }
 
 fn cross_caption<V: LabVertex>(

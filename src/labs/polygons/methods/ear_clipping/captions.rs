@@ -24,13 +24,7 @@ pub fn caption(event: &Event, before: &State) -> Caption {
             double_area,
             corner,
         } => {
-            let key = match before.corners[vertex_idx] {
-                None => "ear-classify",
-                Some(_) => "ear-classify-again",
-            };
-            let message = Message::new(key)
-                .with("vertex", vertex_name(vertex_idx))
-                .with("corner", corner_name(corner));
+            let message = classified(vertex_idx, corner, before);
             let corners = [prev_idx, vertex_idx, next_idx];
             Caption::new(message).so(turn_formula(corners, before, double_area))
         }
@@ -76,6 +70,16 @@ pub fn caption(event: &Event, before: &State) -> Caption {
                 .so(count_formula(n_triangles + 2))
         }
     }
+}
+
+fn classified(vertex_idx: usize, corner: Corner, before: &State) -> Message {
+    let key = match before.corners[vertex_idx] {
+        None => "ear-classify",
+        Some(_) => "ear-classify-again",
+    };
+    Message::new(key)
+        .with("vertex", vertex_name(vertex_idx))
+        .with("corner", corner_name(corner))
 }
 
 /// Three of the given points and the vertex that was asked about: `V₄ = (3, 2)`, `turn(V₁, V₂, V₄) = 12 ≥ 0` …

@@ -31,18 +31,7 @@ pub fn caption(event: &Event, before: &State, input: &Input) -> Caption {
             list,
             vertex_idx,
             at,
-        } => {
-            let idx = vertex_idx as usize;
-            let key = match list {
-                List::Subject => "wa-vertex-subject",
-                List::Clip => "wa-vertex-clip",
-            };
-            let vertex = names::vertex(input, list, idx);
-            let message = Message::new(key)
-                .with("vertex", name(vertex.clone()))
-                .with("edge", name(names::edge(input, list, idx)));
-            Caption::new(message).so(position(vertex, at))
-        }
+        } => vertex(list, vertex_idx as usize, at, input),
         Event::Found { .. } => found(event, input),
         Event::Inserted {
             node_idx,
@@ -55,13 +44,7 @@ pub fn caption(event: &Event, before: &State, input: &Input) -> Caption {
             before: from,
             after: to,
         } => labelled(node_idx, label, [from, to], before),
-        Event::Start { node_idx } => {
-            let at = before.nodes.get(node_idx as usize).map(|node| node.at);
-            let message = Message::new("wa-start").with("node", name(names::node(node_idx)));
-            at.into_iter().fold(Caption::new(message), |caption, at| {
-                caption.so(position(names::node(node_idx), at))
-            })
-        }
+        Event::Start { node_idx } => start(node_idx, before),
         Event::Visit {
             list,
             place,
@@ -89,6 +72,27 @@ pub fn caption(event: &Event, before: &State, input: &Input) -> Caption {
     }
 }
 
+fn vertex(list: List, vertex_idx: usize, at: Point, input: &Input) -> Caption {
+    let key = match list {
+        List::Subject => "wa-vertex-subject",
+        List::Clip => "wa-vertex-clip",
+    };
+    let vertex = names::vertex(input, list, vertex_idx);
+    let message = Message::new(key)
+        .with("vertex", name(vertex.clone()))
+        .with("edge", name(names::edge(input, list, vertex_idx)));
+    Caption::new(message).so(position(vertex, at))
+}
+
+fn start(node_idx: u32, before: &State) -> Caption {
+    let node = names::node(node_idx);
+    let caption = Caption::new(Message::new("wa-start").with("node", name(node.clone())));
+    match before.nodes.get(node_idx as usize) {
+        Some(known) => caption.so(position(node, known.at)),
+        None => caption,
+    }
+}
+
 /// Two edges meet: where along each, and where in the plane.
 fn found(event: &Event, input: &Input) -> Caption {
     let Event::Found {
@@ -112,30 +116,18 @@ fn found(event: &Event, input: &Input) -> Caption {
     let message = |key| Message::new(key).with("node", name(node.clone()));
     match contact {
         Contact::Crossing => {
-            let (ratio, edge_idx) = match list {
-                List::Subject => (t, s),
-                List::Clip => (u, c),
-            };
-            let ends = names::border(input, list).edge(edge_idx);
-            let other_idx = if list == List::Subject { c } else { s };
-            let other = names::border(input, list.other()).edge(other_idx);
-            let coordinate = |axis| {
-                let [[a, _], [b, _]] = other.map(|p| along(p, axis));
-                if a == b {
-                    // Along an upright edge nothing is left to compute.
-                    let formula = Formula::default().sym(axis_symbol(axis)).sym(" = ");
-                    return formula.num(a);
-                }
-                mean(axis, ends, ratio, at)
-            };
             let message = message("wa-found-crossing")
                 .with("subject", name(subject))
                 .with("clip", name(clip));
+            let (on, other) = match list {
+                List::Subject => ((list, s, t), c),
+                List::Clip => ((list, c, u), s),
+            };
             Caption::new(message)
                 .so(parameter("t", "a", t))
                 .so(parameter("u", "b", u))
-                .so(coordinate(Axis::X))
-                .so(coordinate(Axis::Y))
+                .so(coordinate(Axis::X, at, on, other, input))
+                .so(coordinate(Axis::Y, at, on, other, input))
         }
         Contact::SubjectVertex => {
             let message = message("wa-found-on-edge")
@@ -198,6 +190,24 @@ fn quotient(symbol: &'static str, ratio: Ratio) -> Formula {
 /// Of the edge's other end.
 fn other_distance(Ratio { num, den }: Ratio) -> f64 {
     num - den
+}
+
+/// A coordinate of a crossing that lies on this edge of this polygon, so far along it, and on the `other` polygon's edge.
+fn coordinate(
+    axis: Axis,
+    at: Point,
+    (list, edge_idx, ratio): (List, usize, Ratio),
+    other_idx: usize,
+    input: &Input,
+) -> Formula {
+    let other = names::border(input, list.other()).edge(other_idx);
+    let [[a, _], [b, _]] = other.map(|p| along(p, axis));
+    if a == b {
+        // Along an upright edge nothing is left to compute.
+        let formula = Formula::default().sym(axis_symbol(axis)).sym(" = ");
+        return formula.num(a);
+    }
+    mean(axis, names::border(input, list).edge(edge_idx), ratio, at)
 }
 
 /// `x = (0 · 2 + 6 · 4) / (4 + 2) = 4`: the mean of an edge's ends, weighted by their distances from the other one.

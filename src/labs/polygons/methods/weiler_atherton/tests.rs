@@ -1,17 +1,9 @@
 use super::*;
 use crate::{
     figure::{ListLink, Lists, Role, Run},
-    text::{Catalog, Lang},
+    labs::polygons::methods::shown_lists::{FORK, assert_are_short, at, at_step, comb, names_of},
 };
 
-const FORK: [[f64; 2]; 6] = [
-    [6.0, -3.0],
-    [7.0, 0.0],
-    [6.0, 3.0],
-    [-2.0, 2.0],
-    [6.0, 1.0],
-    [2.0, -2.0],
-];
 const WINDOW: [[f64; 2]; 4] = [[-4.0, -3.0], [4.0, -3.0], [4.0, 3.0], [-4.0, 3.0]];
 
 fn run(subject: &[[f64; 2]], holes: &[&[[f64; 2]]]) -> Box<dyn Run> {
@@ -21,24 +13,6 @@ fn run(subject: &[[f64; 2]], holes: &[&[[f64; 2]]]) -> Box<dyn Run> {
         subject: Region::new(simple(subject), holes).unwrap(),
         clip: simple(&WINDOW),
     })
-}
-
-fn at(run: &dyn Run, moment: &str) -> Lists {
-    let step = run.find(&moment.parse().unwrap()).unwrap();
-    let views = run.frame(step).views;
-    match views.into_iter().map(|view| view.body).nth(1) {
-        Some(Body::Lists(lists)) => lists,
-        other => panic!("no lists beside the drawing: {other:?}"),
-    }
-}
-
-/// Names of the entries of a list that have a role, or of all.
-fn names_of(lists: &Lists, list: usize, role: Option<Role>) -> String {
-    let catalog = Catalog::of(Lang::En);
-    let entries = lists.lists[list].entries.iter();
-    let entries = entries.filter(|entry| role.is_none_or(|role| role == entry.role));
-    let names: Vec<String> = entries.map(|entry| catalog.value(&entry.name)).collect();
-    names.join(" ")
 }
 
 fn taken(lists: &Lists) -> Vec<ListLink> {
@@ -53,13 +27,16 @@ fn taken(lists: &Lists) -> Vec<ListLink> {
 fn both_lists_grow_where_their_entries_will_be() {
     let run = run(&FORK, &[]);
     let start = at(&*run, "start");
-    assert_eq!(names_of(&start, 0, Some(Role::Faint)), "S₁ S₂ S₃ S₄ S₅ S₆");
+    assert_eq!(
+        names_of(&start.lists[0], Some(Role::Faint)),
+        "S₁ S₂ S₃ S₄ S₅ S₆"
+    );
     let found = at(&*run, "found");
-    assert_eq!(names_of(&found, 0, None), "S₁ S₂ S₃ I₁ S₄ S₅ S₆");
-    assert_eq!(names_of(&found, 0, Some(Role::Signal)), "I₁");
-    assert_eq!(names_of(&found, 0, Some(Role::Faint)), "S₄ S₅ S₆");
+    assert_eq!(names_of(&found.lists[0], None), "S₁ S₂ S₃ I₁ S₄ S₅ S₆");
+    assert_eq!(names_of(&found.lists[0], Some(Role::Signal)), "I₁");
+    assert_eq!(names_of(&found.lists[0], Some(Role::Faint)), "S₄ S₅ S₆");
     let inserted = at(&*run, "inserted #2");
-    assert_eq!(names_of(&inserted, 1, None), "C₁ C₂ I₄ I₃ C₃ C₄");
+    assert_eq!(names_of(&inserted.lists[1], None), "C₁ C₂ I₄ I₃ C₃ C₄");
     let [link] = taken(&inserted)[..] else {
         panic!("one link is new: {inserted:?}");
     };
@@ -70,16 +47,19 @@ fn both_lists_grow_where_their_entries_will_be() {
 fn the_walk_is_in_both_lists() {
     let run = run(&FORK, &[]);
     let switch = at(&*run, "switch clip");
-    assert_eq!(names_of(&switch, 0, None), "S₁ S₂ S₃ I₁ S₄ I₂ S₅ I₃ S₆ I₄");
-    assert_eq!(names_of(&switch, 1, None), "C₁ C₂ I₄ I₃ I₂ I₁ C₃ C₄");
-    assert_eq!(names_of(&switch, 0, Some(Role::Accent)), "I₁ S₄");
     assert_eq!(
-        names_of(&switch, 1, Some(Role::Accent)),
+        names_of(&switch.lists[0], None),
+        "S₁ S₂ S₃ I₁ S₄ I₂ S₅ I₃ S₆ I₄"
+    );
+    assert_eq!(names_of(&switch.lists[1], None), "C₁ C₂ I₄ I₃ I₂ I₁ C₃ C₄");
+    assert_eq!(names_of(&switch.lists[0], Some(Role::Accent)), "I₁ S₄");
+    assert_eq!(
+        names_of(&switch.lists[1], Some(Role::Accent)),
         "",
         "not there yet"
     );
     for list in [0, 1] {
-        assert_eq!(names_of(&switch, list, Some(Role::Signal)), "I₂");
+        assert_eq!(names_of(&switch.lists[list], Some(Role::Signal)), "I₂");
     }
     let [link] = taken(&switch)[..] else {
         panic!("one link is taken: {switch:?}");
@@ -91,9 +71,15 @@ fn the_walk_is_in_both_lists() {
     };
     assert_eq!((link.from, link.to), ([1, 5], [0, 3]));
     let end = at(&*run, "end");
-    assert_eq!(names_of(&end, 0, Some(Role::Accepted)), "I₁ S₄ I₂ I₃ S₆ I₄");
-    assert_eq!(names_of(&end, 1, Some(Role::Accepted)), "I₄ I₃ I₂ I₁");
-    assert_eq!(names_of(&end, 0, Some(Role::Discarded)), "S₁ S₂ S₃ S₅");
+    assert_eq!(
+        names_of(&end.lists[0], Some(Role::Accepted)),
+        "I₁ S₄ I₂ I₃ S₆ I₄"
+    );
+    assert_eq!(names_of(&end.lists[1], Some(Role::Accepted)), "I₄ I₃ I₂ I₁");
+    assert_eq!(
+        names_of(&end.lists[0], Some(Role::Discarded)),
+        "S₁ S₂ S₃ S₅"
+    );
 }
 
 #[test]
@@ -105,7 +91,7 @@ fn each_hole_is_a_ring_of_its_own() {
         panic!("two lists: {lists:?}");
     };
     assert_eq!(
-        names_of(&lists, 0, None),
+        names_of(&lists.lists[0], None),
         "S₁ I₁ S₂ S₃ I₂ S₄ S₅ I₃ S₆ S₇ I₄"
     );
     assert_eq!((&subject.breaks[..], &clip.breaks[..]), (&[6][..], &[][..]));
@@ -113,23 +99,9 @@ fn each_hole_is_a_ring_of_its_own() {
 
 #[test]
 fn of_long_lists_the_step_s_neighbourhood_is_shown() {
-    let teeth = (0..400).map(|i| {
-        [
-            if i % 2 == 0 { 3.0 } else { 5.0 },
-            2.0 - f64::from(i) / 100.0,
-        ]
-    });
-    let comb: Vec<[f64; 2]> = [[7.0, -2.5], [7.0, 2.5]].into_iter().chain(teeth).collect();
-    let run = run(&comb, &[]);
+    let run = run(&comb(400), &[]);
     for step in (0..=run.n_steps()).step_by(37) {
-        let frame = run.frame(step);
-        let Some(Body::Lists(lists)) = frame.views.get(1).map(|view| &view.body) else {
-            panic!("no lists at step {step}");
-        };
-        for list in &lists.lists {
-            assert!(list.entries.len() <= 40, "step {step}");
-            assert!(list.focus.is_none_or(|focus| focus < list.entries.len()));
-        }
+        assert_are_short(&at_step(&*run, step));
     }
     let switch = at(&*run, "switch clip #30");
     assert_eq!(taken(&switch).len(), 1, "its ends are both in sight");
