@@ -13,6 +13,8 @@ pub struct Lists {
     pub lists: Vec<ListColumn>,
     /// Between entries of neighbouring lists.
     pub links: Vec<ListLink>,
+    /// Under them: what the marks before entries mean. The same at every step.
+    pub legend: Vec<(ItemMarker, Value)>,
 }
 
 /// One list, from top to bottom.

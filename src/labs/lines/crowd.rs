@@ -7,10 +7,14 @@ use crate::{
     },
     figure::{Mark, Role, Shape},
     geom::Segment,
+    labs::words::{name, subscript},
     trace::silent,
 };
 
 use super::Scene;
+
+/// Of segments out of focus.
+const LETTERS: [&str; 3] = ["Q", "R", "S"];
 
 /// Every segment of the scene but the focused one: as given, and `clipped`, the visible parts over them.
 #[must_use]
@@ -25,13 +29,29 @@ pub fn crowd(scene: &Scene, clipped: bool) -> Vec<Mark> {
     } else {
         Vec::new()
     };
+    let names = names(&given);
     [(Role::Discarded, given), (Role::Accent, visible)]
         .into_iter()
         .map(|(role, segments)| {
             let ends = |s: Segment| [s.p1.to_array(), s.p2.to_array()];
             Mark::new(role, Shape::Crowd(segments.into_iter().map(ends).collect()))
         })
+        .chain(names)
         .collect()
+}
+
+/// Few of them have names at their ends, as the one in focus has: Q₁ and Q₂, R₁ and R₂.
+fn names(given: &[Segment]) -> Vec<Mark> {
+    if given.len() > LETTERS.len() {
+        return Vec::new();
+    }
+    let ends = |(segment, letter): (&Segment, &str)| {
+        [(segment.p1, 1), (segment.p2, 2)].map(|(at, nth)| {
+            let symbol = format!("{letter}{}", subscript(nth));
+            Mark::new(Role::Soft, Shape::Vertex(at.to_array())).labelled(name(symbol))
+        })
+    };
+    given.iter().zip(LETTERS).flat_map(ends).collect()
 }
 
 /// By the batch clipper against a window, by Cyrus–Beck against a polygon.

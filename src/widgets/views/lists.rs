@@ -23,7 +23,9 @@ use super::{
     table::more,
 };
 use chip::chip;
-use plan::{Column, FOLD_SIZE, HEADING_SIZE, LANE, Plan, TITLE_SIZE};
+use plan::{
+    Column, FOLD_SIZE, HEADING_SIZE, LANE, LEGEND_GAP, LEGEND_SIZE, MARKER, Plan, TITLE_SIZE,
+};
 
 impl OnSlate for Lists {
     fn slate<'a>(&self, painter: &'a Painter, look: Look<'a>, rect: Rect) -> Slate<'a> {
@@ -45,6 +47,7 @@ impl OnSlate for Lists {
         for link in self.links.iter().filter(is_taken) {
             taken(slate, self, &plan, link);
         }
+        legend(slate, self, pos2(rect.left(), plan.legend(slate)));
     }
 
     fn spoken(&self, look: Look<'_>) -> String {
@@ -97,6 +100,18 @@ fn spoken(look: Look<'_>, list: &ListColumn) -> String {
         .chain(folded(list.n_after));
     let said: Vec<String> = said.collect();
     format!("{}: {}", look.catalog.value(&list.title), said.join(", "))
+}
+
+/// What the marks mean, in a row.
+fn legend(slate: &mut Slate<'_>, lists: &Lists, mut at: Pos2) {
+    for (marker, meaning) in &lists.legend {
+        let style = (Face::Plain, LEGEND_SIZE, slate.theme().soft);
+        let meaning = slate.low(meaning, style);
+        let middle = at + vec2(slate.pts(0.3 * MARKER), 0.0);
+        chip::draw_marker(slate, middle, *marker, Role::Ink);
+        at.x += slate.pts(MARKER);
+        at.x = slate.put(&meaning, at, Align2::LEFT_CENTER).right() + slate.pts(LEGEND_GAP);
+    }
 }
 
 fn title(slate: &mut Slate<'_>, list: &ListColumn, column: &Column, top: f32) {

@@ -28,15 +28,7 @@ pub fn marks<V: LabVertex>(
 ) -> Vec<Mark> {
     let mut marks = Vec::from_iter(skin(&state.input));
     if let Some(outcome) = state.outcome {
-        let (ring, given) = (&state.input, &input.vertices);
-        marks.extend(result(ring, outcome, &input.region, given));
-        marks.extend(match outcome {
-            RingOutcome::Empty => names(given, Role::Discarded, &[], &[]),
-            RingOutcome::Degenerate | RingOutcome::Whole | RingOutcome::Cut => {
-                names(ring, Role::Accepted, &[], &[])
-            }
-        });
-        marks.extend(slipped(given, ring));
+        marks.extend(end(input, &state.input, outcome));
         return marks;
     }
     if let Some(edge_idx) = state.edge_idx {
@@ -57,9 +49,10 @@ pub fn marks<V: LabVertex>(
     if let Some(Event::Pass { .. }) = event {
         let left = Mark::new(Role::Accent, Shape::Outline(outline(&state.input)));
         marks.push(left.linked("input"));
-        marks.extend(names(&state.input, Role::Accent, &[], &[]));
+        marks.extend(names(&state.input, output_symbol, Role::Accent, &[], &[]));
         if state.input.is_empty() {
-            marks.extend(names(&state.passed, Role::Discarded, &state.sides, &[]));
+            let (passed, sides) = (&state.passed, &state.sides);
+            marks.extend(names(passed, vertex_symbol, Role::Discarded, sides, &[]));
         }
         marks.extend(bridges(&state.input, &input.region));
         return marks;
@@ -70,16 +63,54 @@ pub fn marks<V: LabVertex>(
         Some(test) => test.idx.to_vec(),
         None => Vec::from_iter((!state.sides.is_empty()).then_some(0)),
     };
-    marks.extend(names(&state.input, Role::Soft, &state.sides, &shown));
+    let sides = &state.sides;
+    marks.extend(names(
+        &state.input,
+        vertex_symbol,
+        Role::Soft,
+        sides,
+        &shown,
+    ));
     marks.extend(moment(state, event));
     marks
 }
 
-/// What the right rules leave, to be seen beside what these do.
-pub fn right_outline<V: LabVertex>(input: &Input<V>, state: &State<V>) -> Option<Mark> {
+/// The result, over what the right rules leave where that is something else: then it is not accepted.
+fn end<V: LabVertex>(input: &Input<V>, ring: &[V], outcome: RingOutcome) -> Vec<Mark> {
+    let right = right_result(input, ring);
+    let role = result_role(right.is_some());
+    let right = right.map(|right| {
+        let shape = Shape::Outline(outline(&right));
+        Mark::new(Role::Ink, shape).dashed().linked("right")
+    });
+    let given = &input.vertices;
+    let names = match outcome {
+        RingOutcome::Empty => names(given, vertex_symbol, Role::Discarded, &[], &[]),
+        RingOutcome::Degenerate | RingOutcome::Whole | RingOutcome::Cut => {
+            names(ring, output_symbol, role, &[], &[])
+        }
+    };
+    right
+        .into_iter()
+        .chain(result(ring, (outcome, role), &input.region, given))
+        .chain(names)
+        .chain(slipped(given, ring))
+        .collect()
+}
+
+/// What the right rules leave, where these leave something else.
+pub fn right_result<V: LabVertex>(input: &Input<V>, ring: &[V]) -> Option<Vec<V>> {
     let right = silent::<SutherlandHodgman<V>>(input).vertices;
-    let shape = Shape::Outline(outline(&right));
-    (right != state.input).then(|| Mark::new(Role::Ink, shape).dashed().linked("right"))
+    (right != ring).then_some(right)
+}
+
+/// Of a result: a wrong one is not accepted.
+pub const fn result_role(is_wrong: bool) -> Role {
+    if is_wrong {
+        Role::Signal
+    } else {
+        Role::Accepted
+    }
 }
 
 /// From where a vertex's place in the texture was given to where it is now: with the right rules it stays.

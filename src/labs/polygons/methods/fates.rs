@@ -44,8 +44,11 @@ pub fn fates(step: &Step<'_, TriangulateAndClip>) -> Lists {
         })
     });
     let links = links.collect();
-    let lists = lists.into();
-    Lists { lists, links }
+    Lists {
+        lists: lists.into(),
+        links,
+        legend: Vec::new(),
+    }
 }
 
 /// Has the triangle been done with at this very step, and left something?

@@ -19,8 +19,11 @@ pub const IN_AND_OUT: &str = "in-and-out";
 pub fn in_and_out(step: &Step<'_, Pipeline>) -> Lists {
     let lists = [polygon(step), ring(step)];
     let links = links(step, [&lists[0], &lists[1]]);
-    let lists = lists.into();
-    Lists { lists, links }
+    Lists {
+        lists: lists.into(),
+        links,
+        legend: Vec::new(),
+    }
 }
 
 fn polygon(step: &Step<'_, Pipeline>) -> ListColumn {

@@ -11,7 +11,9 @@ use crate::{
 };
 
 use super::{
+    drawing::{result_role, right_result},
     lists::{output_symbol, vertex_link},
+    rules::side_term,
     skin::LabVertex,
 };
 
@@ -41,7 +43,10 @@ enum Now<V> {
     /// It makes it the next input list.
     Passes,
     /// It makes it the answer.
-    Ends,
+    Ends {
+        /// Not what the right rules leave?
+        is_wrong: bool,
+    },
 }
 
 /// Both lists at a step; after a pass the old and the new one, at the end what was given and what is left.
@@ -77,15 +82,23 @@ pub fn lists<V: LabVertex>(input: &Input<V>, state: &State<V>, event: Option<Eve
             now: Now::Passes,
             ..pair
         },
-        Some(Event::Done { .. }) => Pair {
-            titles: ["sh-list-given", "sh-list-left"],
-            input: &input.vertices,
-            output: &state.input,
-            sides: &[],
-            crossings: &[],
-            current: &[],
-            now: Now::Ends,
-        },
+        Some(Event::Done { .. }) => {
+            let is_wrong = right_result(input, &state.input).is_some();
+            let left = if is_wrong {
+                "sh-list-wrong"
+            } else {
+                "sh-list-left"
+            };
+            Pair {
+                titles: ["sh-list-given", left],
+                input: &input.vertices,
+                output: &state.input,
+                sides: &[],
+                crossings: &[],
+                current: &[],
+                now: Now::Ends { is_wrong },
+            }
+        }
     };
     pair.lists()
 }
@@ -96,9 +109,12 @@ impl<V: LabVertex> Pair<'_, V> {
         let input = self.input_list(&origins);
         let output = self.output_list();
         let links = self.links(&origins, [&input, &output]);
+        let said = [(ItemMarker::Dot, true), (ItemMarker::Ring, false)];
+        let said = said.map(|(marker, is_inside)| (marker, Value::Term(side_term(is_inside))));
         Lists {
             lists: vec![input, output],
             links,
+            legend: said.to_vec(),
         }
     }
 
@@ -108,7 +124,7 @@ impl<V: LabVertex> Pair<'_, V> {
         let (mut vertices, mut crossings) = (0, 0);
         let found = match self.now {
             Now::Finds(at) => Some(at),
-            Now::Looks | Now::PutsOut | Now::Passes | Now::Ends => None,
+            Now::Looks | Now::PutsOut | Now::Passes | Now::Ends { .. } => None,
         };
         let output = self.output.iter().copied().chain(found);
         let origin = |vertex: V| {
@@ -130,7 +146,7 @@ impl<V: LabVertex> Pair<'_, V> {
         let n = self.input.len();
         let focus = self.current.last().copied();
         let reach = ListColumn::reach(n, focus);
-        let is_last = matches!(self.now, Now::Ends);
+        let is_last = matches!(self.now, Now::Ends { .. });
         let entry = |i: usize| {
             let is_inside = match self.sides.get(i) {
                 Some((_, is_inside)) => Some(*is_inside),
@@ -179,18 +195,19 @@ impl<V: LabVertex> Pair<'_, V> {
     fn output_list(&self) -> ListColumn {
         let found = match &self.now {
             Now::Finds(at) => Some(at),
-            Now::Looks | Now::PutsOut | Now::Passes | Now::Ends => None,
+            Now::Looks | Now::PutsOut | Now::Passes | Now::Ends { .. } => None,
         };
         let n = self.output.len() + usize::from(found.is_some());
         let focus = n.checked_sub(1);
         let reach = ListColumn::reach(n, focus);
-        let is_closed = matches!(self.now, Now::Passes | Now::Ends);
+        let is_closed = matches!(self.now, Now::Passes | Now::Ends { .. });
         let entry = |i: usize| {
             let (symbol, role) = match (self.output.get(i), self.now) {
                 (None, _) => ("I".to_owned(), Role::Signal),
-                (_, Now::Ends) => (vertex_symbol(i), Role::Accepted),
-                (_, Now::Passes) => (vertex_symbol(i), Role::Accent),
-                (_, Now::Looks | Now::Finds(_) | Now::PutsOut) => (output_symbol(i), Role::Accent),
+                (_, Now::Ends { is_wrong }) => (output_symbol(i), result_role(is_wrong)),
+                (_, Now::Passes | Now::Looks | Now::Finds(_) | Now::PutsOut) => {
+                    (output_symbol(i), Role::Accent)
+                }
             };
             let mut entry = ListRow::new(name(symbol));
             entry.role = role;
@@ -213,7 +230,8 @@ impl<V: LabVertex> Pair<'_, V> {
     }
 
     /// What came from where, of the entries that are given: a crossing from both ends of its edge while that is at work,
-    /// afterwards from the outer one, in whose place it stands.
+    /// afterwards from the outer one, in whose place it stands; that of the closing edge from the last, so that links
+    /// do not cross.
     fn links(&self, origins: &[Option<[usize; 2]>], lists: [&ListColumn; 2]) -> Vec<ListLink> {
         let is_now = matches!(self.now, Now::Finds(_) | Now::PutsOut);
         let given = |list: usize, i: usize| {
@@ -229,8 +247,8 @@ impl<V: LabVertex> Pair<'_, V> {
             let is_inside = |i: usize| self.sides.get(i).is_some_and(|&(_, is_inside)| is_inside);
             let (from, role) = match (is_now && i + 1 == origins.len(), is_inside(s)) {
                 (true, _) => (vec![s, p], Role::Signal),
-                (false, true) => (vec![p], Role::Soft),
-                (false, false) => (vec![s], Role::Soft),
+                (false, true) if s < p => (vec![p], Role::Soft),
+                (false, _) => (vec![s], Role::Soft),
             };
             let from = from.iter().skip(usize::from(from.first() == from.get(1)));
             let from = from.filter_map(|&from| given(0, from));

@@ -67,6 +67,7 @@ pub fn rows<V: LabVertex>(input: &[V], output: &[V], current: usize) -> Vec<Watc
 /// by themselves. Hollow where they are known to be outside. Those at one place have one label.
 pub fn names<V: LabVertex>(
     list: &[V],
+    symbol: fn(usize) -> String,
     role: Role,
     sides: &[(f64, bool)],
     shown: &[usize],
@@ -80,7 +81,7 @@ pub fn names<V: LabVertex>(
     let mark = |&i: &usize| {
         let at = list[i].at();
         let here = others.iter().filter(|&&k| list[k].at() == at);
-        let symbols: Vec<String> = here.map(|&k| vertex_symbol(k)).collect();
+        let symbols: Vec<String> = here.map(|&k| symbol(k)).collect();
         let point = at.to_array();
         let (role, shape) = match sides.get(i) {
             Some((_, false)) => (Role::Discarded, Shape::Ring(point)),

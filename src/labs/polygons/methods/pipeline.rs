@@ -201,8 +201,13 @@ impl Demo for Pipeline {
 fn marks(step: &Step<'_, Pipeline>) -> Vec<Mark> {
     let (input, state) = (step.input, step.state);
     if let Some(outcome) = state.outcome {
-        let ring = names(&state.output, Role::Accepted, &[], &[]);
-        let left = result(&state.output, outcome, &input.region, &input.vertices);
+        let ring = names(&state.output, output_symbol, Role::Accepted, &[], &[]);
+        let left = result(
+            &state.output,
+            (outcome, Role::Accepted),
+            &input.region,
+            &input.vertices,
+        );
         return left.into_iter().chain(ring).collect();
     }
     let mut marks = Vec::new();
@@ -220,7 +225,7 @@ fn marks(step: &Step<'_, Pipeline>) -> Vec<Mark> {
         }));
     }
     marks.push(Mark::new(Role::Accent, Shape::Path(outline(&state.output))).linked("output"));
-    marks.extend(names(&input.vertices, Role::Soft, &[], &[]));
+    marks.extend(names(&input.vertices, vertex_symbol, Role::Soft, &[], &[]));
     marks.extend(memory(state));
     marks.extend(moment(state));
     marks

@@ -28,10 +28,10 @@ impl<V: LabVertex> Answer for ClippedRing<V> {
     }
 }
 
-/// What is left, and its bridges.
+/// What is left, in a role, and its bridges.
 pub fn result<V: Vertex>(
     ring: &[V],
-    outcome: RingOutcome,
+    (outcome, role): (RingOutcome, Role),
     region: &ClipRegion,
     given: &[V],
 ) -> Vec<Mark> {
@@ -42,13 +42,13 @@ pub fn result<V: Vertex>(
             let mut path = outline(ring);
             path.extend(path.first().copied());
             let dots = ring.iter().take(NAMED);
-            let dots = dots.map(|v| shape(Role::Accepted, Shape::Dot(v.at().to_array())));
-            std::iter::once(shape(Role::Accepted, Shape::Path(path)))
+            let dots = dots.map(|v| shape(role, Shape::Dot(v.at().to_array())));
+            std::iter::once(shape(role, Shape::Path(path)))
                 .chain(dots)
                 .collect()
         }
         RingOutcome::Whole | RingOutcome::Cut => {
-            let mut marks = vec![shape(Role::Accepted, Shape::Area(vec![outline(ring)]))];
+            let mut marks = vec![shape(role, Shape::Area(vec![outline(ring)]))];
             marks.extend(bridges(ring, region));
             marks
         }

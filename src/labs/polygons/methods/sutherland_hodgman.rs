@@ -22,7 +22,7 @@ use crate::{
 
 use super::{
     clip_edge::{ClipEdge, EdgeLook},
-    drawing::{marks, right_outline},
+    drawing::marks,
     faulty::Kept,
     list_view::lists,
     lists::{LISTS, output_symbol, rows},
@@ -133,12 +133,8 @@ impl<V: LabVertex, L: Variant> Demo for SutherlandHodgman<V, L> {
 
     fn views(step: &Step<'_, Self>) -> Vec<View> {
         let (input, state, event) = (step.input, step.state, step.event);
-        // Under what the mistake leaves, so that it is seen where the two differ.
-        let is_wrong = L::DIFFERS_KEY.is_some() && state.outcome.is_some();
-        let right = is_wrong.then(|| right_outline(input, state)).flatten();
-        let marks = right.into_iter().chain(marks(input, state, event, L::LOOK));
         vec![
-            View::plane(marks.collect()),
+            View::plane(marks(input, state, event, L::LOOK)),
             View::new(LISTS, Body::Lists(lists(input, state, event))),
         ]
     }

@@ -130,7 +130,7 @@ fn dashed_box(slate: &Slate<'_>, place: Rect, stroke: Stroke) {
 }
 
 /// The same marks as on the stage.
-fn draw_marker(slate: &Slate<'_>, at: Pos2, marker: ItemMarker, role: Role) {
+pub fn draw_marker(slate: &Slate<'_>, at: Pos2, marker: ItemMarker, role: Role) {
     let theme = slate.theme();
     let colour = match role {
         Role::Ink | Role::Accent | Role::Signal | Role::Accepted => theme.ink,

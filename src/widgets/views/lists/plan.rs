@@ -43,6 +43,10 @@ pub const NAME_SIZE: f32 = 13.0;
 pub const FOLD_SIZE: f32 = 12.0;
 pub const DETAIL_SIZE: f32 = 12.0;
 pub const HEADING_SIZE: f32 = 12.0;
+pub const LEGEND_SIZE: f32 = 12.0;
+/// The legend's height, with the white space over it, and the white space between two marks of it.
+const LEGEND: f32 = 24.0;
+pub const LEGEND_GAP: f32 = 20.0;
 
 /// Widths of what stands in the chips of a list.
 pub struct Widths {
@@ -122,7 +126,7 @@ impl Plan {
         let n_details = n_details(slate, lists, rect.width());
         let widths: Vec<Widths> = widths(slate, lists, n_details);
         let over = over(slate, lists);
-        let room = rect.height() - over;
+        let room = rect.height() - over - under(slate, lists);
         let n_fit = ((room / slate.pts(STEPS[0]) + 0.2) as usize).max(3);
         let folds: Vec<Fold> = lists.lists.iter().map(|list| fold(list, n_fit)).collect();
         let n_rows = folds.iter().map(Fold::n_rows).max().unwrap_or(1).max(1);
@@ -157,6 +161,15 @@ impl Plan {
         }
     }
 
+    /// The middle of the legend, in height.
+    pub fn legend(&self, slate: &Slate<'_>) -> f32 {
+        let bottoms = self.columns.iter().map(|column| {
+            let last = column.fold.n_rows().saturating_sub(1);
+            self.chip(column, last).bottom()
+        });
+        bottoms.fold(0.0, f32::max) + slate.pts(0.5 * LEGEND + 4.0)
+    }
+
     /// The chip in a row.
     pub fn chip(&self, column: &Column, row: usize) -> Rect {
         column.chips.translate(vec2(0.0, row as f32 * self.step))
@@ -168,7 +181,8 @@ pub fn slate<'a>(painter: &'a Painter, look: Look<'a>, room: Vec2, lists: &Lists
     let n_rows = lists.lists.iter().map(|list| list.entries.len()).max();
     let n_rows = n_rows.unwrap_or(1).max(1);
     Slate::grown(painter, look, room, MOST_GROWN, |slate| {
-        let height = |n_rows: usize| over(slate, lists) + slate.pts(STEPS[0]) * n_rows as f32;
+        let around = over(slate, lists) + under(slate, lists);
+        let height = |n_rows: usize| around + slate.pts(STEPS[0]) * n_rows as f32;
         let is_folded = room.y / height(n_rows) * slate.scale < FOLD_BELOW;
         // Folded, as many rows are seen as there is room for.
         let least = if is_folded {
@@ -177,8 +191,7 @@ pub fn slate<'a>(painter: &'a Painter, look: Look<'a>, room: Vec2, lists: &Lists
             n_rows
         };
         let height = if is_folded && slate.scale > FOLD_BELOW {
-            let fits =
-                (room.y - over(slate, lists) * FOLD_BELOW / slate.scale) / (STEPS[0] * FOLD_BELOW);
+            let fits = (room.y - around * FOLD_BELOW / slate.scale) / (STEPS[0] * FOLD_BELOW);
             height((fits as usize).clamp(least, n_rows))
         } else {
             height(least)
@@ -200,6 +213,11 @@ fn over(slate: &Slate<'_>, lists: &Lists) -> f32 {
         .map(|heading| slate.look.catalog.value(heading))
         .any(|heading| !heading.is_empty());
     slate.pts(if has_headings { TITLE + HEADING } else { TITLE })
+}
+
+/// The legend.
+fn under(slate: &Slate<'_>, lists: &Lists) -> f32 {
+    slate.pts(if lists.legend.is_empty() { 0.0 } else { LEGEND })
 }
 
 fn fold(list: &ListColumn, n_fit: usize) -> Fold {

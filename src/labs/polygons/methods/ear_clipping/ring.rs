@@ -35,6 +35,8 @@ pub fn lists(step: &Step<'_, EarClipping>) -> Lists {
     Lists {
         lists: vec![ring, triangles],
         links,
+        // Each entry says it itself.
+        legend: Vec::new(),
     }
 }
 

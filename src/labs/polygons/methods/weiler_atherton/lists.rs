@@ -28,6 +28,7 @@ pub fn lists(step: &Step<'_, WeilerAtherton>) -> Lists {
         BOTH.map(|list| figure::ListColumn::reach(standing::len(step, list), focus[list.idx()]));
     let standing = Standing::of(step, ranges.clone());
     Lists {
+        legend: legend(step),
         links: links(step, &ranges),
         lists: BOTH
             .into_iter()
@@ -36,6 +37,33 @@ pub fn lists(step: &Step<'_, WeilerAtherton>) -> Lists {
             .map(|((list, range), focus)| shown(step, &standing, list, range, focus))
             .collect(),
     }
+}
+
+const fn marker(label: IntersectionLabel) -> ItemMarker {
+    match label {
+        IntersectionLabel::Entering => ItemMarker::Dot,
+        IntersectionLabel::Leaving => ItemMarker::Ring,
+        IntersectionLabel::Pinching => ItemMarker::CrossedRing,
+        IntersectionLabel::Touching => ItemMarker::Cross,
+    }
+}
+
+/// Entering and leaving always, the others where there are any.
+fn legend(step: &Step<'_, WeilerAtherton>) -> Vec<(ItemMarker, Value)> {
+    let has = |label: IntersectionLabel| step.state.labels.iter().any(|known| known.label == label);
+    let said = |label: IntersectionLabel| {
+        let key = match label {
+            IntersectionLabel::Entering => "wa-mark-entering",
+            IntersectionLabel::Leaving => "wa-mark-leaving",
+            IntersectionLabel::Touching | IntersectionLabel::Pinching => names::label_key(label),
+        };
+        (marker(label), Value::Term(key))
+    };
+    let rare = [IntersectionLabel::Touching, IntersectionLabel::Pinching]
+        .into_iter()
+        .filter(|&label| has(label));
+    let always = [IntersectionLabel::Entering, IntersectionLabel::Leaving];
+    always.into_iter().chain(rare).map(said).collect()
 }
 
 fn shown(
@@ -97,11 +125,9 @@ fn entry(
     };
     figure::ListRow {
         details: vec![detail(step, list, known)],
-        marker: known.node.map(|node| match standing::label(state, node) {
-            Some(IntersectionLabel::Entering) => ItemMarker::Dot,
-            Some(IntersectionLabel::Leaving) => ItemMarker::Ring,
-            Some(IntersectionLabel::Pinching) => ItemMarker::CrossedRing,
-            None | Some(IntersectionLabel::Touching) => ItemMarker::Cross,
+        marker: known.node.map(|node| {
+            let label = standing::label(state, node);
+            label.map_or(ItemMarker::Cross, marker)
         }),
         role,
         link,

@@ -74,6 +74,10 @@ pub fn two_lists() -> Lists {
             link(5, 6, Soft),
             link(10, 3, Soft),
         ],
+        legend: vec![
+            (ItemMarker::Dot, name("entering")),
+            (ItemMarker::Ring, name("leaving")),
+        ],
     }
 }
 
@@ -101,6 +105,7 @@ pub fn in_and_out() -> Lists {
             ListColumn::new(name("Next"), Vec::new()),
         ],
         links: Vec::new(),
+        legend: Vec::new(),
     }
 }
 
@@ -130,6 +135,7 @@ pub fn long_lists() -> Lists {
             to: [1, 38],
             role: Role::Signal,
         }],
+        legend: Vec::new(),
     }
 }
 
