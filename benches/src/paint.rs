@@ -3,7 +3,7 @@
 use std::{hint::black_box, time::Instant};
 
 use clipscope::{
-    export::{Picture, draw},
+    export::{Picture, Steps, draw},
     labs::Scene,
     lesson::{Course, LessonStep},
     paint::{Headless, ThemeKind},
@@ -59,6 +59,7 @@ fn picture(scene: &Scene, step: usize) -> Picture<'_> {
         lang: Lang::En,
         theme: ThemeKind::Light,
         size_px: SIZE_PX,
+        among: Steps::Figures,
         title: None,
     }
 }

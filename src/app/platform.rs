@@ -105,6 +105,7 @@ impl Platform for Desktop {
             lang: picture.lang,
             theme: picture.theme,
             size_px: SIZE_PX,
+            among: export::Steps::Figures,
         };
         Ok(export::draw(&mut table, &figure).to_png())
     }

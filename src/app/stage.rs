@@ -171,6 +171,8 @@ impl Column<'_> {
             .map(|difference| look.catalog.message(&difference.message()));
         let words = StepWords {
             name: name.as_deref(),
+            // The transport says it.
+            moment: None,
             note: note.as_deref(),
             said,
             indent: INDENT,

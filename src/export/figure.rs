@@ -1,12 +1,15 @@
 //! One figure: the step's title, what the stage shows, and the run's sentence under it.
 
+#[cfg(test)]
+mod tests;
+
 use egui::{Align2, Rect, Ui, vec2};
 
 use crate::{
-    figure::{ColumnLayout, Frame, Need, Run, Sheet, ViewId, needs, sentences},
+    figure::{Caption, ColumnLayout, Frame, Need, Run, Sheet, ViewId, needs, sentences},
     labs::{Difference, MethodCard, Scene},
     paint::{Headless, Image, Theme, ThemeKind, Viewport, stage},
-    text::{Catalog, Lang},
+    text::{Catalog, Lang, Message},
     widgets::{
         Bars, Cost, Look, StepWords, TEXT_PTS, beside_the_drawing, headline, height_for_all,
         most_of_a_kind, rect_of, slot_of, view,
@@ -17,6 +20,10 @@ use crate::{
 /// then enlarged to its size in pixels: text keeps its proportion to the picture. At 1280 × 720 pixels the title is 26
 /// high, the text 17, the caption 19, the margin 64.
 const PAGE_PTS: [f32; 2] = [960.0, 540.0];
+/// Where a view has no room, the page is enlarged by so much, and again, until all have: what is on it becomes smaller.
+const ENLARGED_BY: f32 = 0.1;
+/// So large it may become at most.
+const MOST_ENLARGED: f32 = 1.4;
 /// White space around all: at the sides, above and below.
 const MARGIN_PTS: [f32; 2] = [48.0, 26.0];
 /// Under the title.
@@ -29,6 +36,17 @@ const NAME_PTS: f32 = 36.0;
 const OVER_COST_PTS: f32 = 8.0;
 /// Over the hairline.
 const OVER_CAPTION_PTS: f32 = 18.0;
+
+/// Which steps of the runs become pictures.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Steps {
+    /// The moments that lessons name as figures.
+    #[default]
+    Figures,
+    /// Every step of every such run.
+    All,
+}
+
 /// What to draw, and how.
 #[derive(Clone, Copy, Debug)]
 pub struct Picture<'a> {
@@ -44,11 +62,18 @@ pub struct Picture<'a> {
     pub theme: ThemeKind,
     /// Width and height in pixels.
     pub size_px: [u32; 2],
+    /// Which other steps are drawn with it.
+    pub among: Steps,
 }
 
 /// Draws a figure. A table that has drawn others draws it faster; the bytes are the same.
 #[must_use]
 pub fn draw(table: &mut Headless, picture: &Picture<'_>) -> Image {
+    drawn(table, picture).0
+}
+
+/// The figure, and the views that have no room even on the largest page.
+fn drawn(table: &mut Headless, picture: &Picture<'_>) -> (Image, Vec<ViewId>) {
     table.set_theme(picture.theme);
     let size = vec2(picture.size_px[0] as f32, picture.size_px[1] as f32);
     let pixels_per_point = (size.x / PAGE_PTS[0]).min(size.y / PAGE_PTS[1]);
@@ -74,16 +99,26 @@ pub fn draw(table: &mut Headless, picture: &Picture<'_>) -> Image {
             _ => Column::new(method, run, run.beside(all[0], picture.step)),
         })
         .collect();
-    table.draw(size / pixels_per_point, pixels_per_point, |ui| {
-        page.show(ui, &columns);
-    })
+    let mut page_scale = 1.0;
+    loop {
+        let pixels_per_point = pixels_per_point / page_scale;
+        let mut lost = Vec::new();
+        let image = table.draw(size / pixels_per_point, pixels_per_point, |ui| {
+            lost = page.show(ui, &columns);
+        });
+        if lost.is_empty() || page_scale >= MOST_ENLARGED {
+            return (image, lost);
+        }
+        page_scale += ENLARGED_BY;
+    }
 }
 
 /// One method at one step.
 struct Column {
     method: &'static MethodCard,
     frame: Frame,
-    at_end: bool,
+    /// The step that is shown, and how many there are.
+    step: [usize; 2],
     /// Could the method take the scene? What it has not done has no cost.
     has_run: bool,
 }
@@ -93,9 +128,21 @@ impl Column {
         Self {
             method,
             frame: run.frame(step.min(run.n_steps())),
-            at_end: step >= run.n_steps(),
+            step: [step.min(run.n_steps()), run.n_steps()],
             has_run: run.n_steps() > 0,
         }
+    }
+
+    const fn at_end(&self) -> bool {
+        let [step, n_steps] = self.step;
+        step >= n_steps
+    }
+
+    /// `step 9 of 21`: where it is not the end, two methods are not at the same of their steps.
+    fn moment(&self, catalog: &Catalog) -> Option<String> {
+        let [step, total] = self.step;
+        let message = Message::new("transport-step").with("step", step);
+        (!self.at_end()).then(|| catalog.message(&message.with("total", total)))
     }
 }
 
@@ -108,7 +155,8 @@ struct Page<'a> {
 }
 
 impl Page<'_> {
-    fn show(&self, ui: &mut Ui, columns: &[Column]) {
+    /// Draws it; the views there is no room for.
+    fn show(&self, ui: &mut Ui, columns: &[Column]) -> Vec<ViewId> {
         let theme = self.look.theme;
         let area = ui.max_rect().shrink2(vec2(0.0, MARGIN_PTS[1]));
         let width = area.width() - 2.0 * MARGIN_PTS[0];
@@ -116,7 +164,6 @@ impl Page<'_> {
         let title = title.map(|title| headline(ui.painter(), theme, title, width));
         let n = columns.len().max(1) as f32;
         let column_width = (width - (n - 1.0) * GUTTER_PTS) / n;
-        let said = self.runs.iter().flat_map(|&run| sentences(run));
         let costs = self.costs(columns);
         let bars: Vec<_> = costs
             .iter()
@@ -137,7 +184,7 @@ impl Page<'_> {
                 0.0
             },
             over_caption: OVER_CAPTION_PTS,
-            caption: height_for_all(ui.painter(), self.look, said, column_width),
+            caption: self.caption_height(ui, columns, column_width),
             cost: bars
                 .first()
                 .map_or(0.0, |bars| bars.height() + OVER_COST_PTS),
@@ -152,6 +199,29 @@ impl Page<'_> {
                 let mut rect = rect_of(places.cost);
                 rect.min.y += OVER_COST_PTS;
                 bars.paint(ui.painter(), rect);
+            }
+        }
+        let lost = |(needs, places): (&Vec<Need>, &ColumnLayout)| {
+            let lost = needs.iter().map(|need| need.id);
+            let lost = lost.filter(|&id| places.slot(id).is_none());
+            lost.collect::<Vec<ViewId>>()
+        };
+        let columns = self.needs.iter().zip(&layout.columns);
+        columns.flat_map(lost).collect()
+    }
+
+    /// Of the highest sentence, so that pictures of a run that follow each other stay where they are. Two methods leave
+    /// no room for sentences that are not shown.
+    fn caption_height(&self, ui: &Ui, columns: &[Column], width: f32) -> f32 {
+        let height = |said: &mut dyn Iterator<Item = Caption>| {
+            height_for_all(ui.painter(), self.look, said, width)
+        };
+        match self.picture.among {
+            Steps::Figures if columns.len() > 1 => {
+                height(&mut columns.iter().map(|column| column.frame.caption.clone()))
+            }
+            Steps::Figures | Steps::All => {
+                height(&mut self.runs.iter().flat_map(|&run| sentences(run)))
             }
         }
     }
@@ -188,8 +258,10 @@ impl Page<'_> {
             .difference
             .filter(|difference| difference.column == index)
             .map(|difference| catalog.message(&difference.message()));
+        let moment = column.moment(catalog);
         let words = StepWords {
             name: name.as_deref(),
+            moment: moment.as_deref(),
             note: note.as_deref(),
             said: &column.frame.caption,
             indent: 0.0,
@@ -198,12 +270,11 @@ impl Page<'_> {
     }
 
     fn drawing(&self, ui: &Ui, rect: Rect, index: usize, column: &Column) {
-        let Column { frame, at_end, .. } = column;
         let scene = self.picture.scene.document();
         let viewport = Viewport::fit(rect, scene.bounds());
         let painter = ui.painter().with_clip_rect(rect);
-        let mut marks = scene.backdrop(index, *at_end);
-        marks.extend(frame.marks().iter().cloned());
+        let mut marks = scene.backdrop(index, column.at_end());
+        marks.extend(column.frame.marks().iter().cloned());
         let Look { theme, catalog } = self.look;
         stage(&painter, &viewport, theme, catalog, &marks, None);
     }

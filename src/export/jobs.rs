@@ -18,17 +18,10 @@ use crate::{
     text::Lang,
 };
 
-use super::{figure::Picture, figure::draw, files::write_whole};
-
-/// Which steps of the runs become pictures.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub enum Steps {
-    /// The moments that lessons name as figures.
-    #[default]
-    Figures,
-    /// Every step of every such run.
-    All,
-}
+use super::{
+    figure::{Picture, Steps, draw},
+    files::write_whole,
+};
 
 /// How pictures are drawn.
 #[derive(Clone, Copy, Debug)]
@@ -96,6 +89,7 @@ impl Job<'_> {
             lang: options.lang,
             theme: options.theme,
             size_px: options.size_px,
+            among: options.steps,
         };
         draw(table, &picture).to_png()
     }

@@ -5,6 +5,6 @@ mod figure;
 mod files;
 mod jobs;
 
-pub use figure::{Picture, draw};
+pub use figure::{Picture, Steps, draw};
 pub use files::write_whole;
-pub use jobs::{Failure, Job, Options, Steps, jobs, run};
+pub use jobs::{Failure, Job, Options, jobs, run};

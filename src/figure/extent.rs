@@ -53,17 +53,14 @@ impl View {
                 )
             }
             Body::NumberLine(_) => (Stand::Under, [14.0, 6.0], [f32::MAX, 8.0]),
-            Body::Clippers(_) => (Stand::Across, [43.0, 5.6], [f32::MAX, 6.8]),
+            Body::Clippers(_) => (Stand::Across, [36.0, 5.6], [f32::MAX, 6.8]),
             Body::Bits(bits) => {
                 let columns = bits.columns.len() as f32;
                 // The result has its room before it is asked for.
                 let rows = bits.rows.len() as f32 + 1.0;
-                let least = [4.0 + 2.3 * columns, 4.0 + 2.0 * rows];
-                (
-                    Stand::Beside,
-                    least,
-                    [5.5 + 5.0 * columns, 7.0 + 5.0 * rows],
-                )
+                let least = [4.2 + 2.5 * columns, 5.8 + 2.9 * rows];
+                let natural = [7.0 + 6.6 * columns, 9.0 + 6.6 * rows];
+                (Stand::Beside, least, natural)
             }
             Body::Table(table) => {
                 let columns = table.header.len().saturating_sub(1) as f32;
@@ -99,9 +96,15 @@ fn lists_need(lists: &Lists) -> (Stand, [f32; 2], [f32; 2]) {
     let entries = lists.lists.iter().map(|list| list.entries.len());
     let rows = entries.max().unwrap_or(0).min(MOST_ENTRIES) as f32;
     let columns: usize = lists.lists.iter().map(|list| list.columns.len()).sum();
-    let least = [5.0 * n + 2.5 * (n - 1.0) + 2.0, 2.9 + 1.65 * rows.min(4.0)];
+    // Of a long list four entries say little.
+    let seen = if rows > 6.0 { 6.0 } else { rows.min(4.0) };
+    let legend = if lists.legend.is_empty() { 0.0 } else { 1.0 };
+    let least = [
+        5.0 * n + 2.5 * (n - 1.0) + 2.0,
+        2.9 + 1.65 * seen + 1.4 * legend,
+    ];
     let width = 6.5 * n + 4.5 * columns as f32 + 5.0 * (n - 1.0);
-    let height = 3.5 + 2.0 * rows;
+    let height = 3.5 + 2.0 * rows + 2.0 * legend;
     // Few entries may be larger than many.
     let grown = (26.0 / height).clamp(1.0, 1.2);
     (Stand::Beside, least, [grown * width, height])

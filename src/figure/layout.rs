@@ -21,9 +21,11 @@ mod tests;
 use super::{Need, Stand, ViewId};
 
 /// Of its column's width a drawing keeps this part at least, and of its height.
-const DRAWING: [f32; 2] = [0.45, 0.55];
+const DRAWING: [f32; 2] = [0.45, 0.42];
 /// What is read with text of this size, in points, is worth drawing, also where a theme has larger text.
 const READABLE: f32 = 13.0;
+/// The same of its width, where there is no room otherwise.
+const NARROW: f32 = 0.36;
 /// Between a drawing and what stands beside it, and under it; in ems.
 const GAP: [f32; 2] = [3.0, 1.0];
 
@@ -131,6 +133,21 @@ impl ColumnLayout {
     }
 }
 
+/// Where that stands which belongs beside the drawing.
+#[derive(Clone, Copy)]
+enum Way {
+    /// There.
+    Beside,
+    /// Under the drawing: the column is narrow.
+    Under,
+    /// Beside the drawing after all, which is narrow itself: the column is low, too. What measures it is wider.
+    Narrow,
+}
+
+impl Way {
+    const ALL: [Self; 3] = [Self::Beside, Self::Under, Self::Narrow];
+}
+
 impl Sheet {
     /// Lays out as many columns as there are lists of needs. Their drawings have the same size, so that both show the
     /// same place at the same scale.
@@ -154,21 +171,47 @@ impl Sheet {
                 self.column(whole)
             })
             .collect();
-        let mut common = [f32::MAX; 2];
-        // The second time each drawing knows how large the others can be.
-        for _ in 0..2 {
-            for ((column, stage), needs) in columns.iter_mut().zip(needs) {
-                column.views = self.views(*stage, needs, common);
-            }
-            for (column, _) in &columns {
-                if let Some((_, slot)) = column.views.first() {
-                    let size = slot.size();
-                    common = [common[0].min(size[0]), common[1].min(size[1])];
-                }
-            }
+        let stages: Vec<Slot> = columns.iter().map(|(_, stage)| *stage).collect();
+        let views = self.views(&stages, needs);
+        for ((column, _), views) in columns.iter_mut().zip(views) {
+            column.views = views;
         }
         let columns = columns.into_iter().map(|(column, _)| column).collect();
         Layout { title, columns }
+    }
+
+    /// The views of all columns: in the first way that has room for all of them, or in the one that has for most.
+    fn views(&self, stages: &[Slot], needs: &[Vec<Need>]) -> Vec<Vec<(ViewId, Slot)>> {
+        let count = |views: &[Vec<(ViewId, Slot)>]| views.iter().map(Vec::len).sum::<usize>();
+        let n_wanted: usize = needs.iter().map(Vec::len).sum();
+        let mut best = Vec::new();
+        for way in Way::ALL {
+            let views = self.views_in(way, stages, needs);
+            if best.is_empty() || count(&views) > count(&best) {
+                best = views;
+            }
+            if count(&best) == n_wanted {
+                break;
+            }
+        }
+        best
+    }
+
+    fn views_in(&self, way: Way, stages: &[Slot], needs: &[Vec<Need>]) -> Vec<Vec<(ViewId, Slot)>> {
+        let mut common = [f32::MAX; 2];
+        let mut views = Vec::new();
+        // The second time each drawing knows how large the others can be.
+        for _ in 0..2 {
+            let columns = stages.iter().zip(needs);
+            views = columns
+                .map(|(&stage, needs)| self.stand(way, stage, needs, common))
+                .collect::<Vec<_>>();
+            for (_, slot) in views.iter().filter_map(|views| views.first()) {
+                let size = slot.size();
+                common = [common[0].min(size[0]), common[1].min(size[1])];
+            }
+        }
+        views
     }
 
     /// A column, and the room it leaves for its views.
@@ -190,30 +233,47 @@ impl Sheet {
         (column, stage)
     }
 
-    /// The views of a column, the drawing first and no larger than `most`.
-    fn views(&self, mut stage: Slot, needs: &[Need], most: [f32; 2]) -> Vec<(ViewId, Slot)> {
+    /// The views of a column, the drawing first and no larger than `most`; none where something that is to stand beside
+    /// it has no room there.
+    fn stand(
+        &self,
+        way: Way,
+        mut stage: Slot,
+        needs: &[Need],
+        most: [f32; 2],
+    ) -> Vec<(ViewId, Slot)> {
         let Some(first) = needs.iter().position(|need| need.stand == Stand::Drawing) else {
             return Vec::new();
         };
         let drawing = &needs[first];
         let others = needs[..first].iter().chain(&needs[first + 1..]);
-        let (across, others): (Vec<&Need>, Vec<&Need>) =
+        let (mut across, others): (Vec<&Need>, Vec<&Need>) =
             others.partition(|need| need.stand == Stand::Across);
         let (mut under, mut beside): (Vec<&Need>, Vec<&Need>) = others
             .into_iter()
             .partition(|need| need.stand == Stand::Under);
+        match way {
+            Way::Beside => {}
+            Way::Under => under.append(&mut beside),
+            Way::Narrow => across.splice(..0, under.drain(..)).for_each(drop),
+        }
         let across = self.across(&mut stage, drawing, across);
         let [width, height] = stage.size();
-        let [gap_x, gap_y] = GAP.map(|gap| gap * self.em);
-        let least_width = (drawing.least[0] * self.em).max(DRAWING[0] * width);
+        let gap_y = GAP[1] * self.em;
+        let (em, least_width) = match way {
+            Way::Beside => (
+                self.em,
+                (drawing.least[0] * self.em).max(DRAWING[0] * width),
+            ),
+            Way::Narrow => (READABLE.min(self.em), NARROW * width),
+            Way::Under => (self.em, width),
+        };
+        let gap_x = GAP[0] * em;
         let room = width - least_width - gap_x - self.inset;
         let side_width = beside.iter().map(|need| need.natural[0] * self.em);
         let side_width = side_width.fold(0.0, f32::max).min(room);
-        if beside
-            .iter()
-            .any(|need| need.least[0] * self.em > side_width)
-        {
-            under.append(&mut beside);
+        if beside.iter().any(|need| need.least[0] * em > side_width) {
+            return Vec::new();
         }
         let mut left = stage;
         if !beside.is_empty() {

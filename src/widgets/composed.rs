@@ -19,6 +19,8 @@ const TITLE_PTS: f32 = 19.5;
 pub struct StepWords<'a> {
     /// The method's name, where two stand side by side.
     pub name: Option<&'a str>,
+    /// Which of its steps is shown, where the other's may be another.
+    pub moment: Option<&'a str>,
     /// What is said of a method that is wrong on purpose.
     pub note: Option<&'a str>,
     /// The step's sentence.
@@ -45,7 +47,7 @@ pub fn beside_the_drawing(
             (strip.left_top(), Align2::LEFT_TOP),
             strip.width(),
             name,
-            words.note,
+            [words.moment, words.note],
         );
     }
     let mut pointed = None;

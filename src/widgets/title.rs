@@ -14,7 +14,7 @@ const LEAST_PTS: f32 = 10.0;
 /// Lines that a strip has room for.
 const MAX_ROWS: usize = 2;
 
-/// Writes a method's name at a place, and beside it a note where it is wrong on purpose: in the colour of what
+/// Writes a method's name at a place, after it the moment that its column shows, and beside it a note where it is wrong on purpose: in the colour of what
 /// happens, and after a sign, so that it does not hang on the colour. Where both do not fit, the note goes
 /// below, and where that makes too many lines, all is written smaller: it is never cut.
 pub fn column_title(
@@ -23,7 +23,7 @@ pub fn column_title(
     (at, align): (Pos2, Align2),
     width: f32,
     name: &str,
-    note: Option<&str>,
+    [moment, note]: [Option<&str>; 2],
 ) {
     let theme = look.theme;
     let mut size = SIZE_PTS;
@@ -32,8 +32,12 @@ pub fn column_title(
             FontId::new(size * theme.text_scale, semibold()),
             FontId::proportional(size * theme.text_scale),
         ];
-        let name = Span::text(name, strong, theme.ink);
-        let name = Typeset::wrapped(painter, &[name], width);
+        let mut spans = vec![Span::text(name, strong, theme.ink)];
+        if let Some(moment) = moment {
+            let moment = format!("\u{2003}{moment}");
+            spans.push(Span::text(&moment, plain.clone(), theme.soft));
+        }
+        let name = Typeset::wrapped(painter, &spans, width);
         let note = note.map(|note| Span::text(&format!("≠ {note}"), plain, theme.signal_text));
         let note = note.map(|note| Typeset::wrapped(painter, &[note], width));
         let note_width = note.as_ref().map_or(0.0, |note| GAP_PTS + note.size().x);

@@ -22,7 +22,7 @@ use super::{
     super::Look,
     links::Links,
     on_slate::OnSlate,
-    slate::{Face, Slate, wash},
+    slate::{Face, LEAST_SCALE, Slate, wash},
 };
 
 /// A cell, and white space between two of them.
@@ -38,6 +38,8 @@ const NAME_SIZE: f32 = 15.0;
 const HEADER_SIZE: f32 = 12.5;
 const NOTE_SIZE: f32 = 13.0;
 const DIGIT_SIZE: f32 = 24.0;
+/// Where there is room, all of it grows to so many times its natural size.
+const MOST_GROWN: f32 = 1.35;
 
 /// Where everything stands, at a slate's scale.
 struct Plan {
@@ -90,7 +92,11 @@ fn wanted(slate: &Slate<'_>, bits: &Bits) -> Vec2 {
 
 impl OnSlate for Bits {
     fn slate<'a>(&self, painter: &'a Painter, look: Look<'a>, rect: Rect) -> Slate<'a> {
-        Slate::fitted(painter, look, rect.size(), |slate| wanted(slate, self))
+        let wanted = |slate: &Slate<'_>| wanted(slate, self);
+        let mut slate = Slate::new(painter, look);
+        slate.scale *= MOST_GROWN;
+        // Digits are large: they can become smaller than other text, also where that is large.
+        slate.shrunk_to(LEAST_SCALE, rect.size(), wanted)
     }
 
     fn draw(&self, slate: &mut Slate<'_>, rect: Rect, links: &mut Links) {

@@ -57,17 +57,8 @@ impl<'a> Slate<'a> {
         }
     }
 
-    /// As large as `room` lets it be, and at most of natural size; `wanted` says how much a slate of some scale needs.
-    pub fn fitted(
-        painter: &'a Painter,
-        look: Look<'a>,
-        room: Vec2,
-        wanted: impl Fn(&Self) -> Vec2,
-    ) -> Self {
-        Self::new(painter, look).fitted_in(room, wanted)
-    }
-
-    /// As large as `room` lets it be, and at most so many times its natural size.
+    /// As large as `room` lets it be, and at most so many times its natural size; `wanted` says how much a slate of some
+    /// scale needs.
     pub fn grown(
         painter: &'a Painter,
         look: Look<'a>,
@@ -90,13 +81,14 @@ impl<'a> Slate<'a> {
         }
     }
 
-    /// See [`fitted`](Self::fitted).
+    /// As large as `room` lets it be, and at most of natural size.
     pub fn fitted_in(self, room: Vec2, wanted: impl Fn(&Self) -> Vec2) -> Self {
         let least = LEAST_SCALE * self.scale;
         self.shrunk_to(least, room, wanted)
     }
 
-    fn shrunk_to(self, least: f32, room: Vec2, wanted: impl Fn(&Self) -> Vec2) -> Self {
+    /// As large as `room` lets it be, down to this scale.
+    pub fn shrunk_to(self, least: f32, room: Vec2, wanted: impl Fn(&Self) -> Vec2) -> Self {
         let mut slate = self;
         // Text does not shrink evenly, as glyphs stand on whole pixels: what comes out is measured again.
         for _ in 0..8 {

@@ -127,6 +127,7 @@ fn its_figure_is_a_cube_with_hidden_edges_dashed() {
         lang: Lang::En,
         theme: ThemeKind::Light,
         size_px: [1280, 720],
+        among: export::Steps::Figures,
         title: None,
     };
     let image = export::draw(&mut Headless::new(ThemeKind::Light), &picture);

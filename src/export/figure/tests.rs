@@ -1,0 +1,40 @@
+//! Every view of every figure of the course has room, and says all it has to say.
+
+use crate::{
+    export::{Job, jobs},
+    lesson::Course,
+};
+
+use super::*;
+
+fn lost(table: &mut Headless, job: &Job<'_>, lang: Lang, size_px: [u32; 2]) -> Vec<ViewId> {
+    let picture = Picture {
+        title: job.lesson.step_title(&job.step.id, lang),
+        scene: &job.step.scene,
+        step: job.position,
+        lang,
+        theme: table.theme().kind,
+        size_px,
+        among: Steps::Figures,
+    };
+    drawn(table, &picture).1
+}
+
+/// The page is never smaller than at 16 : 9, whatever the size: a higher or wider one has room for more.
+#[test]
+fn no_figure_of_the_course_loses_a_view() {
+    let course = Course::embedded();
+    let jobs = jobs(&course.lessons, Steps::Figures);
+    // The dark theme's text is as large as the light one's.
+    for theme in [ThemeKind::Light, ThemeKind::Projector] {
+        let mut table = Headless::new(theme);
+        for lang in Lang::ALL {
+            let faults = jobs.iter().filter_map(|job| {
+                let lost = lost(&mut table, job, lang, [640, 360]);
+                (!lost.is_empty()).then(|| format!("{}: {lost:?}", job.path))
+            });
+            let faults: Vec<String> = faults.collect();
+            assert!(faults.is_empty(), "{theme}, {lang:?}: {faults:#?}");
+        }
+    }
+}
