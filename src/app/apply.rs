@@ -48,14 +48,14 @@ impl App {
             Command::Undo => self.travel(|app| app.history.undo()),
             Command::Redo => self.travel(|app| app.history.redo()),
             Command::Reset => self.reset(now),
-            Command::Lesson { forward } => {
-                self.turn_to(|bookmark| bookmark.go(forward));
-            }
+            Command::Lesson { forward } => self.turn_page(ctx, forward),
             Command::Lab(lab) => self.open_lab(lab),
             Command::Open([lesson, step]) => {
                 self.turn_to(|bookmark| bookmark.open(lesson, step));
                 self.shown.room = Room::Stage;
             }
+            Command::Contents(open) => self.shown.lists_lessons = open,
+            Command::Answer(shown) => self.shown.is_answered = shown,
             Command::Free => self.toggle_free(),
             Command::Save
             | Command::Export
@@ -178,6 +178,7 @@ impl App {
         step(self);
         if self.history.revision() != before {
             self.playback.rerecord(self.history.now());
+            self.stage.refit(self.history.now());
         }
     }
 

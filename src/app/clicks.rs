@@ -1,6 +1,6 @@
 //! What was done to a stage, as commands.
 
-use egui::Ui;
+use egui::{Pos2, Ui};
 
 use crate::{
     figure::{Lens, ViewId},
@@ -56,15 +56,25 @@ pub fn ask(
         commands.push(Command::Select(vertex));
         return;
     }
-    let in_space = |at: [f64; 2]| lens.world_from_drawing(at, [0.0; 3]);
+    let place = place_at(ui, &shown.viewport, click.at, model.settings.snap);
     let asked = model.scene.document().click(&Click {
-        at: in_space(shown.viewport.to_world(click.at)),
-        place: in_space(place_at(ui, &shown.viewport, click.at, model.settings.snap)),
-        reach: CLICK_REACH / shown.viewport.scale,
+        place: lens.world_from_drawing(place, [0.0; 3]),
         inserts: click.is_double || click.has_ctrl,
-        locks,
+        ..click_at(&shown.viewport, lens, locks, click.at)
     });
     commands.extend(asked.map(|change| Command::Edit(Edit::Own(change), None)));
+}
+
+/// A plain click at a place on the screen.
+pub fn click_at<'a>(viewport: &Viewport, lens: Lens, locks: &'a [Lock], at: Pos2) -> Click<'a> {
+    let at = lens.world_from_drawing(viewport.to_world(at), [0.0; 3]);
+    Click {
+        at,
+        place: at,
+        reach: CLICK_REACH / viewport.scale,
+        inserts: false,
+        locks,
+    }
 }
 
 /// Where an eye has gone that was pushed round instead of panned, and drawn nearer.

@@ -42,6 +42,10 @@ pub enum Command {
     Open([usize; 2]),
     /// To the lab with this id, where it was left.
     Lab(&'static str),
+    /// Shows the list of lessons, or the open one.
+    Contents(bool),
+    /// Shows the answer to the open step's question, or hides it.
+    Answer(bool),
     /// From the course to the lab's free scene, or back.
     Free,
     /// Changes the scene.

@@ -8,42 +8,37 @@ use egui::{
 use crate::{
     lesson::Lesson,
     paint::theme,
-    widgets::{Look, lesson_text, rule},
+    widgets::{Look, lesson_text},
 };
 
 use super::{Command, model::Model};
 
+/// Between the numbers of steps, in points.
+const GAP: f32 = 4.0;
 /// How strongly a text is seen that speaks of another scene than the stage's.
 const ASIDE: f32 = 0.6;
 
-/// Draws the panel.
+/// Draws the panel: the open lesson, or the list of all in its place.
 pub fn show(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
     let look = model.look;
     let Some(lesson) = model.bookmark.lesson() else {
         ui.label(RichText::new(look.say("lesson-empty")).color(look.theme.soft));
         return;
     };
-    if !lesson.source.is_empty() && !model.is_low {
-        Panel::bottom("source")
-            .frame(Frame::NONE)
-            .show_separator_line(false)
-            .show(ui, |ui| {
-                ui.add_space(8.0);
-                padded(ui, |ui| source(ui, look, &lesson.source));
-            });
-    }
     ui.spacing_mut().item_spacing.y = 0.0;
-    let most = 0.38 * ui.available_height();
-    ScrollArea::vertical()
-        .id_salt("lessons")
-        .max_height(most)
-        .auto_shrink([false, true])
-        .show(ui, |ui| {
-            lessons(model, ui, commands);
-        });
-    padded(ui, |ui| rule(ui, look));
-    let [lesson_idx, step_idx] = model.bookmark.indices();
+    if heading(model, ui, lesson).clicked() {
+        commands.push(Command::Contents(!model.lists_lessons));
+    }
+    if model.lists_lessons {
+        ScrollArea::vertical()
+            .id_salt("lessons")
+            .auto_shrink(false)
+            .show(ui, |ui| lessons(model, ui, commands));
+        return;
+    }
+    foot(model, ui, lesson, commands);
     padded(ui, |ui| steps(model, ui, lesson, commands));
+    let [lesson_idx, step_idx] = model.bookmark.indices();
     let text = lesson.text(model.settings.lang);
     let Some(step) = text.steps.get(step_idx) else {
         return;
@@ -60,13 +55,70 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
                     changed(ui, look, commands);
                     ui.set_opacity(ASIDE);
                 }
-                lesson_text(ui, look, id, &step.body);
+                lesson_text(ui, look, id, &step.body, model.is_answered);
                 if !lesson.speaks(model.settings.lang) {
                     ui.label(
                         RichText::new(look.say("lesson-not-translated"))
                             .small()
                             .color(look.theme.soft),
                     );
+                }
+            });
+        });
+}
+
+/// The open lesson; a click shows all.
+fn heading(model: &Model<'_>, ui: &mut Ui, lesson: &Lesson) -> Response {
+    let look = model.look;
+    let [lesson_idx, _] = model.bookmark.indices();
+    let heading = Row {
+        number: "",
+        title: &format!(
+            "{} · {}",
+            lesson_idx + 1,
+            lesson.text(model.settings.lang).title
+        ),
+        is_open: true,
+        is_changed: has_changes(model, lesson_idx, lesson),
+    };
+    let response = row(ui, look, heading).on_hover_text(look.say("lesson-contents"));
+    let middle = pos2(response.rect.left() + 16.0, response.rect.center().y);
+    let down = if model.lists_lessons { -1.0 } else { 1.0 };
+    let corners = [[-4.0, -2.0], [4.0, -2.0], [0.0, 3.0]].map(|[x, y]| middle + vec2(x, down * y));
+    let triangle =
+        egui::Shape::convex_polygon(corners.into(), look.theme.accent, egui::Stroke::NONE);
+    ui.painter().add(triangle);
+    ui.add_space(12.0);
+    response
+}
+
+/// Under the text, always in sight: the way to the answer, and the source.
+fn foot(model: &Model<'_>, ui: &mut Ui, lesson: &Lesson, commands: &mut Vec<Command>) {
+    let look = model.look;
+    let has_source = !lesson.source.is_empty() && !model.is_low;
+    if !has_source && !model.has_answer {
+        return;
+    }
+    Panel::bottom("under the lesson")
+        .frame(Frame::NONE)
+        .show_separator_line(false)
+        .show(ui, |ui| {
+            padded(ui, |ui| {
+                ui.spacing_mut().item_spacing.y = 8.0;
+                ui.add_space(4.0);
+                if model.has_answer {
+                    let key = if model.is_answered {
+                        "lesson-answer-hide"
+                    } else {
+                        "lesson-answer-show"
+                    };
+                    let text = RichText::new(look.say(key)).color(look.theme.accent);
+                    if ui.add(Button::new(text)).clicked() {
+                        commands.push(Command::Answer(!model.is_answered));
+                    }
+                }
+                if has_source {
+                    source(ui, look, &lesson.source);
                 }
             });
         });
@@ -97,7 +149,7 @@ fn lessons(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
             number: &(i + 1).to_string(),
             title: &lesson.text(model.settings.lang).title,
             is_open: i == open,
-            is_changed: (0..lesson.steps.len()).any(|step| is_changed(model, i, step)),
+            is_changed: has_changes(model, i, lesson),
         };
         let response = row(ui, model.look, row_of);
         if i == open {
@@ -118,6 +170,11 @@ fn bring_into_view(ui: &Ui, open: usize, rect: Rect) {
     ui.data_mut(|data| data.insert_temp(id, open));
     ui.scroll_to_rect_animation(rect, Some(Align::Center), ScrollAnimation::none());
     ui.ctx().request_repaint();
+}
+
+/// Has the reader changed a scene of this lesson?
+fn has_changes(model: &Model<'_>, idx: usize, lesson: &Lesson) -> bool {
+    (0..lesson.steps.len()).any(|step| is_changed(model, idx, step))
 }
 
 /// Is the scene of this step another than the lesson's?
@@ -220,11 +277,13 @@ fn steps(model: &Model<'_>, ui: &mut Ui, lesson: &Lesson, commands: &mut Vec<Com
     let look = model.look;
     let [lesson_idx, open] = model.bookmark.indices();
     let titles = &lesson.text(model.settings.lang).steps;
-    ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
+    let n_steps = lesson.steps.len().max(1) as f32;
+    let room = (ui.available_width() + GAP) / n_steps - GAP;
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = GAP;
         for i in 0..lesson.steps.len() {
             let title = titles.get(i).map_or("", |step| &step.title);
-            if disc(ui, look, i + 1, title, i == open) {
+            if disc(ui, look, (i + 1, title), room, i == open) {
                 commands.push(Command::Open([lesson_idx, i]));
             }
         }
@@ -233,9 +292,15 @@ fn steps(model: &Model<'_>, ui: &mut Ui, lesson: &Lesson, commands: &mut Vec<Com
 }
 
 /// A step's number; was it clicked?
-pub(super) fn disc(ui: &mut Ui, look: Look<'_>, number: usize, title: &str, is_open: bool) -> bool {
+pub(super) fn disc(
+    ui: &mut Ui,
+    look: Look<'_>,
+    (number, title): (usize, &str),
+    room: f32,
+    is_open: bool,
+) -> bool {
     let theme = look.theme;
-    let size = (22.0 * theme.text_scale.sqrt()).round();
+    let size = (22.0 * theme.text_scale.sqrt()).min(room).floor();
     let (rect, response) = ui.allocate_exact_size(Vec2::splat(size), Sense::click());
     response.widget_info(|| {
         WidgetInfo::selected(Role::Tab, true, is_open, format!("{number}: {title}"))

@@ -25,7 +25,7 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
             let titles = &lesson.text(model.settings.lang).steps;
             for i in 0..lesson.steps.len() {
                 let title = titles.get(i).map_or("", |step| &step.title);
-                if disc(ui, look, i + 1, title, i == open) {
+                if disc(ui, look, (i + 1, title), f32::INFINITY, i == open) {
                     commands.push(Command::Open([lesson_idx, i]));
                 }
             }

@@ -102,11 +102,19 @@ pub struct App {
 }
 
 /// What of the window is shown.
+#[allow(
+    clippy::struct_excessive_bools,
+    reason = "each is open or not whatever the others are"
+)]
 struct Shown {
     code: CodeView,
     dialog: Option<Dialog>,
     /// Is the window with the measured costs open?
     is_measuring: bool,
+    /// Does the list of lessons stand in the lesson's place?
+    lists_lessons: bool,
+    /// Is the answer of the open step shown?
+    is_answered: bool,
     /// Stage, caption and a small transport alone.
     presenting: bool,
     /// Is the course open where it is a strip else?
@@ -156,6 +164,8 @@ impl App {
                 code: CodeView::Full,
                 dialog: None,
                 is_measuring: false,
+                lists_lessons: false,
+                is_answered: false,
                 presenting: false,
                 unfolded: false,
                 room: Room::Stage,
@@ -346,6 +356,9 @@ impl App {
             measures: self.measures(),
             is_untouched: self.is_untouched(),
             desk: &self.desk,
+            lists_lessons: self.shown.lists_lessons,
+            has_answer: self.has_answer(),
+            is_answered: self.shown.is_answered,
             can_travel: [self.history.can_undo(), self.history.can_redo()],
             room: if is_narrow {
                 self.shown.room

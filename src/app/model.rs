@@ -38,6 +38,12 @@ pub struct Model<'a> {
     pub measures: bool,
     /// Is it still the lesson's own scene?
     pub is_untouched: bool,
+    /// Does the list of lessons stand in the lesson's place?
+    pub lists_lessons: bool,
+    /// Has the open step's text an answer, and is it shown?
+    pub has_answer: bool,
+    /// See above.
+    pub is_answered: bool,
     /// Is there something to undo, and to redo?
     pub can_travel: [bool; 2],
     /// What a narrow window shows; else the stage.

@@ -122,7 +122,7 @@ fn help(ctx: &Context, look: Look<'_>, commands: &mut Vec<Command>) {
                         for (keys, help) in [
                             ("Tab", "help-tab"),
                             ("↑ ↓ ← →", "help-nudge"),
-                            ("Alt", "help-alt"),
+                            ("Shift  Alt", "help-alt"),
                         ] {
                             ui.label(RichText::new(keys).monospace().color(look.theme.ink));
                             ui.label(RichText::new(look.say(help)).color(look.theme.soft));

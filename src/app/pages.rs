@@ -1,9 +1,11 @@
 //! From page to page: a step of the course, or a lab's free scene. What was done on one is there again when it is opened.
 
+use egui::Context;
+
 use crate::{
     figure::Moment,
     labs::{Lab, Scene},
-    lesson::{CodeView, LessonStep},
+    lesson::{Block, CodeView, LessonStep},
 };
 
 use super::{
@@ -13,6 +15,7 @@ use super::{
     history::History,
     notice::Notice,
     playback::Playback,
+    room::{CoursePart, Room},
     stage_state::StageState,
 };
 
@@ -59,6 +62,7 @@ impl App {
                 is_changed: false,
             });
         }
+        (self.shown.lists_lessons, self.shown.is_answered) = (false, false);
         self.shown.code = self
             .bookmark
             .step()
@@ -94,6 +98,31 @@ impl App {
             Moment::Start | Moment::Event { .. } => step.position().unwrap_or_default(),
         };
         Some(((*step.scene).clone(), position))
+    }
+
+    /// Has the text of the open step an answer?
+    pub(super) fn has_answer(&self) -> bool {
+        let [_, step_idx] = self.bookmark.indices();
+        let step = self.bookmark.step().and(self.bookmark.lesson());
+        let text = step.and_then(|lesson| lesson.text(self.settings.lang).steps.get(step_idx));
+        let mut blocks = text.iter().flat_map(|step| &step.body);
+        blocks.any(|block| matches!(block, Block::Answer(_)))
+    }
+
+    /// The next step of the lesson, or the one before; where a question is to be read, first its answer.
+    pub(super) fn turn_page(&mut self, ctx: &Context, forward: bool) {
+        let model = self.model(ctx.content_rect().size());
+        let is_read = match model.room {
+            Room::Course => true,
+            Room::Stage => model.course == CoursePart::Whole && !model.is_narrow,
+            Room::Inspector => false,
+        };
+        let is_asked = is_read && !model.is_presenting && model.has_answer && !model.is_answered;
+        if forward && is_asked {
+            self.shown.is_answered = true;
+        } else {
+            self.turn_to(|bookmark| bookmark.go(forward));
+        }
     }
 
     /// A lab where it was left; at first its first lesson, or its free scene where the course has none.

@@ -1,11 +1,12 @@
 //! The stage: the drawing with its handles, and what else the figure's layout has. Two of each where two methods stand
 //! side by side.
 
-use egui::{Align2, Id, Rect, Stroke, Ui, UiBuilder, pos2};
+use egui::{Align2, Button, Id, Rect, RichText, Stroke, Ui, UiBuilder, pos2, vec2};
 
 use crate::{
-    figure::{Caption, ColumnLayout, Frame, Layout, Lens, Sheet, ViewId},
-    labs::{Handle, Lock, MethodCard, Sketch},
+    figure::{Caption, ColumnLayout, Frame, Layout, Lens, Mark, Role, Sheet, ViewId},
+    labs::{Handle, Lock, MethodCard, Scene, Sketch},
+    lesson::LessonStep,
     paint::{Typeset, Viewport},
     panels::{Reach, spots},
     text::Message,
@@ -73,11 +74,10 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
     } else {
         model.scene.document().handles()
     };
-    // A scene from elsewhere is the reader's own: nothing of it is locked.
     let step = model.bookmark.step();
     let hands = Hands {
         handles: &handles,
-        locks: step.map_or(&[][..], |step| &step.locks),
+        locks: step.map_or(&[][..], |step| locks_of(step, model.scene, &handles)),
         focused: state.focused.take(),
     };
     state.canvas_ids.clear();
@@ -96,7 +96,7 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
         ui.scope_builder(inner, |ui| {
             ui.set_clip_rect(whole.intersect(ui.clip_rect()));
             let drawing = state.drawing(frame);
-            let shown = column.show(model, ui, state, frame, drawing);
+            let shown = column.show(model, ui, state, frame, drawing, commands);
             state.focused = state
                 .focused
                 .or(shown.focused.and_then(|i| handles.get(i).copied()));
@@ -139,6 +139,18 @@ fn lay_out(model: &Model<'_>, ui: &Ui, state: &mut StageState, rect: Rect) -> La
     layout
 }
 
+/// What a step locks, as long as it lies where the lesson has it: in another scene all is free.
+fn locks_of<'a>(step: &'a LessonStep, scene: &Scene, handles: &[Handle]) -> &'a [Lock] {
+    let (own, now) = (step.scene.document(), scene.document());
+    let is_elsewhere = |&handle: &Handle| own.position(handle) != now.position(handle);
+    let is_locked = |handle: &&Handle| step.locks.iter().any(|lock| lock.holds(**handle));
+    if handles.iter().filter(is_locked).any(is_elsewhere) {
+        &[]
+    } else {
+        &step.locks
+    }
+}
+
 /// One method's part of the stage.
 struct Column<'a> {
     index: usize,
@@ -155,6 +167,7 @@ impl Column<'_> {
         state: &mut StageState,
         frame: &Frame,
         drawing: (ViewId, Lens),
+        commands: &mut Vec<Command>,
     ) -> CanvasShown {
         let look = model.look;
         let hint = state.sketch.as_ref().map(Sketch::hint);
@@ -162,7 +175,7 @@ impl Column<'_> {
         let hint = hint.or_else(late).map(Caption::new);
         let said = hint.as_ref().unwrap_or(&frame.caption);
         let rect = rect_of(self.places.slot(drawing.0).unwrap_or_default());
-        let shown = self.canvas(model, ui, state, (frame, drawing), said, rect);
+        let shown = self.canvas(model, ui, state, (frame, drawing), said, (rect, commands));
         let is_one_of_two = model.playback.frames().len() > 1;
         let name = is_one_of_two.then(|| look.say(self.method.name_key));
         let difference = model.playback.difference();
@@ -203,6 +216,21 @@ impl Column<'_> {
         spots(model.look, model.scene, handles, locks, &reach)
     }
 
+    /// What a click under the pointer would pick.
+    fn pointed(
+        &self,
+        model: &Model<'_>,
+        ui: &Ui,
+        state: &StageState,
+        (viewport, lens): (&Viewport, Lens),
+    ) -> Option<Mark> {
+        let pointer = ui.input(|input| input.pointer.hover_pos())?;
+        let is_free = state.sketch.is_none() && ui.rect_contains_pointer(viewport.rect);
+        let click = clicks::click_at(viewport, lens, self.hands.locks, pointer);
+        let shape = model.scene.document().pointed(&click).filter(|_| is_free)?;
+        Some(Mark::new(Role::Accent, shape))
+    }
+
     fn canvas(
         &self,
         model: &Model<'_>,
@@ -210,7 +238,7 @@ impl Column<'_> {
         state: &mut StageState,
         (frame, drawing): (&Frame, (ViewId, Lens)),
         said: &Caption,
-        rect: Rect,
+        (rect, commands): (Rect, &mut Vec<Command>),
     ) -> CanvasShown {
         let look = model.look;
         let viewport = state.viewport(drawing, rect);
@@ -230,6 +258,7 @@ impl Column<'_> {
             spots: &spots,
             snap: model.settings.snap && is_flat,
             has_grid: is_flat,
+            pointed: self.pointed(model, ui, state, (&viewport, drawing.1)),
             marks: &state.marks(self.index, model, frame, drawing.1),
             lit,
             look,
@@ -241,8 +270,26 @@ impl Column<'_> {
         if let Some(drawn) = &state.sketch {
             sketch::draw(model, ui, &viewport, drawn);
         }
+        if state.is_moved(drawing.0) {
+            fit(model, ui, rect, commands);
+        }
         state.pointed_on_stage = state.pointed_on_stage.or(shown.pointed);
         state.saw(drawing.0, shown.viewport);
         shown
+    }
+}
+
+/// The way back to the whole scene, in sight while the view is elsewhere.
+fn fit(model: &Model<'_>, ui: &mut Ui, rect: Rect, commands: &mut Vec<Command>) {
+    let look = model.look;
+    let text = RichText::new(look.say("action-fit")).color(look.theme.accent);
+    let size = vec2(64.0, 24.0) * look.theme.text_scale.sqrt();
+    let place = Align2::RIGHT_TOP.anchor_size(rect.right_top() + vec2(-8.0, 32.0), size);
+    let button = ui.put(place, Button::new(text).fill(look.theme.background));
+    if button
+        .on_hover_text(look.say("action-reset-view"))
+        .clicked()
+    {
+        commands.push(Command::FitView);
     }
 }

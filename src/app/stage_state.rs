@@ -83,9 +83,7 @@ impl StageState {
     /// Looks elsewhere.
     pub fn look(&mut self, ctx: &Context, scene: &Scene, command: &Command) {
         match *command {
-            Command::View(id, pan_zoom) => {
-                self.moved.insert(id, pan_zoom);
-            }
+            Command::View(id, pan_zoom) => self.move_to(id, pan_zoom),
             Command::Turn(id, eye) => {
                 self.turned.insert(id, eye);
             }
@@ -99,10 +97,35 @@ impl StageState {
                     let around = pointer.filter(|_| pointed.is_some());
                     let around = around.unwrap_or_else(|| seen.rect.center());
                     let zoomed = PanZoom::of(seen).zoomed(seen.rect, factor, around);
-                    self.moved.insert(id, zoomed);
+                    self.move_to(id, zoomed);
                 }
             }
             _ => {}
+        }
+    }
+
+    /// As far as the scene stays to be found again.
+    fn move_to(&mut self, id: ViewId, to: PanZoom) {
+        let seen = self.seen.get(&id);
+        let bounded = seen.map(|seen| to.bounded(&Viewport::fit(seen.rect, self.bounds)));
+        self.moved.insert(id, bounded.unwrap_or(to));
+    }
+
+    /// Is a view moved away from the whole scene?
+    pub fn is_moved(&self, id: ViewId) -> bool {
+        self.moved.contains_key(&id) || self.turned.contains_key(&id)
+    }
+
+    /// Shows all of a scene, if it does not lie well in what was to be seen.
+    pub fn refit(&mut self, scene: &Scene) {
+        let ([min, max], [now_min, now_max]) = (self.bounds, scene.document().bounds());
+        let lies_well = (0..2).all(|i| {
+            let (size, now) = (max[i] - min[i], now_max[i] - now_min[i]);
+            let beyond = (min[i] - now_min[i]).max(now_max[i] - max[i]);
+            beyond <= 0.1 * size && now >= 0.5 * size
+        });
+        if !lies_well {
+            self.fit(scene);
         }
     }
 

@@ -4,7 +4,7 @@
 use std::{any::Any, fmt, sync::Arc};
 
 use crate::{
-    figure::{Mark, Run},
+    figure::{Mark, Run, Shape},
     text::Diagnostic,
     trace::Counts,
 };
@@ -84,6 +84,10 @@ pub trait Document: Plain {
     fn remove(&mut self, handle: Option<Handle>) -> Result<(), Diagnostic>;
     /// What a click beside all handles changes, if anything.
     fn click(&self, click: &Click<'_>) -> Option<Own>;
+    /// What a click there would pick, to be lit before it.
+    fn pointed(&self, _click: &Click<'_>) -> Option<Shape> {
+        None
+    }
     /// How large it is, in segments or vertices.
     fn size(&self) -> usize;
 }

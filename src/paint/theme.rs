@@ -220,6 +220,10 @@ impl Theme {
         spacing.indent = 16.0;
         // The bar stands beside what it scrolls, not over its last column.
         spacing.scroll.floating_allocated_width = 10.0;
+        // A bar in sight tells that there is more, not words that fade.
+        spacing.scroll.fade.strength = 0.0;
+        spacing.scroll.dormant_handle_opacity = 0.6;
+        spacing.scroll.floating_width = 4.0;
         spacing.interact_size = vec2(32.0, 24.0 * self.text_scale);
         spacing.slider_width = 128.0;
         spacing.slider_rail_height = 4.0;

@@ -1,6 +1,9 @@
 //! The stage surface: pan, zoom, grid, handles, and the figure's marks over them.
 
-use egui::{Id, PointerButton, Pos2, Response, Role, Sense, StrokeKind, Ui, WidgetInfo};
+use egui::{
+    Align2, CursorIcon, FontId, Id, Painter, PointerButton, Pos2, Rect, Response, Role, Sense,
+    StrokeKind, Ui, WidgetInfo, vec2,
+};
 
 use crate::{
     figure::{Link, Mark},
@@ -9,7 +12,7 @@ use crate::{
 
 use super::{
     Look, grid,
-    handles::{Handles, Moved, Spot, snapped},
+    handles::{Handles, Moved, Spot, is_off_grid, snapped},
     hit,
     pan_zoom::PanZoom,
 };
@@ -33,6 +36,8 @@ pub struct Canvas<'a> {
     pub snap: bool,
     /// Is there a grid to keep to?
     pub has_grid: bool,
+    /// What a click would pick: drawn over the rest.
+    pub pointed: Option<Mark>,
     /// What is drawn.
     pub marks: &'a [Mark],
     /// What stands out.
@@ -54,12 +59,12 @@ pub struct StageClick {
     pub spot: Option<usize>,
 }
 
-/// The world point that a place on the stage stands for: on the grid where handles keep to it, unless Alt is
-/// held.
+/// The world point that a place on the stage stands for: on the grid where handles keep to it, unless Shift or Alt
+/// is held.
 #[must_use]
 pub fn place_at(ui: &Ui, viewport: &Viewport, at: Pos2, snap: bool) -> [f64; 2] {
     let exact = viewport.to_world(at);
-    if !snap || ui.input(|input| input.modifiers.alt) {
+    if !snap || is_off_grid(ui) {
         return exact;
     }
     let grid = viewport.grid_step(GRID_PTS);
@@ -107,7 +112,7 @@ impl Canvas<'_> {
         };
         let moved = handles.interact(ui, &response);
         let holds_handle = handles.gripped(ui).is_some();
-        let view = pan_and_zoom(ui, &response, &viewport, holds_handle);
+        let view = pan_and_zoom(ui, &response, &self, &handles);
 
         let theme = self.look.theme;
         let painter = ui.painter_at(viewport.rect);
@@ -115,6 +120,7 @@ impl Canvas<'_> {
         if self.has_grid {
             grid::draw(&painter, &viewport, step, theme.hairline);
         }
+        handles.draw_idle(ui, &painter, &response);
         paint::stage(
             &painter,
             &viewport,
@@ -123,7 +129,21 @@ impl Canvas<'_> {
             self.marks,
             self.lit,
         );
+        if self.has_grid {
+            grid::scale(&painter, &viewport, step, self.look);
+        }
+        if let Some(pointed) = &self.pointed {
+            let marks = std::slice::from_ref(pointed);
+            paint::stage(&painter, &viewport, theme, self.look.catalog, marks, None);
+            ui.set_cursor_icon(CursorIcon::PointingHand);
+        }
         handles.draw(ui, &painter, &response);
+        let said = self
+            .has_grid
+            .then(|| handles.coordinates(ui, &response, step));
+        if let Some(said) = said.flatten() {
+            coordinates(&painter, viewport.rect, self.look, said);
+        }
         if response.has_focus() {
             let ring = theme.stroke(2.0, theme.accent);
             painter.rect_stroke(viewport.rect.shrink(1.0), 2.0, ring, StrokeKind::Inside);
@@ -158,15 +178,34 @@ fn click(ui: &Ui, response: &Response, handles: &Handles<'_>) -> Option<StageCli
     })
 }
 
+/// The place under the pointer, in the corner that nothing else is in.
+fn coordinates(painter: &Painter, rect: Rect, look: Look<'_>, said: String) {
+    let theme = look.theme;
+    let font = FontId::monospace(11.0 * theme.text_scale.sqrt());
+    let text = painter.layout_no_wrap(said, font, theme.soft);
+    let place = Align2::RIGHT_TOP.anchor_size(rect.right_top() + vec2(-8.0, 8.0), text.size());
+    painter.rect_filled(place.expand(4.0), 4.0, theme.background);
+    painter.galley(place.min, text, theme.soft);
+}
+
+/// The view that was asked for. A press near a handle was meant for it, and does not move the view.
 fn pan_and_zoom(
     ui: &Ui,
     response: &Response,
-    viewport: &Viewport,
-    holds_handle: bool,
+    canvas: &Canvas<'_>,
+    handles: &Handles<'_>,
 ) -> Option<PanZoom> {
+    let viewport = &canvas.viewport;
+    let pans = canvas.id.with("pans");
+    if response.drag_started_by(PointerButton::Primary) {
+        let origin = ui.input(|input| input.pointer.press_origin());
+        let is_on_ground = origin.is_some_and(|at| !handles.is_about(at));
+        ui.data_mut(|data| data.insert_temp(pans, is_on_ground));
+    }
+    let is_on_ground = ui.data(|data| data.get_temp(pans)).unwrap_or(false);
+    let drags_ground = response.dragged_by(PointerButton::Primary) && is_on_ground;
     let mut view = PanZoom::of(viewport);
-    let drags_background = response.dragged_by(PointerButton::Primary) && !holds_handle;
-    if drags_background || response.dragged_by(PointerButton::Middle) {
+    if drags_ground || response.dragged_by(PointerButton::Middle) {
         view = view.panned(response.drag_delta());
     }
     if let Some(at) = response.hover_pos() {

@@ -1,16 +1,21 @@
 //! Handles: the places on a stage that a person takes hold of, with the pointer or with the keyboard.
 
 use egui::{
-    CursorIcon, Event, EventFilter, Id, Key, Painter, Pos2, Rect, Response, Role, Sense,
+    Color32, CursorIcon, Event, EventFilter, Id, Key, Painter, Pos2, Rect, Response, Role, Sense,
     StrokeKind, Ui, Vec2, WidgetInfo,
 };
 
-use crate::{paint::Viewport, text::Message};
+use crate::{
+    paint::Viewport,
+    text::{Message, Notation},
+};
 
 use super::Look;
 
 /// A finger or a shaky hand finds a handle within this distance, in points.
 const REACH: f32 = 14.0;
+/// A press this near to a handle was meant for it: the view does not move.
+const MISSED: f32 = 28.0;
 /// Shift makes a nudge this many grid steps long.
 const LEAP: f64 = 10.0;
 /// Alt makes a nudge this part of a grid step long.
@@ -95,6 +100,12 @@ impl Handles<'_> {
             .map(|(i, _)| self.spots[i].index)
     }
 
+    /// Was a press there meant for a handle?
+    pub fn is_about(&self, at: Pos2) -> bool {
+        let mut spots = self.spots.iter();
+        spots.any(|spot| self.viewport.to_screen(spot.at).distance(at) <= MISSED)
+    }
+
     /// The handle that is being dragged.
     pub fn gripped(&self, ui: &Ui) -> Option<usize> {
         gripped(ui, self.id)
@@ -137,7 +148,7 @@ impl Handles<'_> {
         let grip = self.grip(ui)?;
         let spot = self.spot(grip.spot).filter(|spot| !spot.locked)?;
         let pointer = self.viewport.to_world(canvas.interact_pointer_pos()?);
-        let free = !self.snap || ui.input(|i| i.modifiers.alt);
+        let free = !self.snap || is_off_grid(ui);
         let to = std::array::from_fn(|i| {
             let by = pointer[i] - grip.pointer_at[i];
             match spot.snap {
@@ -191,30 +202,35 @@ impl Handles<'_> {
         self.id.with(spot)
     }
 
-    /// Draws the handles that need it, and the ring of the one that is touched. Sets the cursor.
+    /// Draws the handles that nobody has touched, fainter than what the step shows and under it.
+    pub fn draw_idle(&self, ui: &Ui, painter: &Painter, canvas: &Response) {
+        let focused = ui.memory(egui::Memory::focused);
+        let touched = self.touched(ui, canvas);
+        if !canvas.hovered() && !focused.is_some_and(|id| self.owns(id)) {
+            return;
+        }
+        for spot in self.spots {
+            // A figure as a whole shows its handle only when it is touched: labels stand in its middle.
+            let is_idle = spot.snap == Snap::Place && !spot.selected && touched != Some(spot.index);
+            if is_idle && !spot.locked && !spot.marked {
+                self.square(painter, spot, self.look.theme.faint);
+            }
+        }
+    }
+
+    /// Draws the handles that are in use, over everything. Sets the cursor, and says where one is and why it stays.
     pub fn draw(&self, ui: &Ui, painter: &Painter, canvas: &Response) {
         let theme = self.look.theme;
         let focused = ui.memory(egui::Memory::focused);
-        let pointed = canvas.hover_pos().and_then(|at| self.near(at));
-        let touched = self.gripped(ui).or(pointed);
-        let is_near = canvas.hovered() || focused.is_some_and(|id| self.owns(id));
+        let touched = self.touched(ui, canvas);
         for spot in self.spots {
             let i = spot.index;
+            let is_touched = touched == Some(i) && !spot.locked;
             let centre = self.viewport.to_screen(spot.at);
-            // A figure as a whole shows its handle only when it is touched: labels stand in its middle.
-            let is_shown =
-                spot.snap == Snap::Place || touched == Some(i) || focused == Some(self.id_of(i));
-            if !spot.locked && !spot.marked && (spot.selected || is_near && is_shown) {
-                let square = Rect::from_center_size(centre, Vec2::splat(7.0));
-                let (fill, colour) = match (spot.selected, touched == Some(i)) {
-                    (true, _) => (theme.accent, theme.accent),
-                    (false, true) => (theme.background, theme.accent),
-                    (false, false) => (theme.background, theme.soft),
-                };
-                painter.rect_filled(square, 1.0, fill);
-                painter.rect_stroke(square, 1.0, theme.stroke(1.25, colour), StrokeKind::Middle);
+            if !spot.locked && !spot.marked && (spot.selected || is_touched) {
+                self.square(painter, spot, theme.accent);
             }
-            if touched == Some(i) && !spot.locked {
+            if is_touched {
                 let wash = theme.accent.gamma_multiply(0.18);
                 painter.circle_filled(centre, 12.0, wash);
             }
@@ -222,19 +238,61 @@ impl Handles<'_> {
                 painter.circle_stroke(centre, 13.0, theme.stroke(2.0, theme.accent));
             }
         }
-        if let Some(i) = touched {
+        if let Some(spot) = touched.and_then(|i| self.spot(i)) {
             let held = self.gripped(ui).is_some();
-            ui.set_cursor_icon(match (self.spot(i), held) {
-                (Some(spot), _) if spot.locked => CursorIcon::NotAllowed,
-                (_, true) => CursorIcon::Grabbing,
-                (_, false) => CursorIcon::Grab,
+            ui.set_cursor_icon(match (spot.locked, held) {
+                (true, _) => CursorIcon::NotAllowed,
+                (false, true) => CursorIcon::Grabbing,
+                (false, false) => CursorIcon::Grab,
             });
+            if spot.locked {
+                let why = Message::new("handle-locked").with("name", spot.name.clone());
+                let why = self.look.catalog.message(&why);
+                canvas.clone().on_hover_text_at_pointer(why);
+            }
         }
+    }
+
+    fn touched(&self, ui: &Ui, canvas: &Response) -> Option<usize> {
+        let pointed = canvas.hover_pos().and_then(|at| self.near(at));
+        self.gripped(ui).or(pointed)
+    }
+
+    fn square(&self, painter: &Painter, spot: &Spot, colour: Color32) {
+        let theme = self.look.theme;
+        let centre = self.viewport.to_screen(spot.at);
+        let square = Rect::from_center_size(centre, Vec2::splat(7.0));
+        let fill = if spot.selected {
+            theme.accent
+        } else {
+            theme.background
+        };
+        painter.rect_filled(square, 1.0, fill);
+        painter.rect_stroke(square, 1.0, theme.stroke(1.25, colour), StrokeKind::Middle);
+    }
+
+    /// Where the pointer is, or the handle that is held: its coordinates.
+    pub fn coordinates(&self, ui: &Ui, canvas: &Response, grid: f64) -> Option<String> {
+        let point = |at: [f64; 2]| {
+            let catalog = self.look.catalog;
+            catalog.value_as(&at.into(), Notation::Decimals)
+        };
+        if let Some(spot) = self.touched(ui, canvas).and_then(|i| self.spot(i)) {
+            return Some(format!("{} {}", spot.name, point(spot.at)));
+        }
+        // A pixel is no place: as many digits as can be told apart.
+        let at = self.viewport.to_world(canvas.hover_pos()?);
+        Some(point(at.map(|x| snapped(x, grid / 20.0))))
     }
 
     fn owns(&self, id: Id) -> bool {
         self.spots.iter().any(|spot| self.id_of(spot.index) == id)
     }
+}
+
+/// Are the keys held that let a drag leave the grid? Window managers may keep Alt and the pointer for themselves.
+pub(super) fn is_off_grid(ui: &Ui) -> bool {
+    ui.input(|input| input.modifiers.shift || input.modifiers.alt)
 }
 
 fn grip(ui: &Ui, id: Id) -> Option<Grip> {

@@ -2,7 +2,7 @@
 
 use egui::{
     Align, Color32, FontId, Id, Label, RichText, TextFormat, TextStyle, Ui, UiBuilder,
-    text::LayoutJob, vec2,
+    style::ScrollAnimation, text::LayoutJob, vec2,
 };
 
 use crate::{
@@ -15,9 +15,8 @@ use super::Look;
 /// Extra space between lines of running text, as a part of the text's size.
 const LEADING: f32 = 0.35;
 
-/// Draws the blocks below each other. `id` tells this text from another: answers are hidden again in
-/// another text.
-pub fn lesson_text(ui: &mut Ui, look: Look<'_>, id: Id, blocks: &[Block]) {
+/// Draws the blocks below each other, with their answers or without. `id` tells this text from another.
+pub fn lesson_text(ui: &mut Ui, look: Look<'_>, id: Id, blocks: &[Block], is_answered: bool) {
     ui.spacing_mut().item_spacing.y = 8.0;
     for (i, block) in blocks.iter().enumerate() {
         match block {
@@ -35,7 +34,8 @@ pub fn lesson_text(ui: &mut Ui, look: Look<'_>, id: Id, blocks: &[Block]) {
                     .color(look.theme.ink);
                 ui.add(Label::new(code).selectable(true));
             }
-            Block::Answer(blocks) => answer(ui, look, id.with(i), blocks),
+            Block::Answer(blocks) if is_answered => answer(ui, look, id.with(i), blocks),
+            Block::Answer(_) => {}
         }
     }
 }
@@ -69,24 +69,20 @@ fn item(ui: &mut Ui, look: Look<'_>, depth: usize, marker: BlockMarker, text: &[
     }
 }
 
-/// A quiet button, and what it hides until it is pressed.
+/// What was hidden until it was asked for; it scrolls into sight when it appears.
 fn answer(ui: &mut Ui, look: Look<'_>, id: Id, blocks: &[Block]) {
-    let is_open = ui.data(|data| data.get_temp::<bool>(id)).unwrap_or(false);
-    let key = if is_open {
-        "lesson-answer-hide"
-    } else {
-        "lesson-answer-show"
-    };
-    let text = RichText::new(look.say(key)).color(look.theme.accent);
-    if ui.add(egui::Button::new(text).frame(false)).clicked() {
-        ui.data_mut(|data| data.insert_temp(id, !is_open));
+    let left = ui.cursor().left();
+    let shown = ui.indent(id, |ui| {
+        lesson_text(ui, look, id.with("shown"), blocks, true);
+    });
+    let rect = shown.response.rect;
+    let bar = egui::Rect::from_x_y_ranges(left..=left + 2.0, rect.y_range());
+    ui.painter().rect_filled(bar, 0.0, look.theme.accent);
+    if ui.ctx().read_response(id).is_none() {
+        ui.scroll_to_rect_animation(rect, Some(Align::Max), ScrollAnimation::none());
+        ui.ctx().request_repaint();
     }
-    if is_open {
-        let left = ui.cursor().left();
-        let shown = ui.indent(id, |ui| lesson_text(ui, look, id.with("shown"), blocks));
-        let bar = egui::Rect::from_x_y_ranges(left..=left + 2.0, shown.response.rect.y_range());
-        ui.painter().rect_filled(bar, 0.0, look.theme.accent);
-    }
+    ui.interact(rect, id, egui::Sense::hover());
 }
 
 fn job(ui: &Ui, look: Look<'_>, text: &[Inline]) -> LayoutJob {

@@ -4,8 +4,10 @@ use egui::{Pos2, Rect};
 
 use crate::paint::Viewport;
 
-/// The largest and the smallest scale, as factors of a view that fits the world's size.
-const SCALES: [f64; 2] = [1e-9, 1e9];
+/// The smallest and the largest scale, as multiples of the one that shows the whole scene.
+const SCALES: [f64; 2] = [0.05, 1e6];
+/// From the middle of the view to that of the scene, as a part of the view's size, at most.
+const IN_VIEW: f64 = 0.45;
 
 /// What part of the world a canvas shows, kept by its owner.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -36,6 +38,21 @@ impl PanZoom {
         }
     }
 
+    /// As near to this as the whole scene stays to be found again.
+    #[must_use]
+    pub fn bounded(self, whole: &Viewport) -> Self {
+        let scale = self
+            .scale
+            .clamp(whole.scale * SCALES[0], whole.scale * SCALES[1]);
+        let size = [whole.rect.width(), whole.rect.height()].map(f64::from);
+        let centre = std::array::from_fn(|i| {
+            // Near, the middle of the view goes all over the scene; from afar, the scene stays in the view.
+            let reach = size[i] * (0.5 / whole.scale).max(IN_VIEW / scale);
+            self.centre[i].clamp(whole.centre[i] - reach, whole.centre[i] + reach)
+        });
+        Self { centre, scale }
+    }
+
     /// Moved with the pointer, by points on the screen.
     #[must_use]
     pub fn panned(self, by: egui::Vec2) -> Self {
@@ -52,7 +69,7 @@ impl PanZoom {
     #[must_use]
     pub fn zoomed(self, rect: Rect, factor: f64, around: Pos2) -> Self {
         let fixed = self.on(rect).to_world(around);
-        let scale = (self.scale * factor).clamp(SCALES[0], SCALES[1]);
+        let scale = self.scale * factor;
         let kept = self.scale / scale;
         Self {
             centre: std::array::from_fn(|i| fixed[i] + (self.centre[i] - fixed[i]) * kept),
@@ -79,6 +96,21 @@ mod tests {
         let before = view.on(RECT).to_world(pointer);
         let after = view.zoomed(RECT, 1.5, pointer).on(RECT).to_world(pointer);
         assert!((before[0] - after[0]).abs() < 1e-9 && (before[1] - after[1]).abs() < 1e-9);
+    }
+
+    #[test]
+    fn what_is_looked_at_stays_in_reach_of_the_scene() {
+        let whole = Viewport::fit(RECT, [[-1.0; 2], [1.0; 2]]);
+        let lost = PanZoom {
+            centre: [1e12, 0.0],
+            scale: 1e-12,
+        };
+        let bounded = lost.bounded(&whole);
+        let seen = bounded.on(RECT);
+        assert!(seen.rect.contains(seen.to_screen([0.0; 2])), "{bounded:?}");
+        assert!(bounded.scale >= whole.scale * SCALES[0]);
+        let near = PanZoom::of(&whole).zoomed(RECT, 4.0, RECT.center());
+        assert_eq!(near.bounded(&whole), near);
     }
 
     #[test]

@@ -6,6 +6,7 @@ lesson-answer-show = Show the answer
 lesson-answer-hide = Hide the answer
 lesson-changed = This is your scene. The text speaks of the lesson’s own.
 lesson-has-changes = has your changes
+lesson-contents = All lessons, and the free scene
 lesson-restore = Restore the lesson’s scene
 lesson-not-translated = This text has not been translated yet.
 

@@ -6,6 +6,7 @@ lesson-answer-show = Mostrar la respuesta
 lesson-answer-hide = Ocultar la respuesta
 lesson-changed = Esta es tu escena. El texto habla de la escena de la lección.
 lesson-has-changes = contiene cambios tuyos
+lesson-contents = Todas las lecciones y la escena libre
 lesson-restore = Restaurar la de la lección
 lesson-not-translated = Este texto aún no está traducido.
 

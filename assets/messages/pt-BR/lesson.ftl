@@ -6,6 +6,7 @@ lesson-answer-show = Mostrar a resposta
 lesson-answer-hide = Ocultar a resposta
 lesson-changed = Esta é a sua cena. O texto fala da cena da lição.
 lesson-has-changes = contém mudanças suas
+lesson-contents = Todas as lições e a cena livre
 lesson-restore = Restaurar a da lição
 lesson-not-translated = Este texto ainda não foi traduzido.
 

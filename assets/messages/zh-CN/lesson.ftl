@@ -6,6 +6,7 @@ lesson-answer-show = 显示答案
 lesson-answer-hide = 隐藏答案
 lesson-changed = 这是你自己的场景，下文讲的是课程原来的场景。
 lesson-has-changes = 含有你的改动
+lesson-contents = 全部课程与自由场景
 lesson-restore = 恢复课程的场景
 lesson-not-translated = 这段文字尚未翻译。
 

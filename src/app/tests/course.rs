@@ -25,6 +25,7 @@ fn a_presenter_walks_the_course_and_comes_back() {
         .sum();
     for _ in 0..n_steps + 2 {
         bench.key(Key::PageDown);
+        assert!(!bench.app.shown.is_answered, "no text is read there");
         let step = bench.app.bookmark.step().expect("a step is open");
         assert_eq!(Some(bench.app.position()), step.position());
         assert_eq!(bench.app.scene(), &*step.scene);
@@ -78,4 +79,29 @@ fn settings_come_back() {
     let again = App::new(Course::embedded(), settings);
     assert_eq!(again.bookmark.indices(), bench.app.bookmark.indices());
     assert_eq!(again.settings(), bench.app.settings());
+}
+
+#[test]
+fn page_down_shows_the_answer_before_it_moves_on() {
+    let mut bench = Bench::with(App::new(Course::embedded(), Settings::default()), SIZE);
+    let n_steps: usize = bench
+        .app
+        .bookmark
+        .lessons()
+        .iter()
+        .map(|l| l.steps.len())
+        .sum();
+    let mut n_answers = 0;
+    for _ in 1..n_steps {
+        let before = bench.app.bookmark.page();
+        if bench.app.has_answer() {
+            bench.key(Key::PageDown);
+            assert!(bench.app.shown.is_answered);
+            assert_eq!(bench.app.bookmark.page(), before);
+            n_answers += 1;
+        }
+        bench.key(Key::PageDown);
+        assert!(!bench.app.shown.is_answered, "another question");
+    }
+    assert!(n_answers > 3);
 }

@@ -54,6 +54,11 @@ pub fn beside(scene: &Scene) -> Result<Segment, Diagnostic> {
 
 /// The segment that a click is on, unless it is in focus already.
 pub fn clicked(scene: &Scene, click: &Click<'_>) -> Option<LinesChange> {
+    other_under(scene, click).map(LinesChange::Focus)
+}
+
+/// The nearest segment within reach of a click, if it is not the one that is clipped.
+pub fn other_under(scene: &Scene, click: &Click<'_>) -> Option<usize> {
     let [x, y, _] = click.at;
     let segments = scene.segments().iter().enumerate();
     let near = segments.filter_map(|(i, segment)| {
@@ -62,5 +67,5 @@ pub fn clicked(scene: &Scene, click: &Click<'_>) -> Option<LinesChange> {
         (distance <= click.reach).then_some((distance, i))
     });
     let (_, nearest) = near.min_by(|a, b| a.0.total_cmp(&b.0))?;
-    (nearest != scene.focus()).then_some(LinesChange::Focus(nearest))
+    (nearest != scene.focus()).then_some(nearest)
 }

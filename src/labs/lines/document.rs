@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::{
-    figure::{Mark, Run},
+    figure::{Mark, Run, Shape},
     geom::Point,
     labs::{Click, Document, Handle, Lab, MethodCard, Own},
     text::Diagnostic,
@@ -13,7 +13,7 @@ use crate::{
 use super::{
     LAB, Method, Scene,
     backdrop::{backdrop, bounds},
-    change::{beside, clicked},
+    change::{beside, clicked, other_under},
 };
 
 impl Scene {
@@ -88,6 +88,11 @@ impl Document for Scene {
 
     fn click(&self, click: &Click<'_>) -> Option<Own> {
         Some(Arc::new(clicked(self, click)?))
+    }
+
+    fn pointed(&self, click: &Click<'_>) -> Option<Shape> {
+        let other = &self.segments()[other_under(self, click)?];
+        Some(Shape::Segment([other.p1.to_array(), other.p2.to_array()]))
     }
 
     fn size(&self) -> usize {
