@@ -283,7 +283,7 @@ fn a_line_of_the_largest_size_is_still_read() {
     }
     let too_long = [&line[..], b" "].concat();
     assert_eq!(answers(&too_long, JSON).1.refused, 1);
-    let Err(refused) = read(Solvers::standard(), CaseLine::TooLong) else {
+    let Err(refused) = read(Solvers::standard(), CaseLine::TooLong, Detail::Answers) else {
         panic!("a line that is too long is refused");
     };
     assert_eq!(refused.refusal.code, Code::TooLarge);
@@ -365,7 +365,13 @@ fn a_case_can_name_only_the_solvers_that_are_handed_in() {
     let case = |algorithm: &str| {
         format!(r#"{{"algorithm": "{algorithm}", "window": [-1,-1,1,1], "segment": [0,0,2,0]}}"#)
     };
-    let answer = |algorithm: &str| read(solvers, CaseLine::Bytes(case(algorithm).as_bytes()));
+    let answer = |algorithm: &str| {
+        read(
+            solvers,
+            CaseLine::Bytes(case(algorithm).as_bytes()),
+            Detail::Steps,
+        )
+    };
     assert!(answer("liang-barsky").is_ok());
     let refused = answer("cyrus-beck").err().expect("an unknown algorithm");
     assert_eq!(refused.refusal.code, Code::UnknownAlgorithm);

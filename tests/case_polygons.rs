@@ -344,37 +344,89 @@ fn two_edges_that_meet_are_named() {
     assert!(message.contains("edges 0 and 2"), "{message}");
 }
 
-#[test]
-fn as_much_as_ten_thousand_vertices_against_a_window_is_answered() {
+/// A star of `n` vertices around the origin: tips at a distance of 2, valleys at `valley`; the first is a tip, where
+/// `turn` is even.
+fn star(n: usize, valley: f64, turn: usize) -> String {
     let vertex = |i: usize| {
-        let (sin, cos) = (std::f64::consts::TAU * i as f64 / 1e4).sin_cos();
-        let radius = if i.is_multiple_of(2) { 2.0 } else { 1.5 };
+        let (sin, cos) = (std::f64::consts::TAU * i as f64 / n as f64).sin_cos();
+        let radius = if (i + turn).is_multiple_of(2) {
+            2.0
+        } else {
+            valley
+        };
         json!([radius * cos, radius * sin])
     };
-    let polygon = (0..10_000).map(vertex).collect::<Json>().to_string();
-    let style = Style {
-        detail: Detail::Answers,
-        ..JSON
-    };
-    let outline: Vec<String> = (0..17)
-        .map(|i| {
-            let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / 17.0).sin_cos();
-            format!("[{cos},{sin}]")
-        })
-        .collect();
+    (0..n).map(vertex).collect::<Json>().to_string()
+}
+
+const ANSWERS: Style = Style {
+    format: Format::Json,
+    detail: Detail::Answers,
+    lang: Lang::En,
+};
+
+fn answer_alone(case: &str) -> Json {
+    serde_json::from_str(&answers(case, ANSWERS)).expect("one answer of JSON")
+}
+
+#[test]
+fn as_much_as_ten_thousand_vertices_against_a_window_is_reported_and_more_answered() {
+    let polygon = star(10_000, 1.5, 0);
     for solver in polygon_solvers() {
-        let answer: Json =
-            serde_json::from_str(&answers(&case_of(solver, &polygon), style)).expect("JSON");
+        let answer = answer_alone(&case_of(solver, &polygon));
         assert!(answer["error"].is_null(), "{}", answer["error"]);
         if takes(solver, "clip") {
-            let case = format!(
-                r#"{{"algorithm":"{}","clip":[{}],"polygon":{polygon}}}"#,
+            let clip = star(18, 2.0, 0);
+            let case = line(
                 solver.id(),
-                outline.join(",")
+                &format!(r#""clip":{clip},"polygon":{polygon}"#),
             );
             assert_eq!(refusal(&case), ["too-large", "polygon"]);
+            let alone = answer_alone(&case);
+            assert!(alone["error"].is_null(), "{}", alone["error"]);
         }
     }
+}
+
+/// The star of 200,000 vertices goes all around the window; that of two stars, one turned by a tooth, both keep their
+/// valleys, and between two of these their edges cross.
+#[test]
+fn only_a_report_is_limited_and_the_refusal_says_so() {
+    let many = star(200_000, 1.5, 0);
+    let case = line(
+        "sutherland-hodgman",
+        &format!(r#""window":[-1,-1,1,1],"polygon":{many}"#),
+    );
+    let window = json!([[[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]]);
+    let clipped = answer_alone(&case)["output"]["polygons"].clone();
+    assert_eq!(sorted(&clipped), sorted(&window));
+    assert_eq!(refusal(&case), ["too-large", "polygon"]);
+    for lang in Lang::ALL {
+        let style = Style {
+            format: Format::Text,
+            detail: Detail::Steps,
+            lang,
+        };
+        let text = answers(&case, style);
+        let words: Vec<&str> = text.split_whitespace().collect();
+        let says = words.join(" ").contains("--events false");
+        assert!(says, "{lang}: {text}");
+    }
+
+    let [one, other] = [0, 1].map(|turn| star(3_000, 1.5, turn));
+    let case = line(
+        "weiler-atherton",
+        &format!(r#""clip":{one},"polygon":{other}"#),
+    );
+    assert_eq!(refusal(&case), ["too-large", "polygon"]);
+    let output = &answer_alone(&case)["output"];
+    assert_eq!(output["relation"], "crossing");
+    let rings = output["polygons"].as_array().expect("rings");
+    let n_vertices: Vec<usize> = rings
+        .iter()
+        .map(|ring| ring.as_array().map_or(0, Vec::len))
+        .collect();
+    assert_eq!(n_vertices, [2 * 1_500 + 3_000]);
 }
 
 /// Whatever is given, there is an answer or a refusal.

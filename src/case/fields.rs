@@ -4,7 +4,7 @@ use serde_json::value::RawValue;
 
 use crate::text::{Message, Value};
 
-use super::{Code, Node, Path, Refusal, raw::Pairs, refusal::short};
+use super::{Code, Detail, Node, Path, Refusal, raw::Pairs, refusal::short};
 
 /// Must a field be there?
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -52,6 +52,7 @@ impl Field {
 /// The fields of one case, after a check against those that its algorithm takes.
 pub struct Fields<'a> {
     given: Vec<(&'static str, &'a RawValue)>,
+    detail: Detail,
 }
 
 impl<'a> Fields<'a> {
@@ -61,6 +62,7 @@ impl<'a> Fields<'a> {
         name_key: &'static str,
         takes: &'static [Field],
         pairs: &Pairs<'a>,
+        detail: Detail,
     ) -> Result<Self, Refusal> {
         let mut given: Vec<(&'static str, &'a RawValue)> = Vec::with_capacity(takes.len());
         for (name, raw) in &pairs.0 {
@@ -102,7 +104,13 @@ impl<'a> Fields<'a> {
                 problem,
             ));
         }
-        Ok(Self { given })
+        Ok(Self { given, detail })
+    }
+
+    /// How much is written of the case, and so how large it may be: see [`Detail::limit`].
+    #[must_use]
+    pub const fn detail(&self) -> Detail {
+        self.detail
     }
 
     /// The field, where it is given.

@@ -7,6 +7,22 @@ use crate::text::Value;
 pub struct Given {
     /// Catalogue key of its name.
     pub name_key: &'static str,
-    /// Set one after the other.
+    /// Set one after the other: the first of them, as many as are shown.
     pub values: Vec<Value>,
+    /// How many there are.
+    pub n_values: usize,
+}
+
+/// A polygon's vertices beyond these are not put into words.
+const MAX_SHOWN: usize = 16;
+
+impl Given {
+    /// Of this name.
+    pub fn new(name_key: &'static str, values: impl ExactSizeIterator<Item = Value>) -> Self {
+        Self {
+            name_key,
+            n_values: values.len(),
+            values: values.take(MAX_SHOWN).collect(),
+        }
+    }
 }

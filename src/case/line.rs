@@ -2,8 +2,8 @@
 
 use std::io::{self, BufRead, BufReader, Read};
 
-/// A longer line is refused: far more than any case needs, and little enough to be held in memory.
-pub const MAX_LINE_BYTES: usize = 16 << 20;
+/// A longer line is refused: room for an outline of millions of vertices, and little enough to be held in memory.
+pub const MAX_LINE_BYTES: usize = 64 << 20;
 
 /// Read in pieces of this size: large enough that calls into the system cost nothing.
 const CHUNK_BYTES: usize = 1 << 16;

@@ -41,7 +41,9 @@ impl<A: LineDemo> Solve for A {
 
     fn read(fields: &Fields<'_>) -> Result<(A::Input, Told), Refusal> {
         let window = fields.get("window").map(|node| read_window(&node));
-        let clip = fields.get("clip").map(|node| read_clip(&node));
+        let clip = fields
+            .get("clip")
+            .map(|node| read_clip(&node, fields.detail()));
         let (window, clip) = (window.transpose()?, clip.transpose()?);
         let segment = read_segment(&fields.need("segment")?)?;
         let choices = [("tbrl", BitOrder::Tbrl), ("lrbt", BitOrder::Lrbt)];
@@ -110,10 +112,8 @@ fn given(scene: &Scene, writes_codes: bool) -> Vec<Given> {
         let formula = Formula::default().sym(symbol).sym(" = ");
         Value::Formula(formula.point(p.to_array()))
     };
-    let segment = Given {
-        name_key: "object-segment",
-        values: vec![end("P₁", p1), end("P₂", p2)],
-    };
+    let ends = [end("P₁", p1), end("P₂", p2)];
+    let segment = Given::new("object-segment", ends.into_iter());
     let mut given = vec![clip_or_window, segment];
     if writes_codes {
         let side = |edge| match edge {
@@ -122,10 +122,8 @@ fn given(scene: &Scene, writes_codes: bool) -> Vec<Given> {
             Edge::Bottom => Value::Term("side-bottom"),
             Edge::Top => Value::Term("side-top"),
         };
-        given.push(Given {
-            name_key: "object-outcode",
-            values: scene.bit_order.written().map(side).to_vec(),
-        });
+        let sides = scene.bit_order.written().map(side);
+        given.push(Given::new("object-outcode", sides.into_iter()));
     }
     given
 }

@@ -5,9 +5,9 @@ use crate::{
     text::{Formula, Value},
 };
 
-use super::{Given, Node, Refusal};
+use super::{Detail, Given, Node, Refusal};
 
-/// A clip polygon with more vertices than this is refused: a step's table of values has a row an edge, and
+/// A report of a clip polygon with more vertices than this is refused: a step's table of values has a row an edge, and
 /// a report a step an edge, so that its length grows with the square.
 const MAX_VERTICES: usize = 1024;
 
@@ -16,17 +16,15 @@ pub(super) fn read_window(node: &Node<'_>) -> Result<Window, Refusal> {
     Window::new(xmin, ymin, xmax, ymax).map_err(|error| Refusal::geometry(&node.path, error))
 }
 
-pub(super) fn read_clip(node: &Node<'_>) -> Result<ConvexPolygon, Refusal> {
-    let outline: Vec<[f64; 2]> = node.points(MAX_VERTICES)?;
+pub(super) fn read_clip(node: &Node<'_>, detail: Detail) -> Result<ConvexPolygon, Refusal> {
+    let outline: Vec<[f64; 2]> = node.points(detail.limit(MAX_VERTICES))?;
     ConvexPolygon::new(&outline).map_err(|error| Refusal::geometry(&node.path, error))
 }
 
 /// The clip polygon's corners.
 pub(super) fn given_clip(vertices: &[Point]) -> Given {
-    Given {
-        name_key: "object-clip-polygon",
-        values: vertices.iter().map(|p| p.to_array().into()).collect(),
-    }
+    let values = vertices.iter().map(|p| p.to_array().into());
+    Given::new("object-clip-polygon", values)
 }
 
 /// `−1 ≤ x ≤ 1`, `−1 ≤ y ≤ 1`: closed.
@@ -35,11 +33,9 @@ pub(super) fn given_window(window: &Window) -> Given {
         let formula = Formula::default().num(window.border(low));
         Value::Formula(formula.sym(symbol).num(window.border(high)))
     };
-    Given {
-        name_key: "object-window",
-        values: vec![
-            range(Edge::Left, " ≤ x ≤ ", Edge::Right),
-            range(Edge::Bottom, " ≤ y ≤ ", Edge::Top),
-        ],
-    }
+    let ranges = [
+        range(Edge::Left, " ≤ x ≤ ", Edge::Right),
+        range(Edge::Bottom, " ≤ y ≤ ", Edge::Top),
+    ];
+    Given::new("object-window", ranges.into_iter())
 }

@@ -5,7 +5,8 @@ use serde_json::value::RawValue;
 use crate::text::{Message, Value};
 
 use super::{
-    CaseLine, Code, Fields, Id, MAX_LINE_BYTES, Node, Path, Refusal, Solvable, Solver, Solvers,
+    CaseLine, Code, Detail, Fields, Id, MAX_LINE_BYTES, Node, Path, Refusal, Solvable, Solver,
+    Solvers,
     fields::missing,
     raw::{Pairs, kind},
     refusal::short,
@@ -30,13 +31,13 @@ pub struct Refused {
     pub refusal: Refusal,
 }
 
-/// Reads one case for one of `solvers`.
+/// Reads one case for one of `solvers`, of which so much is to be written.
 ///
 /// # Errors
 /// The first mistake, in the order that the [module](super) states.
-pub fn read(solvers: Solvers, line: CaseLine<'_>) -> Result<Case, Refused> {
+pub fn read(solvers: Solvers, line: CaseLine<'_>, detail: Detail) -> Result<Case, Refused> {
     let mut id = Id::default();
-    match read_into(solvers, line, &mut id) {
+    match read_into(solvers, line, detail, &mut id) {
         Ok((solver, problem)) => Ok(Case {
             id,
             solver,
@@ -49,6 +50,7 @@ pub fn read(solvers: Solvers, line: CaseLine<'_>) -> Result<Case, Refused> {
 fn read_into(
     solvers: Solvers,
     line: CaseLine<'_>,
+    detail: Detail,
     id: &mut Id,
 ) -> Result<(&'static Solver, Box<dyn Solvable>), Refusal> {
     let text = text(line)?;
@@ -64,7 +66,7 @@ fn read_into(
     }
     read_id?;
     let solver = algorithm(solvers, find("algorithm"))?;
-    let fields = Fields::check(solver.name_key(), solver.fields(), &pairs)?;
+    let fields = Fields::check(solver.name_key(), solver.fields(), &pairs, detail)?;
     Ok((solver, solver.read(&fields)?))
 }
 

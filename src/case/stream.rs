@@ -70,7 +70,7 @@ pub fn trace(
         let Some((line, text)) = lines.next_line().map_err(TraceError::Read)? else {
             return hand_over(&mut out).map(|()| tally);
         };
-        let case = read(solvers, text);
+        let case = read(solvers, text, style.detail);
         let number = tally.answered + tally.refused + 1;
         write_answer(number, &case, style, &mut out).map_err(TraceError::Write)?;
         match &case {

@@ -22,6 +22,17 @@ pub enum Detail {
     Answers,
 }
 
+impl Detail {
+    /// What a report would make too long is limited to `most`; an answer alone takes as much as a line holds.
+    #[must_use]
+    pub const fn limit(self, most: usize) -> usize {
+        match self {
+            Self::Steps => most,
+            Self::Answers => usize::MAX,
+        }
+    }
+}
+
 /// How answers are written.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Style {

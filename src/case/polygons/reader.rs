@@ -11,9 +11,9 @@ use crate::{
     text::{Formula, Message, Value},
 };
 
-/// An outline with more vertices than this is refused.
+/// A report of an outline with more vertices than this is refused.
 const MAX_VERTICES: usize = 10_000;
-/// And so are two whose numbers of edges multiply to more: each pair may become several events, of which the JSON
+/// And so is one of two whose numbers of edges multiply to more: each pair may become several events, of which the JSON
 /// answer holds every one. 10,000 vertices against a window are less.
 const MAX_PAIRS: usize = 1 << 16;
 
@@ -49,7 +49,7 @@ impl<'a> Reader<'a> {
             self.n_clip_edges = 4;
             return Ok(window.into());
         }
-        let clip = read_clip(&self.fields.need("clip")?)?;
+        let clip = read_clip(&self.fields.need("clip")?, self.fields.detail())?;
         self.given.push(given_clip(clip.vertices()));
         self.n_clip_edges = clip.vertices().len();
         Ok(clip.into())
@@ -64,7 +64,7 @@ impl<'a> Reader<'a> {
             return Ok(window.into());
         }
         let node = self.fields.need("clip")?;
-        let clip = outline(&node)?;
+        let clip = self.outline(&node)?;
         self.given.push(given_clip(clip.vertices()));
         self.n_clip_edges = clip.vertices().len();
         simple(&node, &clip)
@@ -73,7 +73,7 @@ impl<'a> Reader<'a> {
     /// `polygon`, of any shape.
     pub fn polygon(&mut self) -> Result<Polygon, Refusal> {
         let node = self.fields.need("polygon")?;
-        let polygon = outline(&node)?;
+        let polygon = self.outline(&node)?;
         self.given.push(given_outline("object-polygon", &polygon));
         self.check_pairs(&node, polygon.vertices().len())?;
         Ok(polygon)
@@ -92,13 +92,13 @@ impl<'a> Reader<'a> {
         let Some(node) = self.fields.get("holes") else {
             return Ok(outer.into());
         };
-        let outlines = node.list(outline)?;
+        let outlines = node.list(|hole| self.outline(hole))?;
         let n_edges = outlines
             .iter()
             .map(|hole| hole.vertices().len())
             .sum::<usize>();
         self.check_pairs(&node, n_outer + n_edges)?;
-        let holes = node.list(|hole| simple(hole, &outline(hole)?))?;
+        let holes = node.list(|hole| simple(hole, &self.outline(hole)?))?;
         for hole in &outlines {
             self.given.push(given_outline("object-hole", hole));
         }
@@ -108,23 +108,28 @@ impl<'a> Reader<'a> {
     /// `uv`: a place in the texture for each vertex.
     pub fn uv(&mut self, n_vertices: usize) -> Result<Vec<[f64; 2]>, Refusal> {
         let node = self.fields.need("uv")?;
-        let uvs: Vec<[f64; 2]> = node.points(MAX_VERTICES)?;
+        let uvs: Vec<[f64; 2]> = node.points(self.fields.detail().limit(MAX_VERTICES))?;
         if uvs.len() != n_vertices {
             let problem = Message::new("case-uv-length")
                 .with("expected", n_vertices)
                 .with("found", uvs.len());
             return Err(Refusal::at(Code::WrongLength, &node.path, problem));
         }
-        self.given.push(Given {
-            name_key: "object-uv",
-            values: uvs.iter().map(|&uv| uv.into()).collect(),
-        });
+        let values = uvs.iter().map(|&uv| uv.into());
+        self.given.push(Given::new("object-uv", values));
         Ok(uvs)
+    }
+
+    /// A list of three points or more.
+    fn outline(&self, node: &Node<'_>) -> Result<Polygon, Refusal> {
+        let most = self.fields.detail().limit(MAX_VERTICES);
+        let outline: Vec<[f64; 2]> = node.points(most)?;
+        Polygon::new(&outline).map_err(|error| Refusal::geometry(&node.path, error))
     }
 
     fn check_pairs(&self, node: &Node<'_>, n_edges: usize) -> Result<(), Refusal> {
         let found = n_edges.saturating_mul(self.n_clip_edges);
-        if found <= MAX_PAIRS {
+        if found <= self.fields.detail().limit(MAX_PAIRS) {
             return Ok(());
         }
         let problem = Message::new("case-too-many-pairs")
@@ -132,12 +137,6 @@ impl<'a> Reader<'a> {
             .with("max", MAX_PAIRS);
         Err(Refusal::at(Code::TooLarge, &node.path, problem))
     }
-}
-
-/// A list of three points or more.
-fn outline(node: &Node<'_>) -> Result<Polygon, Refusal> {
-    let outline: Vec<[f64; 2]> = node.points(MAX_VERTICES)?;
-    Polygon::new(&outline).map_err(|error| Refusal::geometry(&node.path, error))
 }
 
 /// An outline that does not meet itself.
@@ -151,8 +150,5 @@ fn given_outline(name_key: &'static str, outline: &Polygon) -> Given {
         let formula = Formula::default().sym(vertex_symbol(i)).sym(" = ");
         Value::Formula(formula.point(p.to_array()))
     };
-    Given {
-        name_key,
-        values: outline.vertices().iter().enumerate().map(vertex).collect(),
-    }
+    Given::new(name_key, outline.vertices().iter().enumerate().map(vertex))
 }

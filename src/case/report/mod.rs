@@ -18,9 +18,6 @@ pub(super) use markdown::markdown;
 pub use refusing::Refusing;
 pub(super) use text::text;
 
-/// A polygon's vertices beyond these are left out of the statement of the problem.
-const MAX_VALUES: usize = 16;
-
 /// One step, in words and numbers.
 struct StepRow {
     step: usize,
@@ -93,10 +90,10 @@ fn case_name(number: usize, id: &Id, catalog: &Catalog) -> String {
 
 /// Name and values of what is given.
 fn given_row(given: &Given, catalog: &Catalog) -> [String; 2] {
-    let shown = given.values.iter().take(MAX_VALUES);
+    let shown = given.values.iter();
     let mut values: Vec<String> = shown.map(|value| catalog.value(value)).collect();
-    if given.values.len() > MAX_VALUES {
-        values.push(format!("… ({})", given.values.len()));
+    if given.n_values > values.len() {
+        values.push(format!("… ({})", given.n_values));
     }
     [
         catalog.term(given.name_key),
