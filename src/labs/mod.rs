@@ -2,6 +2,7 @@
 //! every lab has in common is here beside them; [`LABS`] is the table that a lab joins.
 
 mod card;
+mod crossing_formulas;
 mod demo;
 mod difference;
 mod edit;

@@ -1,9 +1,8 @@
 //! Words and formulas that several labs share.
 
 use crate::{
-    algo::line::Ratio,
     figure::Link,
-    geom::{Axis, Edge, Point, Segment, Window},
+    geom::{Axis, Edge, Point, Window},
     text::{Formula, Value},
 };
 
@@ -54,48 +53,6 @@ pub fn border_equation(window: &Window, edge: Edge) -> Formula {
         .sym(axis_symbol(edge.axis()))
         .sym(" = ")
         .num(window.border(edge))
-}
-
-/// `t = (−1 − (−2)) / (2 − (−2)) = 1/4`: where on a segment a side is crossed.
-pub fn parameter_formula(
-    symbol: &'static str,
-    segment: &Segment,
-    window: &Window,
-    edge: Edge,
-    u: Ratio,
-) -> Formula {
-    let [a1, _] = along(segment.p1, edge.axis());
-    let [a2, _] = along(segment.p2, edge.axis());
-    let from_a1 = |a: f64| Formula::default().num(a).sym(" − ").operand(a1);
-    Formula::default()
-        .sym(symbol)
-        .sym(" = ")
-        .over(from_a1(window.border(edge)), from_a1(a2))
-        .equals_ratio(u.num, u.den)
-}
-
-/// `y = (−1 · 3 + 3/2 · 1) / 4 = −3/8`: the free coordinate of a crossing, as it is computed.
-pub fn free_formula(segment: &Segment, window: &Window, edge: Edge, free: f64) -> Formula {
-    let (axis, c) = (edge.axis(), window.border(edge));
-    let [a1, o1] = along(segment.p1, axis);
-    let [a2, o2] = along(segment.p2, axis);
-    let other = match axis {
-        Axis::X => "y",
-        Axis::Y => "x",
-    };
-    let sum = Formula::default()
-        .num(o1)
-        .sym(" · ")
-        .operand(a2 - c)
-        .sym(" + ")
-        .operand(o2)
-        .sym(" · ")
-        .operand(c - a1);
-    Formula::default()
-        .sym(other)
-        .sym(" = ")
-        .over(sum, Formula::default().num(a2 - a1))
-        .equals(free)
 }
 
 /// `P₁ = (−2, −1)`.

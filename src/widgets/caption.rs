@@ -28,17 +28,21 @@ pub fn height_for_all(
     width: f32,
 ) -> f32 {
     let captions = captions.into_iter();
-    let mut by_length: Vec<(usize, Caption)> = captions
-        .map(|caption| (caption_text(look.catalog, &caption).len(), caption))
+    let mut by_length: Vec<(String, Caption)> = captions
+        .map(|caption| (caption_text(look.catalog, &caption), caption))
         .collect();
-    by_length.sort_by_key(|(length, _)| std::cmp::Reverse(*length));
-    // The highest is one of the longest.
-    by_length.truncate(MOST_MEASURED);
-    let height = |(_, caption): &(usize, Caption)| {
-        CaptionLayout::new(painter, look, caption, vec2(width, f32::INFINITY)).height()
+    by_length.sort_by_key(|(text, _)| std::cmp::Reverse(text.len()));
+    // The highest is one of the longest, or of the longest with a quotient, which is stacked.
+    let (stacked, flat): (Vec<_>, Vec<_>) = by_length
+        .into_iter()
+        .partition(|(text, _)| text.contains(" / "));
+    let longest = [stacked, flat].into_iter();
+    let longest = longest.flat_map(|captions| captions.into_iter().take(MOST_MEASURED));
+    let height = |(_, caption): (String, Caption)| {
+        CaptionLayout::new(painter, look, &caption, vec2(width, f32::INFINITY)).height()
     };
     let one = ROW_PTS * look.theme.text_scale;
-    let most = by_length.iter().map(height).fold(one, f32::max);
+    let most = longest.map(height).fold(one, f32::max);
     (2.0 * MARGIN_PTS + most).ceil()
 }
 

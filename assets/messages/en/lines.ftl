@@ -7,6 +7,7 @@ line-parallel = Parallel to the { $edge }: no crossing.
 line-reject-edge = Reject: both ends lie beyond the { $edge }.
 line-accept = Accept: visible from { $p1 } to { $p2 }.
 line-touch = Accept: the segment touches the window in the one point { $at }.
+line-point = Accept: both ends are the one point { $at }, and it lies in the window.
 param-left = { $min } < { $max }: a part is left.
 param-touch = { $min } = { $max }: a single point is left, and on the border is inside.
 param-empty = { $min } > { $max }: nothing is left.

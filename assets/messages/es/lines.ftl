@@ -7,6 +7,7 @@ line-parallel = Paralelo al { $edge }: no hay intersección.
 line-reject-edge = Se rechaza: los dos extremos están más allá del { $edge }.
 line-accept = Se acepta: visible desde { $p1 } hasta { $p2 }.
 line-touch = Se acepta: el segmento toca la ventana en un solo punto, { $at }.
+line-point = Se acepta: los dos extremos son el mismo punto { $at }, y está en la ventana.
 param-left = { $min } < { $max }: queda una parte.
 param-touch = { $min } = { $max }: queda un solo punto, y el borde cuenta como interior.
 param-empty = { $min } > { $max }: no queda nada.
@@ -88,8 +89,8 @@ lb-note-parallel = p = 0, es paralelo: dentro si q ≥ 0
 code-lb-start = u_min ← 0; u_max ← 1; Δ ← P₂ − P₁
 code-lb-each = para cada borde k = 1 … 4: p, q
 code-lb-parallel = si p = 0 y q < 0: rechazar
-code-lb-enter = si p < 0: u_min ← max(u_min, q/p)
-code-lb-leave = si p > 0: u_max ← min(u_max, q/p)
+code-lb-enter = si p < 0: u_min ← max(u_min; q/p)
+code-lb-leave = si p > 0: u_max ← min(u_max; q/p)
 code-lb-empty = si u_min > u_max: rechazar
 code-lb-accept = aceptar P(u_min) P(u_max)
 words-lb-start = Empieza con el segmento entero, u de 0 a 1.
@@ -123,8 +124,8 @@ cb-measured = Medido a lo largo de { $normal }, desde la arista
 code-cb-start = t_min ← 0; t_max ← 1; D ← P₂ − P₁
 code-cb-each = para cada arista: n; w ← P₁ − E
 code-cb-parallel = si n·D = 0 y n·w < 0: rechazar
-code-cb-enter = si n·D > 0: t_min ← max(t_min, −n·w/n·D)
-code-cb-leave = si n·D < 0: t_max ← min(t_max, −n·w/n·D)
+code-cb-enter = si n·D > 0: t_min ← max(t_min; −n·w/n·D)
+code-cb-leave = si n·D < 0: t_max ← min(t_max; −n·w/n·D)
 code-cb-empty = si t_min > t_max: rechazar
 code-cb-accept = aceptar P(t_min) P(t_max)
 words-cb-start = Empieza con el segmento entero, t de 0 a 1.

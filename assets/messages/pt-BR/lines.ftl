@@ -7,6 +7,7 @@ line-parallel = Paralelo à { $edge }: não há interseção.
 line-reject-edge = Rejeitado: os dois extremos estão além da { $edge }.
 line-accept = Aceito: visível de { $p1 } a { $p2 }.
 line-touch = Aceito: o segmento toca a janela em um único ponto, { $at }.
+line-point = Aceito: os dois extremos são o mesmo ponto { $at }, e ele está na janela.
 param-left = { $min } < { $max }: sobra uma parte.
 param-touch = { $min } = { $max }: sobra um único ponto, e na borda ainda é dentro.
 param-empty = { $min } > { $max }: não sobra nada.

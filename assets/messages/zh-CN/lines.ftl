@@ -7,6 +7,7 @@ line-parallel = 与{ $edge }平行：没有交点。
 line-reject-edge = 舍弃：两端点都在{ $edge }外侧。
 line-accept = 接受：可见部分从 { $p1 } 到 { $p2 }。
 line-touch = 接受：线段与窗口只有一个公共点 { $at }。
+line-point = 接受：两端点是同一个点 { $at }，它在窗口内。
 param-left = { $min } < { $max }：还剩一段。
 param-touch = { $min } = { $max }：只剩一点，而边界上的点算在窗口内。
 param-empty = { $min } > { $max }：区间为空，什么也不剩。

@@ -97,9 +97,9 @@ pub enum BruteForceEvent {
 pub enum CrossingFate {
     /// There is none.
     Parallel,
-    /// It was not needed.
+    /// It was not needed, or not in the end.
     InVain,
-    /// This end has moved to it.
+    /// This end stands on it.
     Replaces(End),
 }
 
@@ -114,8 +114,6 @@ pub struct BruteForceState {
     pub crossings: [Option<(Point, Ratio)>; 4],
     /// What became of the crossings, by side, once it is decided.
     pub fates: [Option<CrossingFate>; 4],
-    /// The crossings that replaced an end.
-    pub n_used: usize,
     /// The answer, once known.
     pub verdict: Option<Visible>,
 }
@@ -169,7 +167,6 @@ impl Algorithm for BruteForce {
             edge: None,
             crossings: [None; 4],
             fates: [None; 4],
-            n_used: 0,
             verdict: None,
         }
     }
@@ -191,8 +188,13 @@ impl Algorithm for BruteForce {
             }
             Event::Cut { end, edge, to, .. } => {
                 state.ends[end.idx()] = to;
+                // The crossing that this end stood on until now is of no use after all.
+                for fate in state.fates.iter_mut().flatten() {
+                    if *fate == CrossingFate::Replaces(end) {
+                        *fate = CrossingFate::InVain;
+                    }
+                }
                 state.fates[edge as usize] = Some(CrossingFate::Replaces(end));
-                state.n_used += 1;
             }
             Event::Accept { segment } => state.verdict = Some(Some(segment)),
             Event::Reject { .. } => state.verdict = Some(None),

@@ -36,6 +36,7 @@ pub use cohen_sutherland::{
     CohenSutherland, CohenSutherlandEvent, CohenSutherlandInput, CohenSutherlandState,
 };
 pub use corner_line::{CornerLine, Turn};
+pub(crate) use crossing::corner_between;
 pub use cyrus_beck::{CyrusBeck, CyrusBeckEvent, CyrusBeckInput, CyrusBeckRow, CyrusBeckState};
 pub use liang_barsky::{LiangBarsky, LiangBarskyEvent, LiangBarskyState, Row};
 pub use nicholl_lee_nicholl::{

@@ -21,10 +21,8 @@ use super::shared::{
     accepted, border_mark, crossing_mark, end_name, end_symbol, ends_rows, inside_mark, opening,
     outside_marks, parallel_formula, segment_marks, side_key,
 };
-use crate::labs::words::{
-    along, axis_symbol, border_equation, edge_link, edge_name, free_formula, name,
-    parameter_formula,
-};
+use crate::labs::crossing_formulas::upright;
+use crate::labs::words::{along, axis_symbol, border_equation, edge_link, edge_name, name};
 
 /// The view of the crossings, computed one by one.
 const CROSSINGS_VIEW: &str = "crossings";
@@ -83,12 +81,11 @@ impl Demo for BruteForce {
     fn caption(event: &Event, before: &State, input: &WindowInput) -> Caption {
         let WindowInput { window, segment } = input;
         match *event {
-            Event::Intersect { edge, u, at } => {
+            Event::Intersect { edge, at, .. } => {
                 let message = Message::new("bf-intersect").with("edge", edge_name(edge));
-                let free = along(at, edge.axis())[1];
-                Caption::new(message)
-                    .so(parameter_formula("t", segment, window, edge, u))
-                    .so(free_formula(segment, window, edge, free))
+                upright(segment, edge.axis(), window.border(edge), at)
+                    .into_iter()
+                    .fold(Caption::new(message), Caption::so)
             }
             Event::Parallel { edge } => {
                 Caption::new(Message::new("line-parallel").with("edge", edge_name(edge)))
@@ -111,7 +108,7 @@ impl Demo for BruteForce {
                     .with("to", to.to_array()),
             )
             .so(both_sides(before, input, edge)),
-            Event::Accept { segment } => accepted(&segment),
+            Event::Accept { segment: visible } => accepted(&input.segment, visible),
             Event::Reject { edge } => {
                 Caption::new(Message::new("line-reject-edge").with("edge", edge_name(edge)))
                     .so(both_sides(before, input, edge))
@@ -136,9 +133,11 @@ impl Demo for BruteForce {
         let state = step.state;
         let mut rows = ends_rows(state.ends);
         let n_crossings = state.crossings.iter().flatten().count();
+        let is_used = |fate: &&CrossingFate| matches!(fate, CrossingFate::Replaces(_));
+        let n_used = state.fates.iter().flatten().filter(is_used).count();
         for (key, n) in [
             ("watch-crossings", n_crossings),
-            ("watch-crossings-used", state.n_used),
+            ("watch-crossings-used", n_used),
         ] {
             rows.push(WatchRow::new(Value::Term(key), Some(Value::Count(n))));
         }

@@ -19,9 +19,8 @@ use super::shared::{
     accepted, crossing_mark, end_link, end_name, ends_rows, opening, outside_marks, region_key,
     segment_marks,
 };
-use crate::labs::words::{
-    along, border_equation, edge_name, free_formula, name, parameter_formula, position_formula,
-};
+use crate::labs::crossing_formulas::upright;
+use crate::labs::words::{border_equation, edge_name, name, position_formula};
 
 /// The view of the codes as bits.
 const CODES_VIEW: &str = "codes";
@@ -115,27 +114,8 @@ impl Demo for CohenSutherland {
             .so(Formula::default()
                 .sym("code₁ OR code₂ = ")
                 .sym(before.or.unwrap_or_default().to_string())),
-            Event::Cut {
-                end, edge, u, to, ..
-            } => Caption::new(
-                Message::new("cs-cut")
-                    .with("end", end_name(end))
-                    .with("border", border_equation(&input.window, edge)),
-            )
-            .so(parameter_formula(
-                "t",
-                &input.segment,
-                &input.window,
-                edge,
-                u,
-            ))
-            .so(free_formula(
-                &input.segment,
-                &input.window,
-                edge,
-                along(to, edge.axis())[1],
-            )),
-            Event::Accept { segment } => accepted(&segment),
+            Event::Cut { end, edge, to, .. } => cut_caption(end, edge, to, input),
+            Event::Accept { segment: visible } => accepted(&input.segment, visible),
             Event::Reject { and } => Caption::new(
                 Message::new("cs-reject")
                     .with("and", name(and.to_string()))
@@ -167,6 +147,18 @@ impl Demo for CohenSutherland {
             WatchSection::list(code_rows(step.state, step.input.bit_order)).seen_in(CODES_VIEW),
         ]
     }
+}
+
+fn cut_caption(end: End, edge: Edge, to: Point, input: &Input) -> Caption {
+    let Input {
+        window, segment, ..
+    } = input;
+    let message = Message::new("cs-cut")
+        .with("end", end_name(end))
+        .with("border", border_equation(window, edge));
+    upright(segment, edge.axis(), window.border(edge), to)
+        .into_iter()
+        .fold(Caption::new(message), Caption::so)
 }
 
 /// Both codes, and what OR and AND make of them.

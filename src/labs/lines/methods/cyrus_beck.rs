@@ -6,9 +6,10 @@ use crate::{
         CyrusBeckState as State, End,
     },
     figure::{Body, Caption, Mark, Side, Tick, View, Watch, WatchSection},
-    geom::{Point, Segment},
+    geom::{Axis, Point, Segment},
     labs::{
         CodeLine, Demo, Step, code_line,
+        crossing_formulas::{oblique, taken, upright},
         lines::{LineDemo, Scene},
     },
     text::{Formula, Message},
@@ -123,7 +124,7 @@ impl Demo for CyrusBeck {
                 edge_idx,
                 at,
             } => put_caption(end, t, edge_idx, at, before, input),
-            Event::Accept { segment } => accepted(&segment),
+            Event::Accept { segment: visible } => accepted(&input.segment, visible),
             Event::Reject { edge_idx } => edge_caption("cb-reject", edge_idx),
         }
     }
@@ -258,20 +259,38 @@ fn put_caption(
             .with("t", interval(before, None).written(t))
             .with("edge", edge_name(edge_idx)),
     );
-    let Some(&Row { d1, d2, slope, .. }) = before.rows.get(edge_idx) else {
+    let Some(row) = before.rows.get(edge_idx) else {
         return caption;
     };
-    let sum = Formula::default()
-        .point(input.segment.p1.to_array())
-        .sym(" · ")
-        .operand(d2)
-        .sym(" − ")
-        .point(input.segment.p2.to_array())
-        .sym(" · ")
-        .operand(d1);
-    let whole = Formula::default().num(slope);
-    caption.so(Formula::default()
-        .over(sum, whole)
-        .sym(" = ")
-        .point(at.to_array()))
+    put_formulas(at, row, before, input)
+        .into_iter()
+        .fold(caption, Caption::so)
+}
+
+/// How an end came to its place: a touched vertex is taken as it is; along an axis one coordinate is computed, else
+/// both.
+fn put_formulas(
+    at: Point,
+    row: &Row,
+    before: &State,
+    Input { clip, segment }: &Input,
+) -> Vec<Formula> {
+    let is_touch = before.interval[0] == before.interval[1] && clip.vertices().contains(&at);
+    let on_axis = |axis, c| {
+        if is_touch {
+            taken(axis, at)
+        } else {
+            upright(segment, axis, c, at)
+        }
+    };
+    let [nx, ny] = row.normal;
+    if ny == 0.0 {
+        on_axis(Axis::X, row.origin.x())
+    } else if nx == 0.0 {
+        on_axis(Axis::Y, row.origin.y())
+    } else if is_touch {
+        vec![Formula::default().point(at.to_array())]
+    } else {
+        vec![oblique("P", [segment.p1, segment.p2], [row.d1, row.d2], at)]
+    }
 }

@@ -1,6 +1,6 @@
 //! Liang–Barsky, shown.
 
-use crate::labs::words::{along, border_equation, edge_name, free_formula, name};
+use crate::labs::words::{along, border_equation, edge_name, name};
 use crate::{
     algo::line::{
         End, LiangBarsky, LiangBarskyEvent as Event, LiangBarskyState as State, WindowInput,
@@ -17,7 +17,7 @@ use crate::{
 use super::{
     parametric::{moved_ends_rows, quotient_formula, stays_caption},
     rows::{direction, edge_in_hand, interval, ratio, reach, row_values, rows_table},
-    shared::{accepted, end_name, opening, outside_marks},
+    shared::{accepted, end_name, opening, outside_marks, put_formulas},
 };
 
 /// The view of the rows p, q, r.
@@ -130,7 +130,7 @@ impl Demo for LiangBarsky {
             }
             Event::Interval { empty, .. } => interval(before, None).caption(empty),
             Event::Put { end, u, edge, at } => put_caption(end, u, edge, at, before, input),
-            Event::Accept { segment } => accepted(&segment),
+            Event::Accept { segment: visible } => accepted(&input.segment, visible),
             Event::Reject { edge } => {
                 Caption::new(Message::new("lb-reject").with("edge", edge_name(edge)))
             }
@@ -269,6 +269,10 @@ fn put_caption(
         .with("end", end_name(end))
         .with("u", interval(before, None).written(u))
         .with("border", border_equation(window, edge));
-    let free = along(at, edge.axis())[1];
-    Caption::new(message).so(free_formula(segment, window, edge, free))
+    let [u_min, u_max] = before.interval;
+    let [enters, leaves] = before.set_by;
+    let sides = enters.zip(leaves).filter(|_| u_min == u_max);
+    put_formulas(segment, window, edge, at, sides.map(Into::into))
+        .into_iter()
+        .fold(Caption::new(message), Caption::so)
 }

@@ -19,12 +19,11 @@ use crate::{
 
 use super::sectors;
 use super::shared::{
-    accepted, border_mark, crossing_mark, end_link, end_name, ends_rows, opening, region_key,
-    segment_marks,
+    accepted, border_mark, crossing_mark, end_link, end_name, ends_rows, opening, put_formulas,
+    region_key, segment_marks,
 };
 use crate::labs::words::{
-    along, border_equation, edge_name, free_formula, name, parameter_formula, point_formula,
-    position_formula, subscript,
+    border_equation, edge_name, name, point_formula, position_formula, subscript,
 };
 
 /// The view of the corners' lines that have been asked.
@@ -88,27 +87,14 @@ impl Demo for NichollLeeNicholl {
         opening(&input.segment)
     }
 
-    fn caption(event: &Event, _: &State, input: &WindowInput) -> Caption {
+    fn caption(event: &Event, before: &State, input: &WindowInput) -> Caption {
         let WindowInput { window, segment } = input;
         match *event {
             Event::Region { end, region } => region_caption(end, region, input),
             Event::Side { question, line } => side_caption(question, &line, window),
             Event::Sector { enters, leaves } => sector_caption(enters, leaves, segment),
-            Event::Cut {
-                end, edge, u, to, ..
-            } => Caption::new(
-                Message::new("cs-cut")
-                    .with("end", end_name(end))
-                    .with("border", border_equation(window, edge)),
-            )
-            .so(parameter_formula("t", segment, window, edge, u))
-            .so(free_formula(
-                segment,
-                window,
-                edge,
-                along(to, edge.axis())[1],
-            )),
-            Event::Accept { segment } => accepted(&segment),
+            Event::Cut { end, edge, to, .. } => cut_caption(end, edge, to, before, input),
+            Event::Accept { segment: visible } => accepted(&input.segment, visible),
             Event::Reject { edge, corner: None } => {
                 Caption::new(Message::new("line-reject-edge").with("edge", edge_name(edge)))
             }
@@ -334,6 +320,24 @@ fn side_caption(question: Question, line: &CornerLine, window: &Window) -> Capti
         .num(p)
         .sym(format!(" {} b₁·a₂ = ", relation(line.turn)))
         .num(q))
+}
+
+fn cut_caption(
+    end: End,
+    edge: Edge,
+    to: Point,
+    before: &State,
+    WindowInput { window, segment }: &WindowInput,
+) -> Caption {
+    let message = Message::new("cs-cut")
+        .with("end", end_name(end))
+        .with("border", border_equation(window, edge));
+    let sides = before
+        .sector
+        .and_then(|[enters, leaves]| Some([enters?, leaves?]));
+    put_formulas(segment, window, edge, to, sides)
+        .into_iter()
+        .fold(Caption::new(message), Caption::so)
 }
 
 fn sector_caption(enters: Option<Edge>, leaves: Option<Edge>, segment: &Segment) -> Caption {

@@ -1,8 +1,9 @@
 //! Words, formulas and marks that several methods share.
 
+use crate::labs::crossing_formulas::{taken, upright};
 use crate::labs::words::{along, axis_symbol, border_equation, edge_link, point_formula};
 use crate::{
-    algo::line::{End, Ratio, Visible},
+    algo::line::{End, Ratio, Visible, corner_between},
     figure::{Caption, Link, Mark, Role, Shape, WatchRow},
     geom::{Axis, Edge, Point, Segment, Window},
     text::{Formula, Message, Value},
@@ -45,16 +46,18 @@ pub fn opening(segment: &Segment) -> Caption {
         .so(point_formula("P₂", segment.p2))
 }
 
-/// The last word where something is visible.
-pub fn accepted(segment: &Segment) -> Caption {
-    if segment.p1 == segment.p2 {
-        return Caption::new(Message::new("line-touch").with("at", segment.p1.to_array()));
-    }
-    Caption::new(
+/// The last word where something is visible. One point is a touch only where it is all that is left of more.
+pub fn accepted(original: &Segment, Segment { p1, p2 }: Segment) -> Caption {
+    let one_point = |key| Message::new(key).with("at", p1.to_array());
+    Caption::new(if original.p1 == original.p2 {
+        one_point("line-point")
+    } else if p1 == p2 {
+        one_point("line-touch")
+    } else {
         Message::new("line-accept")
-            .with("p1", segment.p1.to_array())
-            .with("p2", segment.p2.to_array()),
-    )
+            .with("p1", p1.to_array())
+            .with("p2", p2.to_array())
+    })
 }
 
 /// The original segment, what is left of it, and its ends.
@@ -103,6 +106,23 @@ pub fn segment_marks(original: &Segment, ends: [Point; 2], verdict: Option<Visib
         }
     }
     marks
+}
+
+/// How an end came to its place on a side. Where the segment only touches the corner between the `sides` by which it
+/// comes in and goes out, nothing is computed.
+pub fn put_formulas(
+    segment: &Segment,
+    window: &Window,
+    edge: Edge,
+    at: Point,
+    sides: Option<[Edge; 2]>,
+) -> Vec<Formula> {
+    let corner = sides.and_then(|sides| corner_between(window, sides));
+    if corner == Some(at) {
+        taken(edge.axis(), at)
+    } else {
+        upright(segment, edge.axis(), window.border(edge), at)
+    }
 }
 
 /// Rows for both ends of what is left.

@@ -1,12 +1,12 @@
 //! A clip edge in words, formulas and marks: half of every sentence about Sutherland–Hodgman.
 
 use crate::{
-    algo::{line::Ratio, polygon::ClipRegion},
+    algo::polygon::ClipRegion,
     figure::{Link, Mark, Role, Shape},
-    geom::{Edge, Point, Segment, Window},
-    labs::words::{
-        along, axis_symbol, border_equation, edge_link, edge_name, free_formula, name,
-        parameter_formula, subscript,
+    geom::{Axis, Edge, Point, Segment, Window},
+    labs::{
+        crossing_formulas::{Weights, oblique, upright},
+        words::{along, axis_symbol, border_equation, edge_link, edge_name, name, subscript},
     },
     text::{Formula, Message, Value},
 };
@@ -175,42 +175,32 @@ impl<'a> ClipEdge<'a> {
         })
     }
 
-    /// Where the edge from S to P crosses it, worked out: the parameter, then the point.
-    pub fn crossing(
-        &self,
-        ends: [Point; 2],
-        distances: [f64; 2],
-        t: Ratio,
-        at: Point,
-    ) -> [Formula; 2] {
-        let [p1, p2] = ends;
-        if let Some((window, edge)) = self.side() {
-            let segment = Segment { p1, p2 };
-            let [_, free] = along(at, edge.axis());
-            return [
-                parameter_formula("t", &segment, window, edge, t),
-                free_formula(&segment, window, edge, free),
-            ];
+    /// The coordinate that it fixes, if it runs along an axis.
+    fn upright_line(&self) -> Option<(Axis, f64)> {
+        let plane = self.region.half_planes()[self.idx];
+        let [x, y] = plane.origin().to_array();
+        let [nx, ny] = plane.normal();
+        if ny == 0.0 {
+            Some((Axis::X, x))
+        } else {
+            (nx == 0.0).then_some((Axis::Y, y))
         }
-        let [d1, d2] = distances;
-        let difference = Formula::default().num(d1).sym(" − ").operand(d2);
-        let t = Formula::default()
-            .sym("t = ")
-            .over(Formula::default().num(d1), difference)
-            .equals_ratio(t.num, t.den);
-        let weighted = Formula::default()
-            .point(p1.to_array())
-            .sym(" · ")
-            .operand(d2)
-            .sym(" − ")
-            .point(p2.to_array())
-            .sym(" · ")
-            .operand(d1);
-        let point = Formula::default()
-            .over(weighted, Formula::default().num(d2 - d1))
-            .sym(" = ")
-            .point(at.to_array());
-        [t, point]
+    }
+
+    /// Where the edge from S to P crosses it, worked out.
+    pub fn crossing(&self, [p1, p2]: [Point; 2], distances: [f64; 2], at: Point) -> Vec<Formula> {
+        match self.upright_line() {
+            Some((axis, c)) => upright(&Segment { p1, p2 }, axis, c, at),
+            None => vec![oblique("I", [p1, p2], distances, at)],
+        }
+    }
+
+    /// What each end of the edge from S to P has in the crossing.
+    pub fn weights(&self, ends: [Point; 2], distances: [f64; 2]) -> Weights {
+        match self.upright_line() {
+            Some((axis, c)) => Weights::along(ends.map(|p| along(p, axis)[0]), c),
+            None => Weights::across(distances),
+        }
     }
 
     /// Its line, what lies outside it shaded, and inside it what holds there.

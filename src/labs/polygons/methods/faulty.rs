@@ -2,14 +2,11 @@
 //! stepped like the right one, says what it does and not that it is wrong, up to the first step at which it differs.
 
 use crate::{
-    algo::{
-        line::Ratio,
-        polygon::faulty::{
-            CutsTwice, DropsOnBorder, EndFirst, Faulty, KeepsUv, LeavesOpen, WalksClockwise,
-        },
+    algo::polygon::faulty::{
+        CutsTwice, DropsOnBorder, EndFirst, Faulty, KeepsUv, LeavesOpen, WalksClockwise,
     },
     geom::Point,
-    labs::code_line,
+    labs::{code_line, crossing_formulas::Weights},
     text::Formula,
 };
 
@@ -103,7 +100,7 @@ impl LabVertex for KeepsUv {
         Some(self.uv)
     }
 
-    fn uv_formula(&self, ends: [&Named<Self>; 2], _: Ratio) -> Option<Formula> {
+    fn uv_formula(&self, ends: [&Named<Self>; 2], _: &Weights) -> Option<Formula> {
         let owner = ends.into_iter().find(|end| end.vertex.uv == self.uv)?;
         let formula = Formula::default().sym(format!("uv(I) = uv({}) = ", owner.symbol));
         Some(formula.point(self.uv))

@@ -1,12 +1,9 @@
 //! Sutherland–Hodgman as a pipeline, shown.
 
 use crate::{
-    algo::{
-        line::Ratio,
-        polygon::{
-            Pipeline, PipelineEvent as Event, PipelineState as State, RingOutcome, Rule,
-            SutherlandHodgmanInput as Input,
-        },
+    algo::polygon::{
+        Pipeline, PipelineEvent as Event, PipelineState as State, RingOutcome, Rule,
+        SutherlandHodgmanInput as Input,
     },
     figure::{Body, Caption, Mark, Role, Shape, Tick, View, Watch, WatchRow, WatchSection},
     geom::Point,
@@ -139,7 +136,7 @@ impl Demo for Pipeline {
                 let is_closing = before.stages[stage_idx].is_closed;
                 test_caption(&edge(stage_idx), ends, distances, rule, is_closing)
             }
-            Event::Cross { stage_idx, at, t } => cross_caption(&edge(stage_idx), before, at, t),
+            Event::Cross { stage_idx, at, .. } => cross_caption(&edge(stage_idx), before, at),
             Event::Output { at } => Caption::new(
                 Message::new("pipe-output")
                     .with("vertex", name(output_symbol(before.output.len())))
@@ -247,12 +244,12 @@ fn enter_caption(edge: &ClipEdge<'_>, vertex_idx: Option<usize>, at: Point) -> C
     Caption::new(message.with("border", edge.border()))
 }
 
-fn cross_caption(edge: &ClipEdge<'_>, before: &State<Point>, at: Point, t: Ratio) -> Caption {
+fn cross_caption(edge: &ClipEdge<'_>, before: &State<Point>, at: Point) -> Caption {
     let caption = Caption::new(Message::new("pipe-cross").with("border", edge.border()));
     let Some((ends, distances, _)) = before.test else {
         return caption;
     };
-    let formulas = edge.crossing(ends, distances, t, at);
+    let formulas = edge.crossing(ends, distances, at);
     formulas.into_iter().fold(caption, Caption::so)
 }
 

@@ -3,12 +3,10 @@
 use serde::Serialize;
 
 use crate::{
-    algo::{
-        line::Ratio,
-        polygon::{Textured, Vertex},
-    },
+    algo::polygon::{Textured, Vertex},
     figure::{Mark, Role, Shape, Texel},
     geom::Point,
+    labs::crossing_formulas::Weights,
     text::Formula,
 };
 
@@ -27,15 +25,11 @@ pub trait LabVertex: Vertex + Serialize + 'static {
     /// Where in the texture.
     fn uv(&self) -> Option<[f64; 2]>;
 
-    /// How a crossing came to its place in the texture: `uv(I) = 1/4 · (0, 0) + 3/4 · (1, 1/4) = (3/4, 3/16)`.
-    fn uv_formula(&self, [s, p]: [&Named<Self>; 2], t: Ratio) -> Option<Formula> {
+    /// How a crossing came to its place in the texture:
+    /// `uv(I) = (2 · (0, 0) + 6 · (1, 1/4)) / (6 − (−2)) = (3/4, 3/16)`.
+    fn uv_formula(&self, [s, p]: [&Named<Self>; 2], weights: &Weights) -> Option<Formula> {
         let [uv, uv_s, uv_p] = [self.uv()?, s.vertex.uv()?, p.vertex.uv()?];
-        let formula = Formula::default()
-            .sym("uv(I) = ")
-            .ratio(t.den - t.num, t.den);
-        let formula = formula.sym(" · ").point(uv_s).sym(" + ");
-        let formula = formula.ratio(t.num, t.den).sym(" · ").point(uv_p);
-        Some(formula.sym(" = ").point(uv))
+        Some(weights.mean_of_points("uv(I)", [uv_s, uv_p], uv))
     }
 }
 

@@ -1,13 +1,9 @@
 //! Sutherland–Hodgman, shown.
 
 use crate::{
-    algo::{
-        line::Ratio,
-        polygon::{
-            ClipRegion, Right, RingOutcome, Rule, SutherlandHodgman,
-            SutherlandHodgmanEvent as Event, SutherlandHodgmanInput as Input,
-            SutherlandHodgmanState as State, Textured,
-        },
+    algo::polygon::{
+        ClipRegion, Right, RingOutcome, Rule, SutherlandHodgman, SutherlandHodgmanEvent as Event,
+        SutherlandHodgmanInput as Input, SutherlandHodgmanState as State, Textured,
     },
     figure::{Body, Caption, Run, Tick, View, Watch, WatchRow, WatchSection},
     geom::Point,
@@ -187,7 +183,7 @@ pub fn caption<V: LabVertex>(
             distances,
             rule,
         } => test_caption(&edge, idx, ends.map(|v| v.at()), distances, rule),
-        Event::Cross { at, t } => cross_caption(&edge, before, at, t),
+        Event::Cross { at, .. } => cross_caption(&edge, before, at),
         Event::Output { at } => output_caption(before, at),
         Event::Pass { n_vertices, .. } => {
             let key = if n_vertices == 0 {
@@ -211,12 +207,7 @@ fn output_caption<V: LabVertex>(before: &State<V>, at: V) -> Caption {
     Caption::new(message).so(point.point(at.at().to_array()))
 }
 
-fn cross_caption<V: LabVertex>(
-    edge: &ClipEdge<'_>,
-    before: &State<V>,
-    crossing: V,
-    t: Ratio,
-) -> Caption {
+fn cross_caption<V: LabVertex>(edge: &ClipEdge<'_>, before: &State<V>, crossing: V) -> Caption {
     let at = crossing.at();
     // A crossing follows a test.
     let (idx, distances) = before
@@ -231,10 +222,10 @@ fn cross_caption<V: LabVertex>(
         .with("to", name(ends[1].symbol.clone()))
         .with("border", edge.border());
     let points = [ends[0].vertex.at(), ends[1].vertex.at()];
-    let formulas = edge.crossing(points, distances, t, at);
+    let formulas = edge.crossing(points, distances, at);
     formulas
         .into_iter()
-        .chain(crossing.uv_formula([&ends[0], &ends[1]], t))
+        .chain(crossing.uv_formula([&ends[0], &ends[1]], &edge.weights(points, distances)))
         .fold(Caption::new(message), Caption::so)
 }
 

@@ -116,18 +116,19 @@ fn found(event: &Event, input: &Input) -> Caption {
     let message = |key| Message::new(key).with("node", name(node.clone()));
     match contact {
         Contact::Crossing => {
+            let (ratio, edge_idx) = match list {
+                List::Subject => (t, s),
+                List::Clip => (u, c),
+            };
+            let ends = names::border(input, list).edge(edge_idx);
             let message = message("wa-found-crossing")
                 .with("subject", name(subject))
                 .with("clip", name(clip));
-            let (on, other) = match list {
-                List::Subject => ((list, s, t), c),
-                List::Clip => ((list, c, u), s),
-            };
             Caption::new(message)
-                .so(parameter("t", "a", t))
-                .so(parameter("u", "b", u))
-                .so(coordinate(Axis::X, at, on, other, input))
-                .so(coordinate(Axis::Y, at, on, other, input))
+                .so(quotient("t", t))
+                .so(quotient("u", u))
+                .so(mean(Axis::X, ends, ratio, at))
+                .so(mean(Axis::Y, ends, ratio, at))
         }
         Contact::SubjectVertex => {
             let message = message("wa-found-on-edge")
@@ -162,24 +163,6 @@ fn position(symbol: String, at: Point) -> Formula {
         .point(at.to_array())
 }
 
-/// `t = a₁ / (a₁ − a₂) = 4 / (4 − (−2)) = 2/3`.
-fn parameter(symbol: &'static str, distance: &'static str, ratio: Ratio) -> Formula {
-    let part = Formula::default;
-    let of_end = |f: Formula, end: &str| f.sym(format!("{distance}{end}"));
-    let first = || of_end(part(), "₁");
-    let numbers = part().num(ratio.num).sym(" − ");
-    part()
-        .sym(symbol)
-        .sym(" = ")
-        .over(first(), of_end(first().sym(" − "), "₂"))
-        .sym(" = ")
-        .over(
-            part().num(ratio.num),
-            numbers.operand(other_distance(ratio)),
-        )
-        .equals_ratio(ratio.num, ratio.den)
-}
-
 /// `t = 1/3`.
 fn quotient(symbol: &'static str, ratio: Ratio) -> Formula {
     Formula::default()
@@ -192,27 +175,16 @@ fn other_distance(Ratio { num, den }: Ratio) -> f64 {
     num - den
 }
 
-/// A coordinate of a crossing that lies on this edge of this polygon, so far along it, and on the `other` polygon's edge.
-fn coordinate(
-    axis: Axis,
-    at: Point,
-    (list, edge_idx, ratio): (List, usize, Ratio),
-    other_idx: usize,
-    input: &Input,
-) -> Formula {
-    let other = names::border(input, list.other()).edge(other_idx);
-    let [[a, _], [b, _]] = other.map(|p| along(p, axis));
-    if a == b {
-        // Along an upright edge nothing is left to compute.
-        let formula = Formula::default().sym(axis_symbol(axis)).sym(" = ");
-        return formula.num(a);
-    }
-    mean(axis, names::border(input, list).edge(edge_idx), ratio, at)
-}
-
-/// `x = (0 · 2 + 6 · 4) / (4 + 2) = 4`: the mean of an edge's ends, weighted by their distances from the other one.
+/// `x = (0 · 2 + 6 · 4) / (4 + 2) = 4`: the mean of an edge's ends, weighted by their distances from the other one; where
+/// both are 0 there is nothing to compute.
 fn mean(axis: Axis, ends: [Point; 2], ratio: Ratio, at: Point) -> Formula {
     let [o1, o2] = ends.map(|p| along(p, axis)[0]);
+    if [o1, o2] == [0.0, 0.0] {
+        return Formula::default()
+            .sym(axis_symbol(axis))
+            .sym(" = ")
+            .num(0.0);
+    }
     let (w1, w2) = (ratio.num.abs(), other_distance(ratio).abs());
     let part = Formula::default;
     let weighted = |f: Formula, o: f64, w: f64| f.operand(o).sym(" · ").num(w);

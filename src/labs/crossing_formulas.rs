@@ -1,0 +1,126 @@
+//! How a crossing is worked out, written as it is computed ([`crate::algo::parameter`]): the ends' own coordinates,
+//! each weighted by the other end's distance from the border. Three differences, two products, one sum and one
+//! quotient for each coordinate; where along the segment it lies is shown, but not divided out.
+
+use crate::{
+    geom::{Axis, Point, Segment},
+    text::Formula,
+};
+
+use super::words::{along, axis_symbol};
+
+/// Both ends' distances from a border, positive where it lies between them.
+pub struct Weights {
+    ends: [f64; 2],
+    /// The difference that both make together.
+    whole: [f64; 2],
+}
+
+impl Weights {
+    /// From the border at `c`, along the axis of which `a1` and `a2` are the ends' coordinates.
+    pub fn along([a1, a2]: [f64; 2], c: f64) -> Self {
+        let [ends, whole] = if a1 <= a2 {
+            [[c - a1, a2 - c], [a2, a1]]
+        } else {
+            [[a1 - c, c - a2], [a1, a2]]
+        };
+        Self { ends, whole }
+    }
+
+    /// From an oblique border, `d1` and `d2` being the signed distances.
+    pub fn across([d1, d2]: [f64; 2]) -> Self {
+        let [ends, whole] = if d1 <= d2 {
+            [[-d1, d2], [d2, d1]]
+        } else {
+            [[d1, -d2], [d1, d2]]
+        };
+        Self { ends, whole }
+    }
+
+    /// `w₁ = −1 − (−2) = 1` and `w₂ = 2 − (−1) = 3`
+    fn differences([a1, a2]: [f64; 2], c: f64) -> [Formula; 2] {
+        let [w1, w2] = Self::along([a1, a2], c).ends;
+        let [first, second] = if a1 <= a2 {
+            [[c, a1], [a2, c]]
+        } else {
+            [[a1, c], [c, a2]]
+        };
+        [("w₁ = ", first, w1), ("w₂ = ", second, w2)].map(|(symbol, [a, b], w)| {
+            let formula = Formula::default().sym(symbol).num(a).sym(" − ");
+            formula.operand(b).equals(w)
+        })
+    }
+
+    /// `uv = (2 · (0, 0) + 6 · (1, 1/4)) / (6 − (−2)) = (3/4, 3/16)`: of all that the ends have two of.
+    pub fn mean_of_points(
+        &self,
+        symbol: &'static str,
+        [p1, p2]: [[f64; 2]; 2],
+        at: [f64; 2],
+    ) -> Formula {
+        let [w1, w2] = self.ends;
+        let sum = Formula::default()
+            .num(w2)
+            .sym(" · ")
+            .point(p1)
+            .sym(" + ")
+            .operand(w1)
+            .sym(" · ")
+            .point(p2);
+        let formula = Formula::default().sym(symbol).sym(" = ");
+        formula.over(sum, self.whole()).sym(" = ").point(at)
+    }
+
+    /// `y = (−1 · 3 + 3/2 · 1) / (2 − (−2)) = −3/8`
+    fn mean(&self, symbol: &'static str, [o1, o2]: [f64; 2], free: f64) -> Formula {
+        let [w1, w2] = self.ends;
+        let sum = Formula::default()
+            .num(o1)
+            .sym(" · ")
+            .operand(w2)
+            .sym(" + ")
+            .operand(o2)
+            .sym(" · ")
+            .operand(w1);
+        let formula = Formula::default().sym(symbol).sym(" = ");
+        formula.over(sum, self.whole()).equals(free)
+    }
+
+    fn whole(&self) -> Formula {
+        let [high, low] = self.whole;
+        Formula::default().num(high).sym(" − ").operand(low)
+    }
+}
+
+/// Where a segment crosses the line on which the `axis` coordinate is `c`: both weights, then the other coordinate.
+/// Where the line passes through an end there is nothing to compute.
+pub fn upright(segment: &Segment, axis: Axis, c: f64, at: Point) -> Vec<Formula> {
+    let [[a1, o1], [a2, o2]] = [segment.p1, segment.p2].map(|p| along(p, axis));
+    if a1 == c || a2 == c {
+        return taken(axis, at);
+    }
+    let free = along(at, axis)[1];
+    let mean = Weights::along([a1, a2], c).mean(other_symbol(axis), [o1, o2], free);
+    let [w1, w2] = Weights::differences([a1, a2], c);
+    vec![w1, w2, mean]
+}
+
+/// `y = 1`: the other coordinate of a point that was there already, an end or a corner.
+pub fn taken(axis: Axis, at: Point) -> Vec<Formula> {
+    let formula = Formula::default().sym(other_symbol(axis));
+    vec![formula.sym(" = ").num(along(at, axis)[1])]
+}
+
+/// The coordinate that a border along the other axis does not fix.
+const fn other_symbol(axis: Axis) -> &'static str {
+    match axis {
+        Axis::X => axis_symbol(Axis::Y),
+        Axis::Y => axis_symbol(Axis::X),
+    }
+}
+
+/// Where the segment between two ends crosses an oblique border.
+pub fn oblique(symbol: &'static str, ends: [Point; 2], distances: [f64; 2], at: Point) -> Formula {
+    let ends = ends.map(Point::to_array);
+    Weights::across(distances).mean_of_points(symbol, ends, at.to_array())
+}
