@@ -9,7 +9,7 @@ error-degenerate = La figura es degenerada: no tiene extensión donde la necesit
 error-not-convex = El polígono de recorte debe ser convexo: este algoritmo conserva lo que queda en el lado interior de todas sus aristas.
 error-self-intersecting = El polígono se corta a sí mismo.
 error-edges-meet = El contorno no debe tocarse ni cortarse a sí mismo: las aristas { $first } y { $second } se cortan, se tocan o se superponen.
-error-misplaced-hole = El hueco { $hole } debe quedar dentro del contorno, sin tocar sus aristas ni ningún otro hueco.
+error-misplaced-hole = El agujero { $hole } debe quedar dentro del contorno, sin tocar sus aristas ni ningún otro agujero.
 error-at = { $place }: { $problem }
 
 ## Scenes

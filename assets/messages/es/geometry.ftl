@@ -6,7 +6,7 @@ object-segment = segmento
 object-window = ventana de recorte
 object-clip-polygon = polígono de recorte
 object-polygon = polígono
-object-hole = hueco
+object-hole = agujero
 object-uv = coordenadas de textura
 object-outcode = código de región
 

@@ -8,8 +8,8 @@ error-too-few-vertices = 多边形至少需要三个顶点。
 error-degenerate = 图形已退化：应有的长度或面积为零。
 error-not-convex = 裁剪多边形必须是凸多边形：该算法只保留位于所有边内侧的部分。
 error-self-intersecting = 多边形自相交。
-error-edges-meet = 多边形的轮廓不得与自身相交或相接：第 { $first } 条边与第 { $second } 条边相交、相接或重叠。
-error-misplaced-hole = 内孔 { $hole } 必须位于外轮廓之内，且不得与外轮廓或其他内孔相接。
+error-edges-meet = 多边形的轮廓不得与自身相交或接触：第 { $first } 条边与第 { $second } 条边相交、接触或重叠。
+error-misplaced-hole = 内孔 { $hole } 必须位于外轮廓之内，且不得与外轮廓或其他内孔接触。
 error-at = { $place }：{ $problem }
 
 ## Scenes
