@@ -3,7 +3,7 @@
 use std::{hint::black_box, time::Instant};
 
 use clipscope::{
-    app::{App, Command, Settings},
+    app::{App, Command, Page, Settings},
     lesson::Course,
     paint::fonts,
 };
@@ -46,7 +46,7 @@ impl Desk {
             .is_some_and(|lesson| lesson.step_index(step).is_some());
         assert!(found, "the course has no step {lesson} {step}");
         let settings = Settings {
-            last: Some((lesson.to_owned(), step.to_owned())),
+            page: Some(Page::Step(lesson.to_owned(), step.to_owned())),
             // So that a drag changes the scene in every frame.
             snap: false,
             ..Settings::default()

@@ -29,6 +29,9 @@ impl App {
                 self.edit(Edit::Remove(self.stage.chosen()), None, now);
                 self.stage.selected = None;
             }
+            Command::Type(handle) => self.start_typing(handle),
+            Command::TypeChosen => self.start_typing(self.stage.chosen()),
+            Command::Typed => self.apply_typed(now),
             Command::Select(handle) => self.stage.selected = Some(handle),
             Command::DrawNth(nth) => {
                 let outlines = self.history.now().document().lab().outlines();
@@ -107,34 +110,47 @@ impl App {
         }
     }
 
-    pub(super) fn edit(&mut self, edit: Edit, gesture: Option<UndoGroup>, now: f64) {
+    /// Changes the scene, and records its run again.
+    ///
+    /// # Errors
+    /// Why the scene would not be valid: it is as it was.
+    pub(super) fn change(
+        &mut self,
+        edit: Edit,
+        gesture: Option<UndoGroup>,
+        now: f64,
+    ) -> Result<(), Diagnostic> {
         let size = self.history.now().document().size();
         let is_drag = matches!(edit, Edit::Drag(..));
         let fits = edit.brings_another();
         let mut selected = None;
         let changed = self.history.edit(gesture, now, size, |scene| {
             selected = edit.apply(scene)?;
-            Ok(())
+            Ok::<(), Diagnostic>(())
         });
         self.stage.selected = selected.or(self.stage.selected);
-        match changed {
-            Ok(true) => {
-                if is_drag && self.history.is_in_gesture() {
-                    self.playback.follow(self.history.now());
-                } else {
-                    self.playback.rerecord(self.history.now());
-                }
-                if fits {
-                    self.stage.fit(self.history.now());
-                }
-            }
-            Ok(false) => {}
-            // A handle that cannot go there stays where it is: that is answer enough.
-            Err(_) if is_drag => {}
-            Err(Diagnostic { message, .. }) => {
-                let text = self.catalog().message(&message);
-                self.notices.push(Notice::passing(text, now));
-            }
+        if !changed? {
+            return Ok(());
+        }
+        if is_drag && self.history.is_in_gesture() {
+            self.playback.follow(self.history.now());
+        } else {
+            self.playback.rerecord(self.history.now());
+        }
+        if fits {
+            self.stage.fit(self.history.now());
+        }
+        Ok(())
+    }
+
+    /// The same; what is wrong is shown. A handle that cannot go there stays where it is: that is answer enough.
+    pub(super) fn edit(&mut self, edit: Edit, gesture: Option<UndoGroup>, now: f64) {
+        let is_drag = matches!(edit, Edit::Drag(..));
+        if let Err(Diagnostic { message, .. }) = self.change(edit, gesture, now)
+            && !is_drag
+        {
+            let text = self.catalog().message(&message);
+            self.notices.push(Notice::passing(text, now));
         }
     }
 
@@ -219,7 +235,10 @@ impl App {
     }
 
     fn cancel(&mut self) {
-        if self.shown.dialog.take().is_some() || self.stage.sketch.take().is_some() {
+        if self.stage.typing.take().is_some()
+            || self.shown.dialog.take().is_some()
+            || self.stage.sketch.take().is_some()
+        {
             return;
         }
         if std::mem::take(&mut self.shown.is_measuring) {

@@ -52,6 +52,11 @@ pub fn ask(
         return;
     };
     let vertex = click.spot.and_then(|i| handles.get(i));
+    let is_free = |handle: &&Handle| !locks.iter().any(|lock| lock.holds(**handle));
+    if let Some(&handle) = vertex.filter(|handle| click.is_double && is_free(handle)) {
+        commands.push(Command::Type(Some(handle)));
+        return;
+    }
     if let Some(&vertex) = vertex.filter(|handle| handle.kind().is_vertex) {
         commands.push(Command::Select(vertex));
         return;

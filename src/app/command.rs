@@ -56,6 +56,12 @@ pub enum Command {
     Remove,
     /// Takes hold of a vertex: what Insert and Delete are about.
     Select(Handle),
+    /// Opens the field in which the place of a handle is typed, or closes it.
+    Type(Option<Handle>),
+    /// The same of the handle that has the focus, or was taken hold of last.
+    TypeChosen,
+    /// What was typed is to be done.
+    Typed,
     /// Begins an outline that is drawn by clicking.
     Draw(&'static OutlineKind),
     /// The same, by its place among those of the open lab.
@@ -168,7 +174,7 @@ const fn once(command: Command, keys: &'static [(Modifiers, Key)], help: &'stati
 }
 
 /// Every key, in the order of the help.
-pub static BINDINGS: [Binding; 33] = [
+pub static BINDINGS: [Binding; 34] = [
     held(Command::Step(-1), &[(NONE, Key::ArrowLeft)], "help-step"),
     held(Command::Step(1), &[(NONE, Key::ArrowRight)], "help-step"),
     held(
@@ -238,6 +244,7 @@ pub static BINDINGS: [Binding; 33] = [
     once(Command::Course, &[(NONE, Key::F6)], "help-course"),
     once(Command::Inspector, &[(NONE, Key::F7)], "help-inspector"),
     once(Command::Free, &[(NONE, Key::F8)], "action-free"),
+    once(Command::TypeChosen, &[(NONE, Key::F2)], "help-type"),
     once(Command::Present, &[(NONE, Key::F5)], "action-present"),
     once(Command::Cancel, &[(NONE, Key::Escape)], "help-leave"),
     once(

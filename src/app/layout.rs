@@ -11,6 +11,7 @@ use super::{
     room::{COURSE, CoursePart, INSPECTOR, Room, panel_scale},
     stage,
     stage_state::StageState,
+    typing,
 };
 
 /// Width of the course folded to the numbers of its steps.
@@ -49,6 +50,13 @@ pub fn show(
         }
     }
     state.lit = state.pointed_on_stage.or(state.pointed_in_inspector);
+    if let Some(mut typed) = state.typing.take() {
+        let at = model.scene.document().position(typed.handle);
+        if let Some(at) = at.and_then(|at| state.on_screen(at)) {
+            typing::show(ui.ctx(), model.look, (&mut typed, at), commands);
+            state.typing = Some(typed);
+        }
+    }
     overlays::show(model, ui, panels, commands);
 }
 

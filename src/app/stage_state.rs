@@ -12,7 +12,7 @@ use crate::{
     widgets::PanZoom,
 };
 
-use super::{Command, caption_room::CaptionRoom, model::Model};
+use super::{Command, caption_room::CaptionRoom, model::Model, typing::Typing};
 
 /// What the stage remembers between frames. None of it is part of the document.
 #[derive(Default)]
@@ -39,6 +39,8 @@ pub struct StageState {
     pub selected: Option<Handle>,
     /// Half an outline, while one is drawn.
     pub sketch: Option<Sketch>,
+    /// A place that is being typed.
+    pub typing: Option<Typing>,
     /// The room that is kept for the captions.
     pub captions: CaptionRoom,
     /// The drawing that was shown last, and its lens.
@@ -134,6 +136,11 @@ impl StageState {
         let (id, lens) = self.drawn?;
         let seen = self.seen.get(&id)?;
         Some(seen.to_screen(lens.drawing_from_world(world)?))
+    }
+
+    /// Is the drawing that was shown last one of the plane?
+    pub fn is_flat(&self) -> bool {
+        self.drawn.is_none_or(|(_, lens)| lens == Lens::Plane)
     }
 
     /// A step's drawing by name, and what it is seen through.

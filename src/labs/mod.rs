@@ -13,6 +13,7 @@ pub mod polygons;
 mod registry;
 mod sketch;
 mod split_mix;
+mod typed;
 mod window_handles;
 mod words;
 
@@ -24,6 +25,7 @@ pub use handle::{Handle, HandleKind, Motion};
 pub use lab::{Change, ChangeOf, Click, Document, Lab, Lock, OutlineKind, Own, Plain, Scene};
 pub use registry::{Listed, Method};
 pub use sketch::Sketch;
+pub use typed::{place_of, written};
 
 use card::code_line;
 pub(crate) use demo::{record, record_wrong};

@@ -5,15 +5,23 @@ use crate::{
     text::{Message, Value},
 };
 
-use super::{Handle, HandleKind, words::edge_key};
+use super::{Handle, HandleKind, Motion, words::edge_key};
 
 /// The group that all of them belong to.
 pub const GROUP: &str = "window";
 
 static CORNER: HandleKind = HandleKind::new("corner", GROUP, |[i, _]| Message::new(CORNER_KEYS[i]));
-static SIDE: HandleKind = HandleKind::new("side", GROUP, |[i, _]| {
-    Message::new("handle-side").with("edge", Value::Term(edge_key(Edge::ALL[i])))
-});
+static SIDE: HandleKind = HandleKind {
+    motion: Motion::Axis([1.0, 0.0, 0.0]),
+    ..HandleKind::new("side", GROUP, |[i, _]| {
+        Message::new("handle-side").with("edge", Value::Term(edge_key(Edge::ALL[i])))
+    })
+};
+/// The same of the lower and the upper side.
+static LEVEL_SIDE: HandleKind = HandleKind {
+    motion: Motion::Axis([0.0, 1.0, 0.0]),
+    ..HandleKind::new(SIDE.id, GROUP, SIDE.name)
+};
 static WINDOW: HandleKind = HandleKind {
     is_whole: true,
     ..HandleKind::new("window", GROUP, |_| Message::new("handle-window"))
@@ -32,8 +40,12 @@ type Moves = [bool; 4];
 /// In the order in which Tab visits them.
 pub fn handles() -> impl Iterator<Item = Handle> {
     let of = |kind: &'static HandleKind, n| (0..n).map(move |i| kind.at([i, 0]));
+    let sides = Edge::ALL.iter().enumerate().map(|(i, edge)| match edge {
+        Edge::Left | Edge::Right => SIDE.at([i, 0]),
+        Edge::Bottom | Edge::Top => LEVEL_SIDE.at([i, 0]),
+    });
     of(&CORNER, CORNER_KEYS.len())
-        .chain(of(&SIDE, Edge::ALL.len()))
+        .chain(sides)
         .chain(of(&WINDOW, 1))
 }
 

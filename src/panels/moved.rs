@@ -10,6 +10,11 @@ use crate::{figure::Lens, labs::Motion};
 pub fn moved_to(lens: &Lens, motion: Motion, from: [f64; 3], to: [f64; 2]) -> [f64; 3] {
     match motion {
         Motion::Plane | Motion::FacingEye => lens.world_from_drawing(to, from),
+        // On the plane an axis of it is followed without rounding.
+        Motion::Axis(axis) if *lens == Lens::Plane => {
+            let to = lens.world_from_drawing(to, from);
+            std::array::from_fn(|i| if axis[i] == 0.0 { from[i] } else { to[i] })
+        }
         Motion::Axis(axis) => along(lens, axis, from, to).unwrap_or(from),
     }
 }

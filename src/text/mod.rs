@@ -25,6 +25,7 @@ mod lang;
 mod message;
 mod number;
 mod piece;
+mod reading;
 mod system;
 mod writing;
 
@@ -34,4 +35,5 @@ pub use lang::{Lang, UnknownLang};
 pub use message::{Formula, Message, Token, Value};
 pub use number::Notation;
 pub use piece::Piece;
+pub use reading::read_numbers;
 pub use system::SystemError;

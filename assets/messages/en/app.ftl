@@ -128,6 +128,7 @@ help-inspector = Show or hide the inspector
 help-leave = Close, or leave the presentation
 help-tab = To the next handle or button
 help-nudge = Move the handle that has the focus; Shift: ten times as far
+help-type = Type the place of the selected handle
 help-alt = While dragging: off the grid
 status-last-good = The last version that worked is shown.
 status-more-problems =

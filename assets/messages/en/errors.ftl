@@ -49,3 +49,7 @@ system-busy = another program is using it
 system-no-files = there are no files here
 system-number = the system reports error { $number }
 system-silent = the system gives no reason
+error-typed-place = expected { $count ->
+    [1] one number
+   *[other] { $count } numbers
+}, such as −1.5 or 1/4, but { $typed } was typed

@@ -128,6 +128,7 @@ help-inspector = Mostrar u ocultar el inspector
 help-leave = Cerrar, o salir de la presentación
 help-tab = Al siguiente tirador o botón
 help-nudge = Mover el tirador que tiene el foco; con Mayús, diez veces más lejos
+help-type = Escribir la posición del tirador elegido
 help-alt = Al arrastrar: sin ajustar a la cuadrícula
 status-last-good = Se muestra la última versión que funcionaba.
 status-more-problems =

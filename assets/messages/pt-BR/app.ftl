@@ -128,6 +128,7 @@ help-inspector = Mostrar ou ocultar o inspetor
 help-leave = Fechar, ou sair da apresentação
 help-tab = Ir para o próximo ponto de controle ou botão
 help-nudge = Mover o ponto de controle que tem o foco; com Shift, dez vezes mais longe
+help-type = Digitar a posição do ponto de controle escolhido
 help-alt = Ao arrastar: sem ajustar à grade
 status-last-good = É exibida a última versão que funcionava.
 status-more-problems =

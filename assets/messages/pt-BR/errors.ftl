@@ -49,3 +49,7 @@ system-busy = outro programa o está usando
 system-no-files = aqui não há arquivos
 system-number = o sistema relata o erro { $number }
 system-silent = o sistema não dá nenhum motivo
+error-typed-place = era esperado { $count ->
+    [1] um número
+   *[other] { $count } números
+}, como −1.5 ou 1/4, mas foi digitado { $typed }

@@ -124,6 +124,7 @@ help-inspector = 显示或隐藏检查器
 help-leave = 关闭，或退出演示
 help-tab = 转到下一个控制柄或按钮
 help-nudge = 移动获得焦点的控制柄；按住 Shift：十倍距离
+help-type = 输入所选控制柄的坐标
 help-alt = 拖动时：不吸附网格
 status-last-good = 显示的是上一个可用的版本。
 status-more-problems = ……另有 { $count } 个问题。

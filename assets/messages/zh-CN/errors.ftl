@@ -45,3 +45,4 @@ system-busy = 另一个程序正在使用它
 system-no-files = 这里没有文件可用
 system-number = 系统报告错误 { $number }
 system-silent = 系统没有说明原因
+error-typed-place = 应为 { $count } 个数，例如 −1.5 或 1/4，但输入的是 { $typed }

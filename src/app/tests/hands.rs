@@ -134,3 +134,51 @@ fn a_handle_with_the_focus_takes_the_arrows_until_escape() {
     bench.key(Key::ArrowRight);
     assert_eq!(bench.app.position(), 1);
 }
+
+/// What is written into the field of a place.
+fn type_into(bench: &mut Bench, text: &str) {
+    bench.settle();
+    let typing = bench.app.stage.typing.as_mut().expect("the field is open");
+    text.clone_into(&mut typing.text);
+    bench.frame(0.05, Vec::new());
+    bench.key(Key::Enter);
+    bench.settle();
+}
+
+#[test]
+fn a_place_is_typed_where_it_lies_and_a_bad_one_says_why() {
+    let mut bench = Bench::new(ROOMY);
+    let p1 = |bench: &Bench| {
+        let scene = bench
+            .app
+            .scene()
+            .get::<lines::Scene>()
+            .expect("the first lab");
+        scene.focused().p1.to_array()
+    };
+    let before = p1(&bench);
+    let at = bench.on_screen(before);
+    for _ in 0..2 {
+        bench.button(at, true);
+        bench.button(at, false);
+    }
+    type_into(&mut bench, "1/4, −3/2");
+    assert_eq!(
+        (p1(&bench), bench.app.stage.typing.is_some()),
+        ([0.25, -1.5], false)
+    );
+    bench.press(Key::Z, ctrl());
+    assert_eq!(p1(&bench), before, "one step of undo");
+
+    bench.key(Key::Tab);
+    bench.key(Key::F2);
+    type_into(&mut bench, "1/4, up");
+    assert_eq!(p1(&bench), before);
+    assert!(bench.app.stage.typing.is_some(), "it stays to be mended");
+    bench.key(Key::Escape);
+    bench.settle();
+    assert_eq!(
+        (p1(&bench), bench.app.stage.typing.is_some()),
+        (before, false)
+    );
+}

@@ -1,0 +1,81 @@
+//! Numbers as people write them: decimals and fractions.
+
+/// The numbers in a text, with white space, commas or semicolons between them, in parentheses or without; `None` where
+/// something is no number. `−1.5`, `1/4`, `(2, −3/2)`. Where semicolons part them, a comma is a decimal point.
+#[must_use]
+pub fn read_numbers(text: &str) -> Option<Vec<f64>> {
+    let text = text.trim();
+    let inner = text
+        .strip_prefix('(')
+        .and_then(|text| text.strip_suffix(')'));
+    let mut text = inner
+        .unwrap_or(text)
+        .replace(['−', '–'], "-")
+        .replace('，', ",");
+    if text.contains(';') {
+        text = text.replace(',', ".").replace(';', " ");
+    }
+    let mut parts: Vec<String> = Vec::new();
+    for word in text
+        .replace(',', " ")
+        .replace('/', " / ")
+        .split_whitespace()
+    {
+        // Around the stroke of a fraction there may be white space.
+        let is_open = parts.last().is_some_and(|last| last.ends_with('/'));
+        match parts.last_mut() {
+            Some(last) if is_open || word == "/" => last.push_str(word),
+            _ => parts.push(word.to_owned()),
+        }
+    }
+    parts.iter().map(|part| read_number(part)).collect()
+}
+
+fn read_number(text: &str) -> Option<f64> {
+    let (above, below) = text.split_once('/').unwrap_or((text, "1"));
+    let is_written = |part: &str| !part.is_empty() && !part.contains(char::is_alphabetic);
+    let read = |part: &str| {
+        part.parse::<f64>()
+            .ok()
+            .filter(|_| is_written(part) || has_exponent(part))
+    };
+    let quotient = read(above)? / read(below)?;
+    quotient.is_finite().then_some(quotient)
+}
+
+/// `1e-3`, but not `inf` or `nan`.
+fn has_exponent(text: &str) -> bool {
+    let mut letters = text.chars().filter(|c| c.is_alphabetic());
+    letters.all(|letter| matches!(letter, 'e' | 'E')) && text.contains(|c: char| c.is_ascii_digit())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_people_write_is_read() {
+        for (text, expected) in [
+            ("1", vec![1.0]),
+            ("−1.5, 1/4", vec![-1.5, 0.25]),
+            ("(2; -3/2)", vec![2.0, -1.5]),
+            ("1,5; 2", vec![1.5, 2.0]),
+            ("3 / 4 -0.5", vec![0.75, -0.5]),
+            ("1e-3 , .5", vec![0.001, 0.5]),
+            ("（1", vec![]),
+        ] {
+            let expected = Some(expected).filter(|numbers| !numbers.is_empty());
+            assert_eq!(read_numbers(text), expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_number_is_not_read() {
+        for text in [
+            "x", "1/0", "1//2", "/2", "inf", "nan, 1", "1/", "0/0", "--1", "1e999",
+        ] {
+            assert_eq!(read_numbers(text), None, "{text}");
+        }
+        assert_eq!(read_numbers(""), Some(vec![]));
+    }
+}
