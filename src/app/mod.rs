@@ -45,6 +45,7 @@ mod stage_state;
 mod stopwatch;
 #[cfg(test)]
 mod tests;
+mod typed;
 mod typing;
 #[cfg(target_arch = "wasm32")]
 mod web;

@@ -2,13 +2,9 @@
 
 use egui::{Area, Context, Frame, Id, Key, Order, Pos2, RichText, TextEdit, vec2};
 
-use crate::{
-    labs::{Edit, Handle, place_of, written},
-    text::Diagnostic,
-    widgets::Look,
-};
+use crate::{labs::Handle, widgets::Look};
 
-use super::{App, Command};
+use super::Command;
 
 /// A place while it is typed.
 #[derive(Clone, PartialEq, Debug)]
@@ -18,7 +14,7 @@ pub struct Typing {
     /// So far.
     pub text: String,
     /// Why it cannot lie there.
-    problem: Option<String>,
+    pub problem: Option<String>,
 }
 
 /// The field beside the handle at `at`. Enter applies it; Escape, or a click elsewhere, leaves it.
@@ -58,38 +54,4 @@ pub fn show(
             }
         });
     });
-}
-
-impl App {
-    /// Opens the field for a handle, unless the lesson holds it in place; or closes it.
-    pub(super) fn start_typing(&mut self, handle: Option<Handle>) {
-        let document = self.history.now().document();
-        self.stage.typing = handle.and_then(|handle| {
-            let at = document.position(handle)?;
-            Some(Typing {
-                handle,
-                text: written(handle, at, self.stage.is_flat()),
-                problem: None,
-            })
-        });
-    }
-
-    /// Puts the handle where it was typed, or says why it cannot lie there.
-    pub(super) fn apply_typed(&mut self, now: f64) {
-        let Some(mut typing) = self.stage.typing.take() else {
-            return;
-        };
-        let from = self.history.now().document().position(typing.handle);
-        let is_flat = self.stage.is_flat();
-        let placed = from.map(|from| place_of(typing.handle, from, is_flat, &typing.text));
-        let done = match placed {
-            Some(Ok(to)) => self.change(Edit::Drag(typing.handle, to), None, now),
-            Some(Err(problem)) => Err(problem),
-            None => Ok(()),
-        };
-        if let Err(Diagnostic { message, .. }) = done {
-            typing.problem = Some(self.catalog().message(&message));
-            self.stage.typing = Some(typing);
-        }
-    }
 }

@@ -53,10 +53,10 @@ mod tests {
     use super::*;
     use crate::labs::HandleKind;
 
-    static POINT: HandleKind = HandleKind::new("p", "p", |_| Message::new("name-p1"));
+    static POINT: HandleKind = HandleKind::new("p", "p", |_| Message::new("handle-window"));
     static SIDE: HandleKind = HandleKind {
         motion: Motion::Axis([0.0, 1.0, 0.0]),
-        ..HandleKind::new("s", "s", |_| Message::new("name-p1"))
+        ..HandleKind::new("s", "s", |_| Message::new("handle-window"))
     };
 
     #[test]

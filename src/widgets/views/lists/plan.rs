@@ -57,10 +57,20 @@ pub struct Widths {
     /// Is there a marker before any name?
     pub has_markers: bool,
     chip: f32,
+    /// Of what may have to stand in the place of a chip.
+    folded: f32,
     title: f32,
 }
 
 impl Widths {
+    /// Keeps the first columns of details, and settles how wide the chips are.
+    fn keep(&mut self, slate: &Slate<'_>, n_details: usize) {
+        self.details.truncate(n_details);
+        self.chip = (self.content(slate) + 2.0 * slate.pts(PAD))
+            .max(slate.pts(LEAST_CHIP_WIDTH))
+            .max(self.folded);
+    }
+
     /// Of the name and all that stands beside it.
     pub fn content(&self, slate: &Slate<'_>) -> f32 {
         let details: f32 = self.details.iter().sum();
@@ -123,8 +133,7 @@ pub struct Plan {
 
 impl Plan {
     pub fn new(slate: &Slate<'_>, rect: Rect, lists: &Lists) -> Self {
-        let n_details = n_details(slate, lists, rect.width());
-        let widths: Vec<Widths> = widths(slate, lists, n_details);
+        let widths = fitted(slate, lists, rect.width());
         let over = over(slate, lists);
         let room = rect.height() - over - under(slate, lists);
         let n_fit = ((room / slate.pts(STEPS[0]) + 0.2) as usize).max(3);
@@ -180,6 +189,7 @@ impl Plan {
 pub fn slate<'a>(painter: &'a Painter, look: Look<'a>, room: Vec2, lists: &Lists) -> Slate<'a> {
     let n_rows = lists.lists.iter().map(|list| list.entries.len()).max();
     let n_rows = n_rows.unwrap_or(1).max(1);
+    let said = Said::new(look, lists);
     Slate::grown(painter, look, room, MOST_GROWN, |slate| {
         let around = over(slate, lists) + under(slate, lists);
         let height = |n_rows: usize| around + slate.pts(STEPS[0]) * n_rows as f32;
@@ -201,7 +211,7 @@ pub fn slate<'a>(painter: &'a Painter, look: Look<'a>, room: Vec2, lists: &Lists
         } else {
             0
         };
-        let widths = widths(slate, lists, n_details);
+        let widths = said.widths(slate, n_details);
         vec2(width(slate, lists, &widths), height)
     })
 }
@@ -233,13 +243,19 @@ fn fold(list: &ListColumn, n_fit: usize) -> Fold {
     fold
 }
 
-/// As many columns of details are shown as there is room for at this scale.
-fn n_details(slate: &Slate<'_>, lists: &Lists, room: f32) -> usize {
-    let entries = lists.lists.iter().flat_map(|list| &list.entries);
-    let n_all = entries.map(|entry| entry.details.len());
-    let n_all = n_all.max().unwrap_or(0);
-    let fits = |n: &usize| width(slate, lists, &widths(slate, lists, *n)) <= room;
-    (0..=n_all).rev().find(fits).unwrap_or(0)
+/// With as many columns of details as there is room for at this scale.
+fn fitted(slate: &Slate<'_>, lists: &Lists, room: f32) -> Vec<Widths> {
+    let mut widths = Said::new(slate.look, lists).widths(slate, usize::MAX);
+    let n_all = widths.iter().map(|widths| widths.details.len()).max();
+    for n in (0..n_all.unwrap_or(0)).rev() {
+        if width(slate, lists, &widths) <= room {
+            break;
+        }
+        for widths in &mut widths {
+            widths.keep(slate, n);
+        }
+    }
+    widths
 }
 
 fn gap(lists: &Lists) -> f32 {
@@ -261,58 +277,84 @@ fn width(slate: &Slate<'_>, lists: &Lists, widths: &[Widths]) -> f32 {
     columns.sum::<f32>() + n_gaps * slate.pts(gap(lists))
 }
 
-fn widths(slate: &Slate<'_>, lists: &Lists, n_details: usize) -> Vec<Widths> {
-    let each = lists.lists.iter();
-    each.map(|list| widths_of(slate, lists, list, n_details))
-        .collect()
+/// What is in the chips: said once, measured at every scale.
+struct Said<'a> {
+    lists: &'a Lists,
+    /// Of each list the columns of details, in words.
+    details: Vec<Vec<Vec<String>>>,
 }
 
-/// Columns with the same heading are as wide in every list, so that one that is still empty has its room.
-fn detail_width(slate: &Slate<'_>, lists: &Lists, list: &ListColumn, nth: usize) -> f32 {
-    let ink = slate.theme().ink;
-    let heading = list.columns.get(nth);
-    let set = |(of, nth): (&ListColumn, usize)| {
-        let details = of.entries.iter();
-        let details = details.filter_map(move |entry| entry.details.get(nth)?.as_ref());
-        let width = |detail| slate.low(detail, (Face::Plain, DETAIL_SIZE, ink)).size().x;
-        details.map(width).fold(slate.pts(LEAST_DETAIL), f32::max)
-    };
-    let alike = lists.lists.iter().filter_map(|of| {
-        let nth = of.columns.iter().position(|other| Some(other) == heading)?;
-        Some((of, nth))
-    });
-    let widest = alike.map(set).fold(set((list, nth)), f32::max);
-    let heading = heading.map(|heading| {
-        let heading = slate.low(heading, (Face::Plain, HEADING_SIZE, ink));
-        heading.size().x
-    });
-    widest.max(heading.unwrap_or(0.0))
+impl<'a> Said<'a> {
+    fn new(look: Look<'_>, lists: &'a Lists) -> Self {
+        let details = lists.lists.iter().map(|list| {
+            let n_own = list.entries.iter().map(|entry| entry.details.len()).max();
+            let column = |nth: usize| {
+                let entries = list.entries.iter();
+                let details = entries.filter_map(|entry| entry.details.get(nth)?.as_ref());
+                details.map(|detail| look.catalog.value(detail)).collect()
+            };
+            let n_columns = n_own.unwrap_or(0).max(list.columns.len());
+            (0..n_columns).map(column).collect()
+        });
+        Self {
+            lists,
+            details: details.collect(),
+        }
+    }
+
+    /// With so many columns of details at most.
+    fn widths(&self, slate: &Slate<'_>, n_details: usize) -> Vec<Widths> {
+        let style = (Face::Plain, DETAIL_SIZE, slate.theme().ink);
+        let widest = |column: &Vec<String>| {
+            let widths = column
+                .iter()
+                .map(|words| slate.words(words, style).size().x);
+            widths.fold(slate.pts(LEAST_DETAIL), f32::max)
+        };
+        let of_list = |columns: &Vec<Vec<String>>| -> Vec<f32> {
+            columns.iter().take(n_details).map(widest).collect()
+        };
+        let own: Vec<Vec<f32>> = self.details.iter().map(of_list).collect();
+        let lists = self.lists.lists.iter().enumerate();
+        lists
+            .map(|(i, list)| {
+                let details = (0..own[i].len()).map(|nth| self.detail(slate, &own, [i, nth]));
+                widths_of(slate, list, details.collect())
+            })
+            .collect()
+    }
+
+    /// Columns with the same heading are as wide in every list, so that one that is still empty has its room.
+    fn detail(&self, slate: &Slate<'_>, own: &[Vec<f32>], [i, nth]: [usize; 2]) -> f32 {
+        let heading = self.lists.lists[i].columns.get(nth);
+        let alike = self.lists.lists.iter().zip(own).filter_map(|(of, own)| {
+            let nth = of.columns.iter().position(|other| Some(other) == heading)?;
+            own.get(nth).copied()
+        });
+        let widest = alike.fold(own[i][nth], f32::max);
+        let style = (Face::Plain, HEADING_SIZE, slate.theme().ink);
+        let heading = heading.map_or(0.0, |heading| slate.low(heading, style).size().x);
+        widest.max(heading)
+    }
 }
 
-fn widths_of(slate: &Slate<'_>, lists: &Lists, list: &ListColumn, n_details: usize) -> Widths {
+fn widths_of(slate: &Slate<'_>, list: &ListColumn, details: Vec<f32>) -> Widths {
     let ink = slate.theme().ink;
     let name = |entry: &ListRow| {
         let style = (Face::Strong, NAME_SIZE, ink);
         slate.value(&entry.name, style).size().x
     };
     let entries = list.entries.iter();
-    let name = entries.clone().map(name).fold(0.0, f32::max);
-    let n_own = entries.clone().map(|entry| entry.details.len()).max();
-    let n_own = n_own.unwrap_or(0).max(list.columns.len()).min(n_details);
-    let details = (0..n_own).map(|nth| detail_width(slate, lists, list, nth));
+    let title = (Face::Strong, TITLE_SIZE, ink);
     let mut widths = Widths {
-        name,
-        details: details.collect(),
+        name: entries.clone().map(name).fold(0.0, f32::max),
+        details,
         has_markers: entries.clone().any(|entry| entry.marker.is_some()),
         chip: 0.0,
-        title: 0.0,
+        folded: folded_width(slate, list),
+        title: slate.value(&list.title, title).size().x,
     };
-    let folded = folded_width(slate, list);
-    let title = (Face::Strong, TITLE_SIZE, ink);
-    widths.title = slate.value(&list.title, title).size().x;
-    widths.chip = (widths.content(slate) + 2.0 * slate.pts(PAD))
-        .max(slate.pts(LEAST_CHIP_WIDTH))
-        .max(folded);
+    widths.keep(slate, usize::MAX);
     widths
 }
 
