@@ -9,8 +9,8 @@ use crate::{
     panels::{LabPanel, PanelAsk, compare_picker, method_picker, panel_of},
     text::{Message, Value},
     widgets::{
-        Icon, Press, Timeline, caption_text, icon_button, language_menu, speed_menu, theme_menu,
-        transport_buttons, transport_width,
+        Icon, Look, Press, Timeline, caption_text, icon_button, language_menu, speed_menu,
+        theme_menu, transport_buttons, transport_width,
     },
 };
 
@@ -261,7 +261,7 @@ pub fn transport(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
                 let chosen = speed_menu(ui, model.look, speed);
                 commands.extend(chosen.map(Command::Speed));
                 ui.add_space(8.0);
-                ui.add(egui::Label::new(step_text(model)).extend());
+                ui.add(egui::Label::new(own_step_text(model)).extend());
                 ui.add_space(8.0);
             }
             timeline(model, ui, commands);
@@ -280,7 +280,7 @@ pub fn small_transport(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Comman
                 commands.push(Command::Present);
             }
             if ui.available_width() > 160.0 + transport_width() {
-                ui.label(step_text(model));
+                ui.label(own_step_text(model));
                 timeline(model, ui, commands);
             }
         });
@@ -300,22 +300,36 @@ fn buttons(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
     }));
 }
 
-fn step_text(model: &Model<'_>) -> String {
+fn own_step_text(model: &Model<'_>) -> String {
     let transport = model.playback.transport();
+    step_text(model.look, [transport.position(), transport.n_steps()])
+}
+
+/// `step 4 of 6`.
+pub fn step_text(look: Look<'_>, [step, n_steps]: [usize; 2]) -> String {
     let message = Message::new("transport-step")
-        .with("step", Value::Count(transport.position()))
-        .with("total", Value::Count(transport.n_steps()));
-    model.look.catalog.message(&message)
+        .with("step", Value::Count(step))
+        .with("total", Value::Count(n_steps));
+    look.catalog.message(&message)
 }
 
 fn timeline(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
     let transport = model.playback.transport();
-    let catalog = model.look.catalog;
+    let (look, catalog) = (model.look, model.look.catalog);
     let run = model.playback.main();
     let difference = model.playback.difference();
     let note = difference.map(|difference| catalog.message(&difference.message()));
     let first = difference.and_then(|difference| difference.step);
+    // Where the pseudocode is hidden so that a class can be asked, the steps to come do not answer.
+    let told = match model.code {
+        CodeView::Full | CodeView::Words => transport.n_steps(),
+        CodeView::Hidden => model.playback.reached(),
+    };
+    let note = note.filter(|_| first.is_none_or(|first| first <= told));
     let tip = |step: usize| {
+        if step > told {
+            return step_text(look, [step, transport.n_steps()]);
+        }
         let said = caption_text(catalog, &run.caption(step));
         match &note {
             Some(note) if first == Some(step) => format!("≠ {note}\n{said}"),
@@ -326,6 +340,7 @@ fn timeline(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
     let asked = Timeline {
         n_steps: transport.n_steps(),
         position: transport.position(),
+        told,
         tick: &|step| run.tick(step),
         phases: model.playback.phases(),
         difference: first,

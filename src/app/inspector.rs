@@ -1,46 +1,147 @@
 //! The inspector: pseudocode, watch table, cost.
 
-use egui::{Align, Id, Layout, RichText, ScrollArea, Ui};
+use egui::{Align, Button, Id, Layout, RichText, Role, ScrollArea, Ui, UiBuilder, WidgetInfo};
 
 use crate::{
-    figure::{Frame, Link, Role, Watch, unseen},
+    figure::unseen,
     labs::MethodCard,
     lesson::CodeView,
+    paint::theme,
     widgets::{
-        CodeText, Cost, code_view_switch, cost, most_of_a_kind, pseudocode, rule, section, watch,
+        CodeStep, CodeText, Cost, Pseudocode, code_view_switch, cost, most_of_a_kind, rule,
+        section, watch,
     },
 };
 
-use super::{Command, model::Model, stage_state::StageState};
+use super::{Command, bars::step_text, model::Model, stage_state::StageState};
 
 /// Of the panel's height the pseudocode takes more than this in smaller text, and this many points at least.
 const CODE_PART: f32 = 0.42;
 const CODE_LEAST: f32 = 96.0;
+/// The watch table has room for so many points at least.
+const WATCH_LEAST: f32 = 78.0;
 
-/// Draws the panel.
+/// Draws the panel. The room of its scroll bar is kept, also where there is none.
 pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &mut Vec<Command>) {
-    let Some(frame) = model.playback.frames().first() else {
-        return;
-    };
-    let lit = state.lit;
     let room = ui.available_height();
-    let shown = ScrollArea::vertical()
-        .auto_shrink(false)
-        .show(ui, |ui| content(model, ui, (frame, lit), room, commands));
-    state.pointed_in_inspector = shown.inner;
+    let width = ui.available_width() - ui.spacing().scroll.allocated_width();
+    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        ui.set_max_width(width);
+        content(model, ui, state, room, commands);
+    });
 }
 
-/// All that the panel holds, in a room of this height where that can be; what the pointer is on.
+/// All that the panel holds, in a room of this height where that can be: of the method that was clicked last, where two
+/// stand side by side.
 pub fn content(
     model: &Model<'_>,
     ui: &mut Ui,
-    (frame, lit): (&Frame, Option<Link>),
+    state: &mut StageState,
     room: f32,
     commands: &mut Vec<Command>,
-) -> Option<Link> {
+) {
+    let frames = model.playback.frames();
+    let column = state.inspected.min(frames.len().saturating_sub(1));
+    let (Some(frame), Some(run)) = (frames.get(column), model.playback.runs().nth(column)) else {
+        return;
+    };
     let look = model.look;
+    let top = ui.cursor().top();
+    if frames.len() > 1 {
+        methods(model, ui, column, &mut state.inspected);
+    }
+    code_heading(model, ui, commands);
+    let scalars = unseen(&frame.watch);
+    let watch_room = state.watch.of(model, ui, (column, run), &scalars);
+    let lines = lines(model, column);
+    let code = Pseudocode::new(ui, look, (&lines, model.code), CODE_PART * room);
+    // What stands below keeps its place: rows that are too many are scrolled by themselves.
+    let id = Id::unique("inspector without its rows");
+    let fixed: f32 = ui.data(|data| data.get_temp(id)).unwrap_or_default();
+    let [code_most, watch_most] = shares(room - fixed, [code.height(), watch_room.height()]);
+    let moment = model.playback.steps()[column][0];
+    let step = CodeStep {
+        line: frame.code_line,
+        moment,
+        is_lit: state
+            .lit
+            .is_some_and(|lit| frame.focus().any(|link| link == lit)),
+    };
     let mut pointed = None;
-    // Beside the heading where there is room for both, below it in large type.
+    if code.show(ui, &step, code_most) {
+        pointed = frame.focus().next();
+    }
+    if model.code == CodeView::Hidden {
+        ui.label(RichText::new(look.say("pseudocode-hidden-note")).color(look.theme.soft));
+    }
+    if watch_room.height() > 0.0 {
+        rule(ui, look);
+        section(ui, look, &look.say("panel-watch"));
+        if frame.watch.iter().all(|section| section.rows.is_empty()) {
+            let nothing = RichText::new(look.say("watch-empty")).color(look.theme.soft);
+            let inner = UiBuilder::new().max_rect(ui.available_rect_before_wrap());
+            ui.new_child(inner).label(nothing);
+        }
+        let table = (watch_room, watch_most);
+        let shown = ui.scope(|ui| watch(ui, look, &scalars, table, moment, state.lit));
+        pointed = shown.inner.or(pointed);
+    }
+    rule(ui, look);
+    costs(model, ui, column, commands);
+    let scrolled = code.height().min(code_most) + watch_room.height().min(watch_most);
+    let now = ui.cursor().top() - top - scrolled;
+    if (now - fixed).abs() > 0.5 {
+        ui.data_mut(|data| data.insert_temp(id, now));
+        ui.ctx().request_repaint();
+    }
+    state.pointed_in_inspector = pointed;
+}
+
+/// The room of the lines of code and of the rows of the table: what they want, or of what is left as much as can be.
+fn shares(left: f32, [code, table]: [f32; 2]) -> [f32; 2] {
+    if code + table <= left {
+        return [code, table];
+    }
+    let code = (left - table).max(CODE_LEAST.min(code));
+    [code, (left - code).max(WATCH_LEAST.min(table))]
+}
+
+/// The methods that stand side by side, each with its step: which of them the panel is about.
+fn methods(model: &Model<'_>, ui: &mut Ui, column: usize, inspected: &mut usize) {
+    let look = model.look;
+    let cards = model.scene.document().methods();
+    for (i, (card, step)) in cards.into_iter().zip(model.playback.steps()).enumerate() {
+        let is_current = i == column;
+        let (name, step) = (look.say(card.name_key), step_text(look, step));
+        ui.horizontal(|ui| {
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                ui.label(RichText::new(&step).small().color(look.theme.soft));
+                ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                    let text = if is_current {
+                        RichText::new(&name)
+                            .text_style(theme::strong())
+                            .color(look.theme.ink)
+                    } else {
+                        RichText::new(&name).color(look.theme.accent)
+                    };
+                    let response = ui.add(Button::new(text).frame(false).truncate());
+                    response.widget_info(|| {
+                        let said = format!("{name}, {step}");
+                        WidgetInfo::selected(Role::RadioButton, true, is_current, said)
+                    });
+                    if response.clicked() {
+                        *inspected = i;
+                    }
+                });
+            });
+        });
+    }
+    rule(ui, look);
+}
+
+/// The heading, and how the pseudocode is shown: beside it where there is room for both, below it in large type.
+fn code_heading(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
+    let look = model.look;
     let switch = |ui: &mut Ui, commands: &mut Vec<Command>| {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             commands.extend(code_view_switch(ui, look, model.code).map(Command::Code));
@@ -55,62 +156,11 @@ pub fn content(
     if look.theme.text_scale > 1.0 {
         ui.horizontal(|ui| switch(ui, commands));
     }
-    // What stands below keeps its place: lines that are too many are scrolled by themselves.
-    let id = Id::unique("below the pseudocode");
-    let below: f32 = ui.data(|data| data.get_temp(id)).unwrap_or_default();
-    let top = ui.cursor().top();
-    let most = (room - (top - ui.min_rect().top()) - below).max(CODE_LEAST);
-    let code = ScrollArea::vertical()
-        .id_salt("pseudocode")
-        .max_height(most)
-        .show(ui, |ui| {
-            let lines = lines(model);
-            let code = (&lines[..], model.code);
-            pseudocode(ui, look, code, frame.code_line, CODE_PART * room)
-        });
-    if code.inner {
-        // The line of this step is about what happens at this step.
-        let mut signal = frame
-            .marks()
-            .iter()
-            .filter(|mark| mark.role == Role::Signal);
-        pointed = signal.find_map(|mark| mark.link);
-    }
-    let start = ui.min_rect().bottom();
-    pointed = alive(model, ui, &frame.watch, lit).or(pointed);
-    rule(ui, look);
-    costs(model, ui, commands);
-    let now = ui.min_rect().bottom() - start;
-    if (now - below).abs() > 0.5 {
-        ui.data_mut(|data| data.insert_temp(id, now));
-        ui.ctx().request_repaint();
-    }
-    pointed
 }
 
-/// The values that are alive, but those that stand on the stage; the link of the one under the pointer.
-fn alive(model: &Model<'_>, ui: &mut Ui, values: &Watch, lit: Option<Link>) -> Option<Link> {
-    let look = model.look;
-    let is_empty = |watch: &Watch| watch.iter().all(|section| section.rows.is_empty());
-    let scalars = unseen(values);
-    if is_empty(&scalars) && !is_empty(values) {
-        return None;
-    }
-    rule(ui, look);
-    section(ui, look, &look.say("panel-watch"));
-    if is_empty(&scalars) {
-        ui.label(RichText::new(look.say("watch-empty")).color(look.theme.soft));
-    }
-    ui.scope(|ui| watch(ui, look, &scalars, lit)).inner
-}
-
-fn lines(model: &Model<'_>) -> Vec<CodeText> {
-    let code = model
-        .scene
-        .document()
-        .methods()
-        .first()
-        .map_or(&[][..], |card| card.code);
+fn lines(model: &Model<'_>, column: usize) -> Vec<CodeText> {
+    let methods = model.scene.document().methods();
+    let code = methods.get(column).map_or(&[][..], |card| card.code);
     let line = |line: &crate::labs::CodeLine| CodeText {
         depth: line.depth,
         text: model.look.say(if model.code == CodeView::Words {
@@ -122,7 +172,7 @@ fn lines(model: &Model<'_>) -> Vec<CodeText> {
     code.iter().map(line).collect()
 }
 
-fn costs(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
+fn costs(model: &Model<'_>, ui: &mut Ui, column: usize, commands: &mut Vec<Command>) {
     let look = model.look;
     ui.horizontal(|ui| {
         section(ui, look, &look.say("cost-title"));
@@ -137,14 +187,16 @@ fn costs(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
         }
     });
     let costs = model.playback.costs();
-    let Some([now, end]) = costs.first().copied() else {
+    let Some([now, end]) = costs.get(column).copied() else {
         return;
     };
     // Beside another method, both at this step; alone, with what brute force does in all.
-    let beside = costs
-        .get(1)
-        .zip(model.scene.document().methods().get(1).copied())
-        .map(|([counts, end], method)| (*counts, *end, method));
+    let mut others = costs
+        .iter()
+        .zip(model.scene.document().methods())
+        .enumerate();
+    let beside = others.find(|(i, _)| *i != column);
+    let beside = beside.map(|(_, ([counts, end], method))| (*counts, *end, method));
     let baseline = || {
         let (method, counts) = model.playback.baseline()?;
         Some((counts, counts, method))

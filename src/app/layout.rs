@@ -168,7 +168,11 @@ fn sides(
         Panel::right("inspector")
             .default_size((INSPECTOR * scale).round())
             .size_range(220.0..=widest.max(INSPECTOR * scale))
-            .frame(frame.inner_margin(margin(16)))
+            // The scroll bar has the rest of the margin.
+            .frame(frame.inner_margin(Margin {
+                right: 6,
+                ..margin(16)
+            }))
             .show(ui, |ui| inspector::show(model, ui, state, commands));
     }
 }

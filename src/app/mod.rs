@@ -47,6 +47,7 @@ mod stopwatch;
 mod tests;
 mod typed;
 mod typing;
+mod watch_room;
 #[cfg(target_arch = "wasm32")]
 mod web;
 

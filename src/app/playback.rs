@@ -22,6 +22,8 @@ pub struct Playback {
     /// Frames of the step they were made for.
     frames: Vec<Frame>,
     framed_at: Option<usize>,
+    /// The furthest step that has been shown since the recording.
+    reached: usize,
     /// What the views of each run want; empty until a frame of it is made.
     needs: Vec<Vec<Need>>,
     /// Another number for every recording.
@@ -57,6 +59,7 @@ impl Playback {
             baseline: scene.document().baseline(),
             frames: Vec::new(),
             framed_at: None,
+            reached: 0,
             needs: Vec::new(),
             recording: 0,
             n_slow: 0,
@@ -77,6 +80,7 @@ impl Playback {
         let before = self.transport.position();
         let position = main.corresponding(&*self.main, before);
         self.transport.rebase(main.n_steps(), position);
+        self.reached = position;
         self.phases = phases(&*main);
         (self.main, self.other, self.difference) = (main, other, difference);
         self.baseline = scene.document().baseline();
@@ -168,9 +172,24 @@ impl Playback {
             .chain(self.other.as_deref().map(beside))
             .collect();
         self.framed_at = Some(position);
+        self.reached = self.reached.max(position);
         if self.needs.is_empty() {
             self.needs = self.runs().map(needs).collect();
         }
+    }
+
+    /// The furthest step that has been shown: what comes after it is not known yet to whoever has been asked.
+    #[must_use]
+    pub const fn reached(&self) -> usize {
+        self.reached
+    }
+
+    /// Of each run, where it stands and how many steps it has.
+    #[must_use]
+    pub fn steps(&self) -> Vec<[usize; 2]> {
+        let position = self.transport.position();
+        let stand = |run: &dyn Run| [run.beside(&*self.main, position), run.n_steps()];
+        self.runs().map(stand).collect()
     }
 
     /// What the views of each run want, at all its steps.
@@ -188,13 +207,8 @@ impl Playback {
     /// Cost so far and in the end, of the scene's method and of the one beside it.
     #[must_use]
     pub fn costs(&self) -> Vec<[Counts; 2]> {
-        let position = self.transport.position();
-        let cost = |run: &dyn Run| {
-            let step = run.beside(&*self.main, position);
-            [run.counts_at(step), run.counts_at(run.n_steps())]
-        };
-        std::iter::once(cost(&*self.main))
-            .chain(self.other.as_deref().map(cost))
+        let runs = self.runs().zip(self.steps());
+        runs.map(|(run, [step, n_steps])| [run.counts_at(step), run.counts_at(n_steps)])
             .collect()
     }
 

@@ -100,6 +100,9 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
             state.focused = state
                 .focused
                 .or(shown.focused.and_then(|i| handles.get(i).copied()));
+            if shown.clicked.is_some() {
+                state.inspected = i;
+            }
             match &state.sketch {
                 Some(drawn) => sketch::ask(model, ui, &shown, drawn, commands),
                 None => clicks::ask(

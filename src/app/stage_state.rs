@@ -12,7 +12,9 @@ use crate::{
     widgets::PanZoom,
 };
 
-use super::{Command, caption_room::CaptionRoom, model::Model, typing::Typing};
+use super::{
+    Command, caption_room::CaptionRoom, model::Model, typing::Typing, watch_room::WatchRooms,
+};
 
 /// What the stage remembers between frames. None of it is part of the document.
 #[derive(Default)]
@@ -43,6 +45,10 @@ pub struct StageState {
     pub typing: Option<Typing>,
     /// The room that is kept for the captions.
     pub captions: CaptionRoom,
+    /// The room that is kept for the watch tables.
+    pub watch: WatchRooms,
+    /// Of two methods side by side, the one that the inspector is about.
+    pub inspected: usize,
     /// The drawing that was shown last, and its lens.
     drawn: Option<(ViewId, Lens)>,
     /// As they were drawn last.

@@ -1,6 +1,6 @@
 //! How much room views want, from their data alone: so that it is settled for a whole run before anything is drawn.
 
-use super::{Body, Caption, Lists, Run, View, ViewId};
+use super::{Body, Caption, Lists, Run, View, ViewId, Watch, unseen};
 
 /// Of a run's steps so many are asked what they show, the first and the last among them: a view that comes or grows is
 /// there at one of them, or has had its room from the start.
@@ -130,6 +130,11 @@ pub fn needs(run: &dyn Run) -> Vec<Need> {
 /// The sentences of a run, of a longer one some: so that each has the room of the highest.
 pub fn sentences(run: &dyn Run) -> impl Iterator<Item = Caption> {
     asked(run, MOST_SAID).map(|step| run.caption(step))
+}
+
+/// What is watched in a run, of a longer one at some of its steps: so that the table has room for the longest.
+pub fn watches(run: &dyn Run) -> impl Iterator<Item = Watch> {
+    asked(run, MOST_SAID).map(|step| unseen(&run.watch(step)))
 }
 
 /// The steps of a run that are asked: `most` of them, and the last.

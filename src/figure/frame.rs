@@ -5,7 +5,7 @@ use crate::{
     trace::Counts,
 };
 
-use super::{Body, Mark, View, ViewId, Watch};
+use super::{Body, Link, Mark, Role, View, ViewId, Watch};
 
 /// One sentence: the decision, then the arithmetic that led to it.
 #[derive(Clone, PartialEq, Debug)]
@@ -58,5 +58,15 @@ impl Frame {
             _ => None,
         });
         plane.unwrap_or_default()
+    }
+
+    /// What this step is about, the drawing's first: the links of marks and of values that stand out.
+    pub fn focus(&self) -> impl Iterator<Item = Link> {
+        let marks = self.marks().iter();
+        let marks = marks.filter(|mark| mark.role == Role::Signal);
+        let rows = self.watch.iter().flat_map(|section| &section.rows);
+        let rows = rows.filter(|row| row.has_changed());
+        let of_marks = marks.filter_map(|mark| mark.link);
+        of_marks.chain(rows.filter_map(|row| row.link))
     }
 }

@@ -19,7 +19,7 @@ mod watch;
 mod words;
 
 pub use bits::{BitRow, Bits};
-pub use extent::{Need, Stand, needs, sentences};
+pub use extent::{Need, Stand, needs, sentences, watches};
 pub use frame::{Caption, Frame};
 pub use layout::{ColumnLayout, Layout, Sheet, Slot};
 pub use lists::{ItemMarker, ListColumn, ListLink, ListRow, Lists};
@@ -34,5 +34,5 @@ pub use table::{Cell, Table, TableNote, TableRow};
 pub use view::{
     Body, ClipperBox, ClipperRow, Fate, LineTick, NumberLine, Side, Traveller, View, ViewId,
 };
-pub use watch::{Watch, WatchRow, WatchSection, mark_changes, unseen};
+pub use watch::{ListPart, Watch, WatchRow, WatchSection, mark_changes, unseen};
 pub use words::Words;

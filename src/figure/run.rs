@@ -5,7 +5,7 @@ use serde_json::Value as Json;
 
 use crate::trace::Counts;
 
-use super::{Caption, Frame, Moment, Words};
+use super::{Caption, Frame, Moment, Watch, Words};
 
 /// Runs longer than this are not searched event by event when the scene is changed: a drag has no time for it.
 const LONG: usize = 4096;
@@ -44,6 +44,10 @@ pub trait Run {
     /// The sentence of the step alone.
     fn caption(&self, step: usize) -> Caption {
         self.frame(step).caption
+    }
+    /// The values that are alive at the step, alone: none is marked as changed.
+    fn watch(&self, step: usize) -> Watch {
+        self.frame(step).watch
     }
     /// The answer as JSON: the fields of `output` in `interfaces.md`.
     fn output_json(&self) -> Json;

@@ -13,8 +13,8 @@ pub struct WatchRow {
     pub cells: Vec<Option<Value>>,
     /// A word on the value: "left", "≠ 0".
     pub note: Option<Value>,
-    /// Did it change at this step?
-    pub changed: bool,
+    /// Of each cell: did it change at this step? Empty where none did.
+    pub changed: Vec<bool>,
     /// What it is about.
     pub link: Option<Link>,
 }
@@ -33,9 +33,15 @@ impl WatchRow {
             name: name.into(),
             cells,
             note: None,
-            changed: false,
+            changed: Vec::new(),
             link: None,
         }
+    }
+
+    /// Did any of its cells change at this step?
+    #[must_use]
+    pub fn has_changed(&self) -> bool {
+        self.changed.contains(&true)
     }
 
     /// With a word on the value.
@@ -62,6 +68,17 @@ pub struct WatchSection {
     pub rows: Vec<WatchRow>,
     /// The view that shows these values: the inspector leaves them out, an answer key tells them all the same.
     pub seen_in: Option<ViewId>,
+    /// Where its rows stand in a list of which they are a part; none where they are all of it.
+    pub part: Option<ListPart>,
+}
+
+/// Some entries of a longer list, which come into sight and leave it without being new.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct ListPart {
+    /// The place of the first of them.
+    pub first: usize,
+    /// How long the list is.
+    pub of: usize,
 }
 
 impl WatchSection {
@@ -85,6 +102,23 @@ impl WatchSection {
             header,
             rows,
             seen_in: None,
+            part: None,
+        }
+    }
+
+    /// As a part of a list of `of` entries, from the one at `first`.
+    #[must_use]
+    pub const fn part(mut self, first: usize, of: usize) -> Self {
+        self.part = Some(ListPart { first, of });
+        self
+    }
+
+    /// Was the row at this place not there yet, in the section as it was before?
+    fn is_new(&self, row_idx: usize, before: Option<&Self>) -> bool {
+        let place = self.part.map_or(0, |part| part.first) + row_idx;
+        match before {
+            None => self.part.is_none(),
+            Some(before) => before.part.is_none_or(|part| place >= part.of),
         }
     }
 
@@ -106,16 +140,95 @@ pub fn unseen(watch: &Watch) -> Watch {
     watch.iter().filter(unseen).cloned().collect()
 }
 
-/// Marks the rows whose values differ from the step before: those of a name, under the same header.
+/// Marks the cells that differ from the step before: those of a row of the same name, under the same header.
 pub fn mark_changes(now: &mut Watch, before: &Watch) {
     for section in now {
         let same = before.iter().filter(|old| old.header == section.header);
-        let old: Vec<&WatchRow> = same.flat_map(|section| &section.rows).collect();
-        for row in &mut section.rows {
-            let was = old.iter().find(|old| old.name == row.name);
-            row.changed = row.cells.iter().enumerate().any(|(i, cell)| {
-                cell.is_some() && was.is_none_or(|was| was.cells.get(i) != Some(cell))
-            });
+        let same: Vec<&WatchSection> = same.collect();
+        let was = |row: &WatchRow| {
+            let mut olds = same.iter().flat_map(|section| &section.rows);
+            olds.find(|old| old.name == row.name)
+        };
+        let old = same.iter().copied().find(|old| {
+            let mut rows = old.rows.iter();
+            rows.any(|old| section.rows.iter().any(|row| row.name == old.name))
+        });
+        let changed: Vec<Vec<bool>> = section
+            .rows
+            .iter()
+            .enumerate()
+            .map(|(i, row)| {
+                let was = was(row);
+                let is_new = was.is_none() && section.is_new(i, old);
+                let cells = row.cells.iter().enumerate();
+                let has_changed = |(i, cell): (usize, &Option<Value>)| {
+                    let differs = was.map_or(is_new, |was| was.cells.get(i) != Some(cell));
+                    cell.is_some() && differs
+                };
+                cells.map(has_changed).collect()
+            })
+            .collect();
+        for (row, changed) in section.rows.iter_mut().zip(changed) {
+            row.changed = changed;
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn list(names: &[&'static str]) -> WatchSection {
+        let row = |name: &&'static str| {
+            WatchRow::new(Value::Name((*name).to_owned()), Some(Value::Count(1)))
+        };
+        WatchSection::list(names.iter().map(row).collect())
+    }
+
+    fn changed(mut now: WatchSection, before: &WatchSection) -> Vec<usize> {
+        let mut watch = vec![std::mem::take(&mut now)];
+        mark_changes(&mut watch, &vec![before.clone()]);
+        let rows = watch[0].rows.iter().enumerate();
+        rows.filter(|(_, row)| row.has_changed())
+            .map(|(i, _)| i)
+            .collect()
+    }
+
+    #[test]
+    fn only_the_cells_that_differ_are_marked() {
+        let row = |cells: [usize; 2]| {
+            let cells = cells.map(|n| Some(Value::Count(n)));
+            let row = WatchRow::table(Value::Name("left".to_owned()), cells.to_vec());
+            vec![WatchSection::table(vec!["p", "q"], vec![row])]
+        };
+        let mut now = row([1, 3]);
+        mark_changes(&mut now, &row([1, 2]));
+        assert_eq!(now[0].rows[0].changed, [false, true]);
+        mark_changes(&mut now, &row([1, 3]));
+        assert!(
+            !now[0].rows[0].has_changed(),
+            "the last step did not change it"
+        );
+    }
+
+    #[test]
+    fn what_comes_into_sight_is_not_new() {
+        let before = list(&["V1", "V2", "V3"]).part(0, 4);
+        assert_eq!(
+            changed(list(&["V2", "V3", "V4"]).part(1, 4), &before),
+            [0; 0]
+        );
+        let grown = list(&["V3", "V4", "V5"]).part(2, 5);
+        assert_eq!(changed(grown, &before), [2], "V5 is new");
+        assert_eq!(
+            changed(list(&["V7", "V8"]).part(6, 9), &before),
+            [0; 0],
+            "another page"
+        );
+        assert_eq!(
+            changed(list(&["V1", "V4"]), &list(&["V1"])),
+            [1],
+            "all of a list"
+        );
     }
 }

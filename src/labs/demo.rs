@@ -171,6 +171,14 @@ impl<A: Demo> Run for Recorded<A> {
         )
     }
 
+    fn watch(&self, step: usize) -> Watch {
+        A::watch(&Step {
+            input: self.trace.input(),
+            state: &self.trace.state_at(step),
+            event: self.trace.event_at(step),
+        })
+    }
+
     fn output_json(&self) -> Json {
         self.trace.output().json()
     }

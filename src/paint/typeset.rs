@@ -141,8 +141,17 @@ impl Typeset {
         reason = "painting is what it is called for"
     )]
     pub fn paint(&self, painter: &Painter, at: Pos2, align: Align2) -> Rect {
+        self.paint_in(painter, at, align, self.colour)
+    }
+
+    /// The same in this colour, where it was set in [`Color32::PLACEHOLDER`].
+    #[expect(
+        clippy::must_use_candidate,
+        reason = "painting is what it is called for"
+    )]
+    pub fn paint_in(&self, painter: &Painter, at: Pos2, align: Align2, colour: Color32) -> Rect {
         let rect = align.anchor_size(at, self.size());
-        painter.galley(rect.min, self.galley.clone(), self.colour);
+        painter.galley(rect.min, self.galley.clone(), colour);
         rect
     }
 }

@@ -112,8 +112,10 @@ impl<'a> Bars<'a> {
             width,
             widest: [0.0; 2],
         };
+        // The numbers of the end are the widest: nothing moves on the way there.
+        let end = cost.most;
         for kind in &KINDS {
-            let texts = bars.texts(painter, kind);
+            let texts = bars.texts(painter, kind, bars.written(end, end));
             for (widest, text) in bars.widest.iter_mut().zip(&texts) {
                 *widest = widest.max(text.size().x);
             }
@@ -137,7 +139,7 @@ impl<'a> Bars<'a> {
         for (i, kind) in KINDS.iter().enumerate() {
             let cell = self.cell(rect, i);
             let y = cell.top() + 0.5 * self.text_height();
-            let [name, numbers] = self.texts(painter, kind);
+            let [name, numbers] = self.texts(painter, kind, self.numbers(kind));
             name.paint(painter, pos2(cell.left(), y), Align2::LEFT_CENTER);
             numbers.paint(painter, pos2(cell.right(), y), Align2::RIGHT_CENTER);
             let room = self.room(cell);
@@ -156,19 +158,24 @@ impl<'a> Bars<'a> {
         }
     }
 
-    fn texts(&self, painter: &Painter, kind: &Kind) -> [Typeset; 2] {
+    fn texts(&self, painter: &Painter, kind: &Kind, numbers: String) -> [Typeset; 2] {
         let theme = self.look.theme;
         let name = self.look.say(kind.key);
         [
             Typeset::text(painter, name, self.small.clone(), theme.soft),
-            Typeset::text(painter, self.numbers(kind), self.mono.clone(), theme.ink),
+            Typeset::text(painter, numbers, self.mono.clone(), theme.ink),
         ]
     }
 
     fn numbers(&self, kind: &Kind) -> String {
-        let now = (kind.of)(&self.cost.now);
+        let other = self.cost.compared.as_ref();
+        let other = other.map_or(0, |(other, _)| (kind.of)(other));
+        self.written((kind.of)(&self.cost.now), other)
+    }
+
+    fn written(&self, now: u32, other: u32) -> String {
         match &self.cost.compared {
-            Some((other, _)) => format!("{now} ({})", (kind.of)(other)),
+            Some(_) => format!("{now} ({other})"),
             None => now.to_string(),
         }
     }

@@ -20,6 +20,7 @@ mod title;
 mod transport;
 mod views;
 mod watch;
+mod whole_rows;
 
 pub use canvas::{Canvas, CanvasShown, StageClick, place_at};
 pub use caption::{caption, caption_text, height_for_all};
@@ -31,13 +32,13 @@ pub use icon::{Icon, icon_button};
 pub use lesson_text::lesson_text;
 pub use pan_zoom::PanZoom;
 pub use picker::{language_menu, theme_menu};
-pub use pseudocode::{CodeText, code_view_switch, pseudocode};
+pub use pseudocode::{CodeStep, CodeText, Pseudocode, code_view_switch};
 pub use section::{rule, section};
 pub use timeline::Timeline;
 pub use title::column_title;
 pub use transport::{Press, speed_menu, transport_buttons, transport_width};
 pub use views::view;
-pub use watch::watch;
+pub use watch::{WatchRoom, watch};
 
 use crate::{paint::Theme, text::Catalog};
 

@@ -1,8 +1,8 @@
 //! A method's pseudocode, with the line of this step.
 
 use egui::{
-    Align2, Color32, FontId, Id, Rect, RichText, Role, Sense, TextStyle, Ui, WidgetInfo, pos2,
-    style::ScrollAnimation, vec2,
+    Align2, Color32, FontId, Rect, RichText, Role, Sense, StrokeKind, TextStyle, Ui, WidgetInfo,
+    pos2, vec2,
 };
 
 use crate::{
@@ -10,7 +10,7 @@ use crate::{
     paint::{Span, Typeset},
 };
 
-use super::Look;
+use super::{Look, whole_rows::WholeRows};
 
 const fn key(view: CodeView) -> &'static str {
     match view {
@@ -56,74 +56,118 @@ pub fn code_view_switch(ui: &mut Ui, look: Look<'_>, current: CodeView) -> Optio
 /// Of its natural size, what the text is set in: the largest at which the lines take no more than their height.
 const SIZES: [f32; 3] = [1.0, 0.92, 0.85];
 
-/// The lines, the current one on a wash with a bar at its left; in smaller text where they would take more than `most`.
-/// Returns whether the pointer is on the current line: it is about what this step is about.
-pub fn pseudocode(
-    ui: &mut Ui,
-    look: Look<'_>,
-    (lines, view): (&[CodeText], CodeView),
-    current: Option<usize>,
-    most: f32,
-) -> bool {
-    if view == CodeView::Hidden {
-        ui.label(RichText::new(look.say("pseudocode-hidden-note")).color(look.theme.soft));
-        return false;
+/// Lines that have been set.
+pub struct Pseudocode<'a> {
+    look: Look<'a>,
+    lines: &'a [CodeText],
+    set: Vec<SetLine>,
+    heights: Vec<f32>,
+}
+
+impl<'a> Pseudocode<'a> {
+    /// Sets the lines, in smaller text where they would take more than `most`; none where they are hidden.
+    #[must_use]
+    pub fn new(
+        ui: &Ui,
+        look: Look<'a>,
+        (lines, view): (&'a [CodeText], CodeView),
+        most: f32,
+    ) -> Self {
+        let (style, lines) = match view {
+            CodeView::Full => (TextStyle::Monospace, lines),
+            CodeView::Words => (TextStyle::Body, lines),
+            CodeView::Hidden => (TextStyle::Body, &[][..]),
+        };
+        let natural = style.resolve(ui.style());
+        let set = |part: f32| -> Vec<SetLine> {
+            let font = FontId::new(part * natural.size, natural.family.clone());
+            let lines = lines.iter();
+            lines.map(|line| SetLine::new(ui, line, &font)).collect()
+        };
+        let mut sizes = SIZES.into_iter().map(set);
+        let height = |set: &[SetLine]| set.iter().map(|line| line.height).sum::<f32>();
+        let fitting = sizes.find(|set| height(set) <= most);
+        let set = fitting.unwrap_or_else(|| set(SIZES[SIZES.len() - 1]));
+        let heights = set.iter().map(|line| line.height).collect();
+        Self {
+            look,
+            lines,
+            set,
+            heights,
+        }
     }
-    let style = if view == CodeView::Full {
-        TextStyle::Monospace
-    } else {
-        TextStyle::Body
-    };
-    let natural = style.resolve(ui.style());
-    let size = |part: f32| FontId::new(part * natural.size, natural.family.clone());
-    let height = |font: &FontId| -> f32 {
-        let rows = lines.iter();
-        rows.map(|line| SetLine::new(ui, line, font, look.theme.soft).height)
-            .sum()
-    };
-    let mut fonts = SIZES.map(size).into_iter();
-    let fitting = fonts.find(|font| height(font) <= most);
-    let font = fitting.unwrap_or_else(|| size(SIZES[SIZES.len() - 1]));
-    ui.spacing_mut().item_spacing.y = 0.0;
-    let mut pointed = false;
-    for (i, line) in lines.iter().enumerate() {
-        pointed |= row(ui, look, line, &font, current == Some(i));
+
+    /// Of all lines.
+    #[must_use]
+    pub fn height(&self) -> f32 {
+        self.heights.iter().sum()
     }
-    pointed
+
+    /// Draws the lines, as many as have room whole, the current one on a wash with a bar at its left, and with a rim where
+    /// what it is about is `lit`. Returns whether the pointer is on it: it is about what this step is about.
+    pub fn show(&self, ui: &mut Ui, step: &CodeStep, most: f32) -> bool {
+        let rows = WholeRows {
+            name: "pseudocode",
+            heights: &self.heights,
+            most,
+            focus: step.line,
+            moment: step.moment,
+        };
+        rows.show(ui, |ui| {
+            ui.spacing_mut().item_spacing.y = 0.0;
+            let mut pointed = false;
+            for (i, (line, set)) in self.lines.iter().zip(&self.set).enumerate() {
+                let is_current = step.line == Some(i);
+                pointed |= row(ui, self.look, (line, set), is_current, step.is_lit);
+            }
+            pointed
+        })
+    }
+}
+
+/// Where a step is in the pseudocode.
+#[derive(Clone, Copy, Debug)]
+pub struct CodeStep {
+    /// Its line.
+    pub line: Option<usize>,
+    /// Its number.
+    pub moment: usize,
+    /// Does what it is about stand out elsewhere?
+    pub is_lit: bool,
 }
 
 /// A line as it is set.
 struct SetLine {
     indent: f32,
-    set: Typeset,
+    text: Typeset,
     height: f32,
 }
 
 impl SetLine {
-    fn new(ui: &Ui, line: &CodeText, font: &FontId, colour: Color32) -> Self {
+    fn new(ui: &Ui, line: &CodeText, font: &FontId) -> Self {
         let indent = 4.0 + 14.0 * line.depth as f32;
         // A line that is too long goes on under its own start.
         let room = (ui.available_width() - indent - 4.0).max(48.0);
-        let text = Span::text(&line.text, font.clone(), colour);
-        let set = Typeset::wrapped(ui.painter(), &[text], room);
-        let height = (set.size().y.max(font.size * 1.2) + 4.0).round();
+        let text = Span::text(&line.text, font.clone(), Color32::PLACEHOLDER);
+        let text = Typeset::wrapped(ui.painter(), &[text], room);
+        let height = (text.size().y.max(font.size * 1.2) + 4.0).round();
         Self {
             indent,
-            set,
+            text,
             height,
         }
     }
 }
 
-fn row(ui: &mut Ui, look: Look<'_>, line: &CodeText, font: &FontId, is_current: bool) -> bool {
+fn row(
+    ui: &mut Ui,
+    look: Look<'_>,
+    (line, set): (&CodeText, &SetLine),
+    is_current: bool,
+    is_lit: bool,
+) -> bool {
     let theme = look.theme;
-    let colour = if is_current { theme.ink } else { theme.soft };
-    let SetLine {
-        indent,
-        set,
-        height,
-    } = SetLine::new(ui, line, font, colour);
-    let size = vec2(ui.available_width(), height);
+    let size = vec2(ui.available_width(), set.height);
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
     response.widget_info(|| WidgetInfo::selected(Role::Label, true, is_current, &line.text));
     if is_current {
@@ -131,18 +175,14 @@ fn row(ui: &mut Ui, look: Look<'_>, line: &CodeText, font: &FontId, is_current: 
         ui.painter().rect_filled(wash, 0.0, theme.accent_wash);
         let bar = Rect::from_min_size(wash.min, vec2(3.0, wash.height()));
         ui.painter().rect_filled(bar, 0.0, theme.accent);
-        keep_in_view(ui, rect, &line.text);
+        if is_lit || response.hovered() {
+            let rim = theme.stroke(1.0, theme.accent);
+            ui.painter().rect_stroke(rect, 0.0, rim, StrokeKind::Inside);
+        }
     }
-    let at = pos2(rect.left() + indent, rect.center().y);
-    set.paint(ui.painter(), at, Align2::LEFT_CENTER);
+    let colour = if is_current { theme.ink } else { theme.soft };
+    let at = pos2(rect.left() + set.indent, rect.center().y);
+    set.text
+        .paint_in(ui.painter(), at, Align2::LEFT_CENTER, colour);
     is_current && response.hovered()
-}
-
-/// Scrolls to the current line when it has become another one.
-fn keep_in_view(ui: &Ui, rect: Rect, text: &str) {
-    let (id, now) = (Id::unique("code line in view"), Id::unique(text));
-    if ui.data(|data| data.get_temp(id)) != Some(now) {
-        ui.data_mut(|data| data.insert_temp(id, now));
-        ui.scroll_to_rect_animation(rect, None, ScrollAnimation::none());
-    }
 }

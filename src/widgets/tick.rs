@@ -13,7 +13,12 @@ pub enum When {
     Now,
     /// It has yet to happen.
     Future,
+    /// It has yet to happen, and what it is must not be given away.
+    Untold,
 }
+
+/// A dot, for whatever will happen.
+const UNTOLD: f32 = 2.5;
 
 /// Draws a tick; `size` is 1 where there is room, less in a crowd. `surface` shows through hollow ticks.
 pub fn draw(
@@ -28,8 +33,12 @@ pub fn draw(
     let colour = match (when, tick) {
         (When::Now, _) => theme.signal,
         (When::Past, _) => theme.accent,
-        (When::Future, _) => theme.faint,
+        (When::Future | When::Untold, _) => theme.faint,
     };
+    if when == When::Untold {
+        painter.circle_filled(at, UNTOLD * size, colour);
+        return;
+    }
     let is_hollow = when == When::Future;
     let fill = if is_hollow { surface } else { colour };
     let stroke = Stroke::new(1.5, colour);

@@ -1,5 +1,7 @@
 //! The timeline: every event a tick, its shape its kind; dragging scrubs.
 
+use std::cmp::Ordering;
+
 use egui::{
     CursorIcon, Key, Painter, Pos2, Rect, Response, Sense, Shape, Stroke, StrokeKind, Ui,
     WidgetInfo, pos2, vec2,
@@ -27,6 +29,8 @@ pub struct Timeline<'a> {
     pub n_steps: usize,
     /// Where the cursor stands; 0 is before the first event.
     pub position: usize,
+    /// The last step of which it is shown what it is: those after it are all alike.
+    pub told: usize,
     /// The kind of the event that leads to a step ≥ 1.
     pub tick: &'a dyn Fn(usize) -> Tick,
     /// Steps ≥ 1 at which a phase begins: marked where there is no room for every tick.
@@ -99,7 +103,7 @@ impl Timeline<'_> {
             Stroke::new(2.0, theme.hairline),
         );
         line(track.x(0), here.x, Stroke::new(2.0, theme.accent));
-        if let Some(step) = self.difference {
+        if let Some(step) = self.difference.filter(|&step| step <= self.told) {
             self.flag(painter, pos2(track.x(step.min(self.n_steps)), y));
         }
         if track.gap() < CROWD_PTS {
@@ -127,11 +131,10 @@ impl Timeline<'_> {
             );
         };
         for step in 1..=self.n_steps {
-            match step.cmp(&self.position) {
-                std::cmp::Ordering::Less => each(step, When::Past),
-                std::cmp::Ordering::Greater => each(step, When::Future),
+            match self.when(step) {
                 // Last, so that its ring lies over its neighbours.
-                std::cmp::Ordering::Equal => {}
+                When::Now => {}
+                when @ (When::Past | When::Future | When::Untold) => each(step, when),
             }
         }
         if (1..=self.n_steps).contains(&self.position) {
@@ -139,11 +142,20 @@ impl Timeline<'_> {
         }
     }
 
+    fn when(&self, step: usize) -> When {
+        match step.cmp(&self.position) {
+            Ordering::Less => When::Past,
+            Ordering::Equal => When::Now,
+            Ordering::Greater if step > self.told => When::Untold,
+            Ordering::Greater => When::Future,
+        }
+    }
+
     /// A short bar for each phase of a run that has too many steps to show them all.
     fn bars(&self, painter: &Painter, track: &Track, y: f32) {
         let theme = self.look.theme;
         let mut last = f32::NEG_INFINITY;
-        for &step in self.phases {
+        for &step in self.phases.iter().filter(|&&step| step <= self.told) {
             let x = track.x(step);
             if x - last >= BAR_PTS {
                 let colour = if step <= self.position {
@@ -199,6 +211,25 @@ impl Track {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_comes_after_what_was_told_is_all_alike() {
+        let catalog = crate::text::Catalog::of(crate::text::Lang::En);
+        let theme = crate::paint::Theme::of(crate::paint::ThemeKind::Light);
+        let timeline = Timeline {
+            n_steps: 6,
+            position: 2,
+            told: 4,
+            tick: &|_| Tick::Cut,
+            phases: &[],
+            difference: None,
+            tip: &|_| String::new(),
+            name: String::new(),
+            look: Look { theme, catalog },
+        };
+        let when = [1, 2, 4, 5].map(|step| timeline.when(step));
+        assert_eq!(when, [When::Past, When::Now, When::Future, When::Untold]);
+    }
 
     #[test]
     fn places_are_steps_and_back() {

@@ -1,5 +1,7 @@
 //! The watch table: the values that are alive, with those that changed at this step.
 
+use std::collections::BTreeSet;
+
 use egui::{Align2, Color32, FontId, Rect, Role, Sense, TextStyle, Ui, WidgetInfo, pos2, vec2};
 
 use crate::{
@@ -8,7 +10,7 @@ use crate::{
     text::Value,
 };
 
-use super::Look;
+use super::{Look, whole_rows::WholeRows};
 
 /// Room left of the names for the dot of a changed row.
 const DOT_ROOM: f32 = 8.0;
@@ -21,29 +23,149 @@ const ROW_SIZE: f32 = 2.0;
 /// How far a table that is too wide is drawn smaller.
 const SMALLEST: f32 = 0.7;
 
-/// Draws the table; the link of the row under the pointer.
-pub fn watch(ui: &mut Ui, look: Look<'_>, watch: &Watch, lit: Option<Link>) -> Option<Link> {
-    let mut table = Table::new(ui, look, lit);
-    let mono = table.mono.clone();
-    let mut pointed = None;
-    ui.spacing_mut().item_spacing.y = 0.0;
-    for (i, section) in watch.iter().enumerate() {
-        if i > 0 {
-            ui.add_space(8.0);
+/// Between two sections.
+const SECTION_GAP: f32 = 8.0;
+
+/// What the tables of a run want: found once, so that nothing moves from one step to the next.
+#[derive(Default)]
+pub struct WatchRoom {
+    sections: Vec<SectionRoom>,
+    height: f32,
+}
+
+/// What sections under one header want.
+#[derive(Default)]
+struct SectionRoom {
+    header: Vec<Value>,
+    names: f32,
+    columns: Vec<f32>,
+    /// Texts that have been measured, and in which column.
+    known: BTreeSet<(Option<usize>, String)>,
+}
+
+impl WatchRoom {
+    /// Has room for this table, too.
+    pub fn widen(&mut self, ui: &Ui, look: Look<'_>, watch: &Watch) {
+        let table = Table::new(ui, look, None);
+        for section in watch {
+            let known = self.section_idx(section).unwrap_or_else(|| {
+                self.sections.push(SectionRoom {
+                    header: section.header.clone(),
+                    names: NAME_WIDTH - GAP,
+                    ..SectionRoom::default()
+                });
+                self.sections.len() - 1
+            });
+            self.sections[known].widen(&table, ui, section);
         }
-        table.mono.size = mono.size;
-        // Where the columns do not fit, smaller digits are better than digits in each other's place.
-        table.mono.size *= table.fit(ui, section);
-        let columns = table.columns(ui, section);
-        if !section.header.is_empty() {
-            table.header(ui, section, &columns);
+        self.height = self.height.max(table.heights(watch).iter().sum());
+    }
+
+    /// Of the highest table.
+    #[must_use]
+    pub const fn height(&self) -> f32 {
+        self.height
+    }
+
+    fn section_idx(&self, section: &WatchSection) -> Option<usize> {
+        let mut known = self.sections.iter();
+        known.position(|known| known.header == section.header)
+    }
+}
+
+impl SectionRoom {
+    fn widen(&mut self, table: &Table<'_>, ui: &Ui, section: &WatchSection) {
+        let n_columns = section.rows.iter().map(|row| row.cells.len());
+        let n_columns = n_columns.max().unwrap_or(1).max(self.columns.len());
+        self.columns.resize(n_columns, 0.0);
+        // A title counts as well: that of the names comes first where they have one.
+        let skip = section.header.len().saturating_sub(n_columns);
+        for (i, title) in section.header.iter().skip(skip).enumerate() {
+            self.measure(table, ui, Some(i), title);
         }
         for row in &section.rows {
-            pointed = table
-                .row(ui, row, &columns, !section.header.is_empty())
-                .or(pointed);
+            self.measure(table, ui, None, &row.name);
+            for (i, cell) in row.cells.iter().enumerate() {
+                if let Some(value) = cell {
+                    self.measure(table, ui, Some(i), value);
+                }
+            }
         }
     }
+
+    fn measure(&mut self, table: &Table<'_>, ui: &Ui, column: Option<usize>, value: &Value) {
+        if !self.known.insert((column, table.look.catalog.value(value))) {
+            return;
+        }
+        let width = table.set(ui, value, Color32::PLACEHOLDER).size().x;
+        let most = match column {
+            Some(i) => &mut self.columns[i],
+            None => &mut self.names,
+        };
+        *most = most.max(width);
+    }
+
+    /// The scale of the text at which no column touches the next.
+    fn fit(&self, width: f32) -> f32 {
+        let room = width - DOT_ROOM - GAP * self.columns.len() as f32;
+        let text = self.names + self.columns.iter().sum::<f32>();
+        (room / text).clamp(SMALLEST, 1.0)
+    }
+
+    /// Offsets of the value columns from the left of the row: evenly apart, or where that would put a
+    /// value onto the next, each as far along as the values before it need.
+    fn columns(&self, width: f32) -> Vec<f32> {
+        let scale = self.fit(width);
+        let first = DOT_ROOM + GAP + scale * self.names;
+        let n = self.columns.len();
+        let step = ((width - first) / n.max(1) as f32).max(24.0);
+        let fits = |column: &f32| scale * column + 0.5 * GAP <= step;
+        if self.columns.iter().all(fits) {
+            return (0..n).map(|i| first + i as f32 * step).collect();
+        }
+        let mut next = first;
+        let mut place = |column: &f32| {
+            let x = next;
+            next += scale * column + GAP;
+            x
+        };
+        self.columns.iter().map(&mut place).collect()
+    }
+}
+
+/// Draws the table in room for the highest of its run, or in `most` where that is less; the link of the row under the
+/// pointer. What has changed at this `moment` is in sight.
+pub fn watch(
+    ui: &mut Ui,
+    look: Look<'_>,
+    watch: &Watch,
+    (room, most): (&WatchRoom, f32),
+    moment: usize,
+    lit: Option<Link>,
+) -> Option<Link> {
+    let mut table = Table::new(ui, look, lit);
+    ui.spacing_mut().item_spacing.y = 0.0;
+    let top = ui.cursor().top();
+    let heights = table.heights(watch);
+    let changed = watch.iter().flat_map(|section| {
+        let header = (!section.header.is_empty()).then_some(false);
+        header
+            .into_iter()
+            .chain(section.rows.iter().map(WatchRow::has_changed))
+    });
+    let rows = WholeRows {
+        name: "watch",
+        heights: &heights,
+        most,
+        focus: changed
+            .enumerate()
+            .find(|(_, changed)| *changed)
+            .map(|(i, _)| i),
+        moment,
+    };
+    let pointed = rows.show(ui, |ui| table.sections(ui, watch, room));
+    let rest = top + room.height.min(most) - ui.cursor().top();
+    ui.add_space(rest.max(0.0));
     pointed
 }
 
@@ -67,59 +189,46 @@ impl<'a> Table<'a> {
         }
     }
 
+    /// Of headers and rows, each section's first with the gap above it.
+    fn heights(&self, watch: &Watch) -> Vec<f32> {
+        let mut heights = Vec::new();
+        for (i, section) in watch.iter().enumerate() {
+            let n = section.rows.len() + usize::from(!section.header.is_empty());
+            let gap = if i > 0 { SECTION_GAP } else { 0.0 };
+            heights.extend((0..n).map(|row| self.height + if row == 0 { gap } else { 0.0 }));
+        }
+        heights
+    }
+
+    fn sections(&mut self, ui: &mut Ui, watch: &Watch, room: &WatchRoom) -> Option<Link> {
+        let natural = self.mono.size;
+        let width = ui.available_width();
+        let mut pointed = None;
+        ui.spacing_mut().item_spacing.y = 0.0;
+        for (i, section) in watch.iter().enumerate() {
+            let Some(known) = room.section_idx(section).map(|i| &room.sections[i]) else {
+                continue;
+            };
+            if i > 0 && !(section.rows.is_empty() && section.header.is_empty()) {
+                ui.add_space(SECTION_GAP);
+            }
+            // Where the columns do not fit, smaller digits are better than digits in each other's place.
+            self.mono.size = natural * known.fit(width);
+            let columns = known.columns(width);
+            if !section.header.is_empty() {
+                self.header(ui, section, &columns);
+            }
+            for row in &section.rows {
+                let is_table = !section.header.is_empty();
+                pointed = self.row(ui, row, &columns, is_table).or(pointed);
+            }
+        }
+        pointed
+    }
+
     fn set(&self, ui: &Ui, value: &Value, colour: Color32) -> Typeset {
         let font = self.mono.clone();
         Typeset::value(ui.painter(), self.look.catalog, value, font, colour)
-    }
-
-    fn width(&self, ui: &Ui, value: &Value) -> f32 {
-        self.set(ui, value, Color32::PLACEHOLDER).size().x
-    }
-
-    /// The width of the names, and of each column of values.
-    fn widths(&self, ui: &Ui, section: &WatchSection) -> (f32, Vec<f32>) {
-        let names = section.rows.iter();
-        let names = names.map(|row| self.width(ui, &row.name));
-        let n_columns = section.rows.iter().map(|row| row.cells.len()).max();
-        let mut columns = vec![0.0_f32; n_columns.unwrap_or(1)];
-        for row in &section.rows {
-            for (width, cell) in columns.iter_mut().zip(&row.cells) {
-                let cell = cell.as_ref().map(|value| self.width(ui, value));
-                *width = width.max(cell.unwrap_or_default());
-            }
-        }
-        // A title counts as well: that of the names comes first where they have one.
-        let skip = section.header.len().saturating_sub(columns.len());
-        for (width, title) in columns.iter_mut().zip(section.header.iter().skip(skip)) {
-            *width = width.max(self.width(ui, title));
-        }
-        (names.fold(NAME_WIDTH - GAP, f32::max), columns)
-    }
-
-    /// The scale of the text at which no column touches the next.
-    fn fit(&self, ui: &Ui, section: &WatchSection) -> f32 {
-        let (names, columns) = self.widths(ui, section);
-        let room = ui.available_width() - DOT_ROOM - GAP * columns.len() as f32;
-        let text = names + columns.iter().sum::<f32>();
-        (room / text).clamp(SMALLEST, 1.0)
-    }
-
-    /// Offsets of the value columns from the left of the row: evenly apart, or where that would put a
-    /// value onto the next, each as far along as the values before it need.
-    fn columns(&self, ui: &Ui, section: &WatchSection) -> Vec<f32> {
-        let (names, widths) = self.widths(ui, section);
-        let first = DOT_ROOM + GAP + names;
-        let step = ((ui.available_width() - first) / widths.len().max(1) as f32).max(24.0);
-        if widths.iter().all(|width| width + 0.5 * GAP <= step) {
-            return (0..widths.len()).map(|i| first + i as f32 * step).collect();
-        }
-        let mut next = first;
-        let mut place = |width: &f32| {
-            let x = next;
-            next += width + GAP;
-            x
-        };
-        widths.iter().map(&mut place).collect()
     }
 
     fn header(&self, ui: &mut Ui, section: &WatchSection, columns: &[f32]) {
@@ -147,12 +256,7 @@ impl<'a> Table<'a> {
                 .rect_filled(rect.expand2(vec2(8.0, 0.0)), 0.0, theme.accent_wash);
         }
         let y = rect.center().y;
-        let value_colour = if row.changed {
-            theme.signal_text
-        } else {
-            theme.ink
-        };
-        if row.changed {
+        if row.has_changed() {
             ui.painter()
                 .circle_filled(pos2(rect.left() + 1.0, y), 2.5, theme.signal);
         }
@@ -161,9 +265,12 @@ impl<'a> Table<'a> {
         name.paint(ui.painter(), at(DOT_ROOM), Align2::LEFT_CENTER);
         let mut end = rect.left();
         let nothing = Value::Name(if is_table { "" } else { "–" }.to_owned());
-        for (cell, x) in row.cells.iter().zip(columns) {
+        for (i, (cell, x)) in row.cells.iter().zip(columns).enumerate() {
             let set = match cell {
-                Some(value) => self.set(ui, value, value_colour),
+                Some(value) if row.changed.get(i) == Some(&true) => {
+                    self.set(ui, value, theme.signal_text)
+                }
+                Some(value) => self.set(ui, value, theme.ink),
                 None => self.set(ui, &nothing, theme.soft),
             };
             end = set.paint(ui.painter(), at(*x), Align2::LEFT_CENTER).right();

@@ -80,6 +80,26 @@ impl Bench {
         self.ctx.tessellate(output.shapes, 1.0).len()
     }
 
+    /// All that is written in the window and is not cut, and where.
+    fn texts(&mut self) -> Vec<(String, Rect)> {
+        let input = RawInput {
+            screen_rect: Some(Rect::from_min_size(Pos2::ZERO, self.size)),
+            time: Some(self.time),
+            ..RawInput::default()
+        };
+        let mut output = self.ctx.run_ui(input, |ui| self.app.ui(ui));
+        drop(output.textures_delta.set.drain());
+        let mut texts = Vec::new();
+        for clipped in &output.shapes {
+            let first = texts.len();
+            written(&clipped.shape, &mut texts);
+            // What is scrolled out of sight is not written.
+            let of_shape = texts.split_off(first).into_iter();
+            texts.extend(of_shape.filter(|(_, rect)| clipped.clip_rect.contains_rect(*rect)));
+        }
+        texts
+    }
+
     /// Frames without input, until nothing moves any more.
     fn settle(&mut self) {
         for _ in 0..60 {
@@ -130,6 +150,18 @@ impl Bench {
         }
         self.button(to, false);
         self.frame(0.02, vec![Event::PointerMoved(pos2(5.0, 5.0))]);
+    }
+}
+
+/// The texts of a shape, each as it is read.
+fn written(shape: &egui::Shape, texts: &mut Vec<(String, Rect)>) {
+    match shape {
+        egui::Shape::Vec(shapes) => shapes.iter().for_each(|shape| written(shape, texts)),
+        egui::Shape::Text(text) => {
+            let rect = text.galley.rect.translate(text.pos.to_vec2());
+            texts.push((text.galley.text().to_owned(), rect));
+        }
+        _ => {}
     }
 }
 

@@ -1,6 +1,6 @@
 //! Where things stand at the steps of the course: nothing moves, and all of it is there.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use egui::{Event, Rect, Ui, UiBuilder, Vec2, vec2};
 
@@ -8,9 +8,10 @@ use super::{Bench, SIZE};
 use crate::{
     app::{App, Command, Settings, inspector},
     figure::Link,
+    labs::Edit,
     lesson::{CodeView, Course},
     paint::ThemeKind,
-    text::Lang,
+    text::{Catalog, Lang},
     widgets::rect_of,
 };
 
@@ -42,14 +43,15 @@ fn for_each_step(bench: &mut Bench, mut what: impl FnMut(&mut Bench, &str)) {
 }
 
 /// The height of what the inspector holds, in a panel as wide as it stands.
-fn height_of_inspector(bench: &Bench, ui: &mut Ui) -> f32 {
+fn height_of_inspector(bench: &mut Bench, ui: &mut Ui) -> f32 {
     let room = Rect::from_min_size(ui.max_rect().min, vec2(INSPECTOR.x, 10_000.0));
+    let mut stage = std::mem::take(&mut bench.app.stage);
     let model = bench.app.model(SIZE);
-    let frame = &bench.app.playback.frames()[0];
     let inner = UiBuilder::new().max_rect(room);
     let shown = ui.scope_builder(inner, |ui| {
-        inspector::content(&model, ui, (frame, None), INSPECTOR.y, &mut Vec::new());
+        inspector::content(&model, ui, &mut stage, INSPECTOR.y, &mut Vec::new());
     });
+    bench.app.stage = stage;
     shown.response.rect.height()
 }
 
@@ -63,10 +65,13 @@ fn the_inspector_needs_no_scrolling_at_any_step_of_the_course() {
             for code in [CodeView::Full, CodeView::Words] {
                 bench.app.shown.code = code;
                 let mut height = 0.0;
-                let mut output = ctx.run_ui(egui::RawInput::default(), |ui| {
-                    height = height_of_inspector(bench, ui);
-                });
-                drop(output.textures_delta.set.drain());
+                // What stands below the rows is measured first.
+                for _ in 0..2 {
+                    let mut output = ctx.run_ui(egui::RawInput::default(), |ui| {
+                        height = height_of_inspector(bench, ui);
+                    });
+                    drop(output.textures_delta.set.drain());
+                }
                 if height > INSPECTOR.y {
                     too_high.push(format!("{lang} {place} {code:?}: {height}"));
                 }
@@ -74,6 +79,108 @@ fn the_inspector_needs_no_scrolling_at_any_step_of_the_course() {
         });
     }
     assert!(too_high.is_empty(), "{}", too_high.join("\n"));
+}
+
+/// Left of what stands in the inspector, in a window of this size.
+const INSPECTOR_LEFT: f32 = 1280.0 - 290.0;
+
+/// What is written in the inspector, and where: in the order of drawing, without the scrolled.
+fn written_in_inspector(bench: &mut Bench) -> Vec<(String, Rect)> {
+    let mut texts = bench.texts();
+    texts.retain(|(_, rect)| rect.left() > INSPECTOR_LEFT && rect.top() > 50.0);
+    texts
+}
+
+#[test]
+fn nothing_in_the_inspector_moves_from_one_step_of_a_run_to_the_next() {
+    let mut bench = bench(Lang::En, ThemeKind::Light);
+    for_each_step(&mut bench, |bench, place| {
+        let catalog = Catalog::of(Lang::En);
+        let headings = ["panel-watch", "cost-title", "cost-divisions", "cost-sums"];
+        let headings = headings.map(|key| catalog.term(key));
+        let mut known: BTreeMap<String, Rect> = BTreeMap::new();
+        for step in 0..=bench.app.playback.transport().n_steps().min(24) {
+            bench.app.seek(step);
+            bench.settle();
+            let written = written_in_inspector(bench);
+            for heading in &headings {
+                let here = written.iter().find(|(text, _)| text == heading);
+                let Some(&(_, rect)) = here else { continue };
+                let first = *known.entry(heading.clone()).or_insert(rect);
+                assert_eq!(rect, first, "{place}, step {step}: {heading}");
+            }
+        }
+        assert!(
+            known.contains_key(&headings[1]),
+            "{place}: the cost is there"
+        );
+    });
+}
+
+#[test]
+fn of_two_methods_the_one_that_is_clicked_is_inspected() {
+    let mut bench = bench(Lang::En, ThemeKind::Light);
+    let ctx = bench.ctx.clone();
+    bench.app.apply(
+        &ctx,
+        Command::Edit(Edit::Compare(Some("liang-barsky")), None),
+    );
+    bench.app.shown.code = CodeView::Full;
+    bench.settle();
+    let catalog = Catalog::of(Lang::En);
+    let methods = bench.app.scene().document().methods();
+    let first_line = |i: usize| catalog.term(methods[i].code[0].code);
+    let is_written = |bench: &mut Bench, text: &str| {
+        let written = written_in_inspector(bench);
+        written.iter().any(|(known, _)| known == text)
+    };
+    assert!(
+        is_written(&mut bench, &first_line(0)),
+        "{:?}",
+        written_in_inspector(&mut bench)
+    );
+    bench.key(egui::Key::End);
+    bench.settle();
+    for [step, n_steps] in bench.app.playback.steps() {
+        assert_eq!(step, n_steps, "both are at their ends");
+        let step = format!("step {step} of {n_steps}");
+        assert!(is_written(&mut bench, &step), "{step}");
+    }
+    // Empty ground of the second drawing.
+    let (_, slot) = bench.app.stage.places[bench.app.playback.frames()[0].views.len()];
+    let at = rect_of(slot).min + vec2(8.0, 8.0);
+    bench.button(at, true);
+    bench.button(at, false);
+    bench.settle();
+    assert!(is_written(&mut bench, &first_line(1)));
+    assert!(!is_written(&mut bench, &first_line(0)));
+}
+
+#[test]
+fn a_mark_and_the_line_of_its_step_light_up_together() {
+    let mut bench = bench(Lang::En, ThemeKind::Light);
+    let mut n_lit = 0;
+    for_each_step(&mut bench, |bench, place| {
+        let frame = &bench.app.playback.frames()[0];
+        let methods = bench.app.scene().document().methods();
+        let Some(line) = frame.code_line.map(|i| methods[0].code[i].code) else {
+            return;
+        };
+        let Some(link) = frame.focus().next() else {
+            return;
+        };
+        bench.app.shown.code = CodeView::Full;
+        bench.settle();
+        let line = Catalog::of(Lang::En).term(line);
+        let written = written_in_inspector(bench);
+        let Some((_, rect)) = written.iter().find(|(text, _)| *text == line) else {
+            panic!("{place}: {line} is not in sight in {written:?}");
+        };
+        bench.frame(0.02, vec![Event::PointerMoved(rect.center())]);
+        assert_eq!(bench.app.stage.lit, Some(link), "{place}: {line} at {rect}");
+        n_lit += 1;
+    });
+    assert!(n_lit > 20, "only {n_lit}");
 }
 
 #[test]

@@ -31,7 +31,7 @@ fn step_rows<'a>(run: &'a dyn Run, catalog: &'a Catalog) -> impl Iterator<Item =
     (0..=run.n_steps()).map(move |step| {
         let frame = run.frame(step);
         let changed = frame.watch.iter().flat_map(|section| {
-            let rows = section.rows.iter().filter(|row| row.changed);
+            let rows = section.rows.iter().filter(|row| row.has_changed());
             rows.map(|row| changed_row(section, row, catalog))
         });
         let arithmetic = frame.caption.arithmetic.iter();

@@ -48,18 +48,18 @@ pub fn rows<V: LabVertex>(input: &[V], output: &[V], current: usize) -> Vec<Watc
         let texels = V::IS_TEXTURED.then(|| table(["uv", "uv′"], |v| v.uv().map(Value::Point)));
         return std::iter::once(places).chain(texels).collect();
     }
-    let start = current
+    let first = current
         .saturating_sub(ROWS / 2)
         .min(input.len().saturating_sub(ROWS));
-    let shown = input.iter().enumerate().skip(start).take(ROWS);
-    let input = shown
+    let shown = input.iter().enumerate().skip(first).take(ROWS);
+    let input_rows = shown
         .map(|(i, v)| WatchRow::new(name(vertex_symbol(i)), Some(point(v))).linked(vertex_link(i)));
     let start = output.len().saturating_sub(ROWS);
     let shown = output.iter().enumerate().skip(start);
-    let output = shown.map(|(i, v)| WatchRow::new(name(output_symbol(i)), Some(point(v))));
+    let output_rows = shown.map(|(i, v)| WatchRow::new(name(output_symbol(i)), Some(point(v))));
     vec![
-        WatchSection::list(input.collect()),
-        WatchSection::list(output.collect()),
+        WatchSection::list(input_rows.collect()).part(first, input.len()),
+        WatchSection::list(output_rows.collect()).part(start, output.len()),
     ]
 }
 

@@ -189,7 +189,8 @@ impl Demo for Pipeline {
         let start = state.output.len().saturating_sub(ROWS);
         let ring = state.output.iter().enumerate().skip(start);
         let ring = ring.map(|(i, &p)| WatchRow::new(name(output_symbol(i)), point(Some(p))));
-        watch.push(WatchSection::list(ring.collect()).seen_in(IN_AND_OUT));
+        let ring = WatchSection::list(ring.collect()).part(start, state.output.len());
+        watch.push(ring.seen_in(IN_AND_OUT));
         watch
     }
 }

@@ -72,7 +72,7 @@ pub fn triangles_section(whole: &Triangulation) -> Option<WatchSection> {
         .skip(skipped)
         .map(row)
         .collect();
-    (!rows.is_empty()).then(|| WatchSection::list(rows))
+    (!rows.is_empty()).then(|| WatchSection::list(rows).part(skipped, triangles.len()))
 }
 
 /// Corners, and the numbers of the vertices that they are.

@@ -129,7 +129,7 @@ pub fn watch(state: &State) -> Watch {
     watch
 }
 
-/// What is left: its name, how much it is, its vertices.
+/// What is left: its name, how much it is, those of its vertices that are about the one that is asked.
 fn left_over(state: &State) -> [WatchSection; 3] {
     let count = |key, n| WatchRow::new(Value::Term(key), Some(Value::Count(n)));
     let vertices = around_stand(state).into_iter().map(|i| {
@@ -140,18 +140,16 @@ fn left_over(state: &State) -> [WatchSection; 3] {
             None => row,
         }
     });
+    let counts = vec![
+        count("ear-n-left", state.ring.len()),
+        count("ear-n-triangles", state.cut_off.triangles().len()),
+    ];
+    let left = WatchRow::new(Value::Term("ear-left"), Some(ring_name(state)));
     [
-        vec![WatchRow::new(
-            Value::Term("ear-left"),
-            Some(ring_name(state)),
-        )],
-        vec![
-            count("ear-n-left", state.ring.len()),
-            count("ear-n-triangles", state.cut_off.triangles().len()),
-        ],
-        vertices.collect(),
+        WatchSection::list(vec![left]),
+        WatchSection::list(counts),
+        WatchSection::list(vertices.collect()).part(0, state.ring.len()),
     ]
-    .map(WatchSection::list)
 }
 
 const fn vertex_link(vertex_idx: usize) -> Link {
@@ -177,11 +175,11 @@ fn around_stand(state: &State) -> Vec<usize> {
         .collect()
 }
 
-/// `V₁V₂V₄V₅`, with dots where there are too many.
+/// `V₁V₂V₄V₅`, with dots where there are too many: it says the same until one of those that it names is cut off.
 fn ring_name(state: &State) -> Value {
-    let shown = vertices_name(around_stand(state));
+    let shown = vertices_name(state.ring.iter().take(MAX_ROWS));
     if state.ring.len() > MAX_ROWS {
-        name(format!("…{shown}…"))
+        name(format!("{shown}…"))
     } else {
         name(shown)
     }

@@ -40,3 +40,26 @@ fn of_a_long_ring_the_step_s_neighbourhood_is_shown() {
         assert_are_short(&at_step(&*run, step));
     }
 }
+
+#[test]
+fn a_vertex_that_comes_into_sight_has_not_changed() {
+    let run = run(&comb(100));
+    let mut in_sight = Vec::new();
+    for step in 0..=run.n_steps() {
+        let frame = run.frame(step);
+        let rows = frame.watch.iter().flat_map(|section| &section.rows);
+        let vertices =
+            rows.filter(|row| matches!(&row.name, Value::Name(name) if name.starts_with('V')));
+        for row in vertices {
+            assert!(!row.has_changed(), "step {step}: {row:?}");
+            if !in_sight.contains(&row.name) {
+                in_sight.push(row.name.clone());
+            }
+        }
+    }
+    assert!(
+        in_sight.len() > 50,
+        "the list has scrolled: {}",
+        in_sight.len()
+    );
+}
