@@ -8,7 +8,7 @@ use egui::{
 use crate::{
     lesson::Lesson,
     paint::theme,
-    widgets::{Look, lesson_text},
+    widgets::{Look, lesson_text, step_title},
 };
 
 use super::{Command, model::Model};
@@ -50,7 +50,7 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
         .show(ui, |ui| {
             padded(ui, |ui| {
                 ui.spacing_mut().item_spacing.y = 8.0;
-                ui.label(RichText::new(&step.title).text_style(theme::strong()));
+                step_title(ui, look, &step.title);
                 if !model.is_untouched {
                     changed(ui, look, commands);
                     ui.set_opacity(ASIDE);

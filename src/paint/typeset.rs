@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 use egui::{Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Vec2, pos2};
 
-use crate::text::{Catalog, Formula, Message, Value};
+use crate::text::{Catalog, Formula, Message, Piece, Value};
 
 use row::SetRow;
 use script::Script;
@@ -81,16 +81,26 @@ impl Typeset {
     #[must_use]
     pub fn wrapped(painter: &Painter, spans: &[Span], width: f32) -> Self {
         let script = Script::new(spans);
-        let whole = SetRow::new(painter, &script, 0..script.chars.len());
-        let rows = breaks::rows(&script.chars, &whole.places, width);
-        if rows.len() < 2 {
-            return Self::of_rows(&[whole], &script);
+        Self::of_rows(&wrapped(painter, &script, width), &script)
+    }
+
+    /// Running text: the same on lines that are at least so high. A line feed begins another line.
+    #[must_use]
+    pub fn running(painter: &Painter, spans: &[Span], width: f32, line_height: f32) -> Self {
+        let mut rows = Vec::new();
+        for line in lines(spans) {
+            rows.extend(wrapped(painter, &Script::new(&line), width));
+            if let Some(last) = rows.last_mut() {
+                last.ends_line = true;
+            }
         }
-        let rows: Vec<SetRow> = rows
-            .into_iter()
-            .map(|row| SetRow::new(painter, &script, row))
-            .collect();
-        Self::of_rows(&rows, &script)
+        if let Some(last) = rows.last_mut() {
+            last.ends_line = false;
+        }
+        Self {
+            galley: Arc::new(joined(&rows, line_height)),
+            ..Self::of_rows(&rows[..1], &Script::new(spans))
+        }
     }
 
     fn of_rows(rows: &[SetRow], script: &Script) -> Self {
@@ -101,7 +111,7 @@ impl Typeset {
         let baseline = rows.first().map_or(0.0, |row| row.baseline);
         let galley = match rows {
             [row] => row.galley.clone(),
-            _ => Arc::new(joined(rows)),
+            _ => Arc::new(joined(rows, 0.0)),
         };
         Self {
             galley,
@@ -156,8 +166,41 @@ impl Typeset {
     }
 }
 
-/// One galley of several rows.
-fn joined(rows: &[SetRow]) -> Galley {
+/// Rows of at most this width: at least one.
+fn wrapped(painter: &Painter, script: &Script, width: f32) -> Vec<SetRow> {
+    let whole = SetRow::new(painter, script, 0..script.chars.len());
+    let rows = breaks::rows(&script.chars, &whole.places, width);
+    if rows.len() < 2 {
+        return vec![whole];
+    }
+    let set = |row| SetRow::new(painter, script, row);
+    rows.into_iter().map(set).collect()
+}
+
+/// Spans of words, parted at line feeds.
+fn lines(spans: &[Span]) -> Vec<Vec<Span>> {
+    let mut lines = vec![Vec::new()];
+    for span in spans {
+        let text = Piece::plain(&span.pieces);
+        for (i, part) in text.split('\n').enumerate() {
+            if i > 0 {
+                lines.push(Vec::new());
+            }
+            let part = Span {
+                pieces: Piece::words(part),
+                ..span.clone()
+            };
+            lines
+                .last_mut()
+                .into_iter()
+                .for_each(|line| line.push(part.clone()));
+        }
+    }
+    lines
+}
+
+/// One galley of several rows, each at least so high.
+fn joined(rows: &[SetRow], least: f32) -> Galley {
     let mut whole = (*rows[0].galley).clone();
     let mut job = (*whole.job).clone();
     whole.rows.clear();
@@ -175,15 +218,20 @@ fn joined(rows: &[SetRow]) -> Galley {
             job.sections.push(section);
         }
         job.text.push_str(&row.galley.job.text);
+        if row.ends_line {
+            job.text.push('\n');
+        }
         for placed in &row.galley.rows {
             let mut placed = placed.clone();
-            placed.pos = pos2(placed.pos.x, top);
+            let leading = (least - placed.row.size.y).max(0.0);
+            placed.pos = pos2(placed.pos.x, top + (0.5 * leading).round());
+            placed.ends_with_newline = row.ends_line;
             whole.rect |= placed.rect();
             let bounds = placed.visuals.mesh_bounds.translate(placed.pos.to_vec2());
             whole.mesh_bounds |= bounds;
             whole.num_vertices += placed.visuals.mesh.vertices.len();
             whole.num_indices += placed.visuals.mesh.indices.len();
-            top += placed.row.size.y;
+            top += placed.row.size.y + leading;
             whole.rows.push(placed);
         }
     }

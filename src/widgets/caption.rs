@@ -92,6 +92,7 @@ impl CaptionLayout {
                 pieces: in_a_row(formulas),
                 font: font(theme::caption()),
                 colour: look.theme.soft,
+                italics: false,
             };
             Typeset::wrapped(painter, &[decision.clone(), arithmetic], room.x)
         };

@@ -1,13 +1,10 @@
 //! The text of a lesson step: paragraphs, lists, code, and answers that are shown when asked for.
 
-use egui::{
-    Align, Color32, FontId, Id, Label, RichText, TextFormat, TextStyle, Ui, UiBuilder,
-    style::ScrollAnimation, text::LayoutJob, vec2,
-};
+use egui::{Align, Id, Label, RichText, TextStyle, Ui, UiBuilder, style::ScrollAnimation, vec2};
 
 use crate::{
     lesson::{Block, BlockMarker, Inline},
-    paint::theme,
+    paint::{Span, Typeset, theme},
 };
 
 use super::Look;
@@ -20,9 +17,7 @@ pub fn lesson_text(ui: &mut Ui, look: Look<'_>, id: Id, blocks: &[Block], is_ans
     ui.spacing_mut().item_spacing.y = 8.0;
     for (i, block) in blocks.iter().enumerate() {
         match block {
-            Block::Paragraph(text) => {
-                ui.add(Label::new(job(ui, look, text)).selectable(true));
-            }
+            Block::Paragraph(text) => running(ui, look, text),
             Block::ListItem {
                 depth,
                 marker,
@@ -46,7 +41,7 @@ fn item(ui: &mut Ui, look: Look<'_>, depth: usize, marker: BlockMarker, text: &[
     let mut inner = row;
     inner.min.x += indent;
     let place = ui.scope_builder(UiBuilder::new().max_rect(inner), |ui| {
-        ui.add(Label::new(job(ui, look, text)).selectable(true));
+        running(ui, look, text);
     });
     let font = TextStyle::Body.resolve(ui.style());
     let at = place.response.rect.left_top();
@@ -85,29 +80,30 @@ fn answer(ui: &mut Ui, look: Look<'_>, id: Id, blocks: &[Block]) {
     ui.interact(rect, id, egui::Sense::hover());
 }
 
-fn job(ui: &Ui, look: Look<'_>, text: &[Inline]) -> LayoutJob {
-    let mut job = LayoutJob::default();
-    let body = TextStyle::Body.resolve(ui.style());
-    let line_height = Some((body.size * (1.0 + LEADING)).round());
-    let format = |font_id: FontId, color: Color32, italics: bool| TextFormat {
-        font_id,
-        color,
-        italics,
-        line_height,
-        valign: Align::BOTTOM,
-        ..TextFormat::default()
-    };
-    for part in text {
+/// Running text as a label: set as captions are, selected and read aloud as it is written.
+fn running(ui: &mut Ui, look: Look<'_>, text: &[Inline]) {
+    let spans = text.iter().map(|part| {
         let (style, colour) = match part {
             Inline { code: true, .. } => (TextStyle::Monospace, look.theme.ink),
             Inline { strong: true, .. } => (theme::strong(), look.theme.ink),
             _ => (TextStyle::Body, look.theme.soft),
         };
-        job.append(
-            &part.text,
-            0.0,
-            format(style.resolve(ui.style()), colour, part.emphasis),
-        );
-    }
-    job
+        let span = Span::text(&part.text, style.resolve(ui.style()), colour);
+        span.slanted(part.emphasis)
+    });
+    let spans: Vec<Span> = spans.collect();
+    let size = TextStyle::Body.resolve(ui.style()).size;
+    let line_height = (size * (1.0 + LEADING)).round();
+    let set = Typeset::running(ui.painter(), &spans, ui.available_width(), line_height);
+    ui.add(Label::new(set.galley()).selectable(true));
+}
+
+/// The title of a lesson's step, over its text.
+pub fn step_title(ui: &mut Ui, look: Look<'_>, title: &str) {
+    let text = Inline {
+        text: title.to_owned(),
+        strong: true,
+        ..Inline::default()
+    };
+    running(ui, look, &[text]);
 }

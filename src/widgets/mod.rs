@@ -29,7 +29,7 @@ pub use cost::{Bars, Cost, cost, most_of_a_kind};
 pub use handles::{Gesture, Moved, Snap, Spot, gripped};
 pub use hit::link_at;
 pub use icon::{Icon, icon_button};
-pub use lesson_text::lesson_text;
+pub use lesson_text::{lesson_text, step_title};
 pub use pan_zoom::PanZoom;
 pub use picker::{language_menu, theme_menu};
 pub use pseudocode::{CodeStep, CodeText, Pseudocode, code_view_switch};

@@ -32,6 +32,8 @@ pub struct SetRow {
     pub baseline: f32,
     /// Where each character begins and ends; a quotient's all where it does.
     pub places: Vec<[f32; 2]>,
+    /// Does a line feed follow?
+    pub ends_line: bool,
 }
 
 impl SetRow {
@@ -39,9 +41,15 @@ impl SetRow {
     pub fn new(painter: &Painter, script: &Script<'_>, range: Range<usize>) -> Self {
         let chars = &script.chars[range];
         let galley = painter.layout_job(job(script, chars));
-        let is_plain = chars
-            .iter()
-            .all(|char| char.form == Form::Full && char.quotient.is_none());
+        let size = |char: &Char| script.spans[char.span].font.size;
+        // Letters of two sizes stand on one line of letters, not on one bottom.
+        let is_of_one_size = chars
+            .windows(2)
+            .all(|pair| size(&pair[0]) == size(&pair[1]));
+        let is_plain = is_of_one_size
+            && chars
+                .iter()
+                .all(|char| char.form == Form::Full && char.quotient.is_none());
         match galley.rows.first() {
             Some(row) if row.glyphs.len() == chars.len() => {
                 let mut stacker = Stacker::new(painter, script, chars, &row.row);
@@ -55,6 +63,7 @@ impl SetRow {
                 baseline: galley.rows.first().map_or(0.0, |row| row.size.y),
                 places: vec![[0.0, galley.size().x]; chars.len()],
                 galley,
+                ends_line: false,
             },
         }
     }
@@ -71,7 +80,9 @@ fn job(script: &Script<'_>, chars: &[Char]) -> LayoutJob {
         let mut font = span.font.clone();
         font.size = size(script, first);
         let text: String = run.iter().map(|char| char.c).collect();
-        job.append(&text, 0.0, TextFormat::simple(font, span.colour));
+        let mut format = TextFormat::simple(font, span.colour);
+        format.italics = span.italics;
+        job.append(&text, 0.0, format);
         rest = after;
     }
     job
@@ -261,6 +272,7 @@ impl<'a> Stacker<'a> {
                 galley: galley.clone(),
                 baseline: self.baseline,
                 places: self.places,
+                ends_line: false,
             };
         }
         let out = (self.out * self.pixels_per_point).ceil() / self.pixels_per_point;
@@ -284,6 +296,7 @@ impl<'a> Stacker<'a> {
             galley: Arc::new(set),
             baseline: self.baseline + out,
             places: self.places,
+            ends_line: false,
         }
     }
 

@@ -13,9 +13,18 @@ pub struct Span {
     pub font: FontId,
     /// Its colour, also of the lines of its quotients.
     pub colour: Color32,
+    /// Slanted.
+    pub italics: bool,
 }
 
 impl Span {
+    /// Slanted or upright.
+    #[must_use]
+    pub const fn slanted(mut self, italics: bool) -> Self {
+        self.italics = italics;
+        self
+    }
+
     /// A value as it stands alone.
     #[must_use]
     pub fn value(catalog: &Catalog, value: &Value, font: FontId, colour: Color32) -> Self {
@@ -24,6 +33,7 @@ impl Span {
             pieces,
             font,
             colour,
+            italics: false,
         }
     }
 
@@ -35,6 +45,7 @@ impl Span {
             pieces,
             font,
             colour,
+            italics: false,
         }
     }
 
@@ -46,6 +57,7 @@ impl Span {
             pieces,
             font,
             colour,
+            italics: false,
         }
     }
 
@@ -57,6 +69,7 @@ impl Span {
             pieces,
             font,
             colour,
+            italics: false,
         }
     }
 }

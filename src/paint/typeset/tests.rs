@@ -165,6 +165,7 @@ fn no_line_breaks_within_a_coordinate_a_formula_or_a_term() {
             pieces: vec![Piece::Text("。".to_owned()), formula],
             font: FONT,
             colour: INK,
+            italics: false,
         });
         let plain: String = spans
             .iter()
@@ -205,6 +206,7 @@ fn a_formula_too_long_for_any_line_goes_on_before_a_relation() {
         pieces: vec![Piece::Kept(Catalog::of(Lang::En).formula_pieces(&sum))],
         font: FONT,
         colour: INK,
+        italics: false,
     };
     let typeset = set(|painter| Typeset::wrapped(painter, std::slice::from_ref(&span), 190.0));
     let lines: Vec<String> = typeset.galley.rows.iter().map(|row| row.text()).collect();
@@ -213,4 +215,44 @@ fn a_formula_too_long_for_any_line_goes_on_before_a_relation() {
     let typeset = set(|painter| Typeset::wrapped(painter, std::slice::from_ref(&code), 270.0));
     let lines: Vec<String> = typeset.galley.rows.iter().map(|row| row.text()).collect();
     assert_eq!(lines, ["if n·D > 0: t ← max(t, ", "n·w / n·D)"]);
+}
+
+#[test]
+fn running_text_has_its_subscripts_lowered_and_is_read_as_it_is_written() {
+    let words = "The left row pushes u_min to 1/2.\nThe top row pulls u_max down to 3/7.";
+    let small = FontId::monospace(18.0);
+    let spans = [
+        Span::text(words, FONT, INK),
+        Span::text(" 0100", small, INK).slanted(true),
+    ];
+    let typeset = set(|painter| Typeset::running(painter, &spans, 240.0, 30.0));
+    let galley = typeset.galley();
+    assert_eq!(galley.text(), format!("{words} 0100"));
+    assert!(galley.rows.len() > 2, "it is wrapped");
+    let tops: Vec<f32> = galley.rows.iter().map(|row| row.pos.y).collect();
+    assert!(
+        tops.windows(2).all(|pair| pair[1] - pair[0] >= 30.0 - 0.1),
+        "{tops:?}"
+    );
+    let ends: Vec<String> = galley.rows.iter().map(|row| row.text()).collect();
+    let first = ends
+        .iter()
+        .position(|row| row.ends_with("1/2."))
+        .expect("a line ends");
+    assert!(galley.rows[first].ends_with_newline);
+    let row = &galley.rows[0];
+    let bottom = |c: char| {
+        let (glyphs, _) = ink(row);
+        let of: Vec<f32> = glyphs
+            .iter()
+            .filter(|(glyph, _)| *glyph == c)
+            .map(|(_, at)| at.bottom())
+            .collect();
+        of.into_iter().fold(f32::NEG_INFINITY, f32::max)
+    };
+    assert!(
+        bottom('m') > bottom('T') + 1.0,
+        "min hangs below the line: {:?}",
+        row.text()
+    );
 }

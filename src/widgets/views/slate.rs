@@ -148,6 +148,7 @@ impl<'a> Slate<'a> {
             pieces,
             font,
             colour,
+            italics: false,
         };
         Typeset::line(self.painter, &[span])
     }

@@ -213,10 +213,10 @@ fn row_caption(
         Axis::Y => ["Δy", "y₁"],
     };
     let border = match edge {
-        Edge::Left => "xmin",
-        Edge::Right => "xmax",
-        Edge::Bottom => "ymin",
-        Edge::Top => "ymax",
+        Edge::Left => "x_min",
+        Edge::Right => "x_max",
+        Edge::Bottom => "y_min",
+        Edge::Top => "y_max",
     };
     let sign = if edge.is_max() { "" } else { "−" };
     let of_p = Formula::default()

@@ -195,10 +195,10 @@ fn side_row(edge: Edge, step: &Step<'_, LiangBarsky>, above: [f64; 2]) -> TableR
 /// p and q of a side: u · p ≤ q says that P(u) is inside it.
 const fn meaning(edge: Edge) -> [&'static str; 2] {
     match edge {
-        Edge::Left => ["−Δx", "x₁ − xmin"],
-        Edge::Right => ["Δx", "xmax − x₁"],
-        Edge::Bottom => ["−Δy", "y₁ − ymin"],
-        Edge::Top => ["Δy", "ymax − y₁"],
+        Edge::Left => ["−Δx", "x₁ − x_min"],
+        Edge::Right => ["Δx", "x_max − x₁"],
+        Edge::Bottom => ["−Δy", "y₁ − y_min"],
+        Edge::Top => ["Δy", "y_max − y₁"],
     }
 }
 
