@@ -97,8 +97,11 @@ impl Typeset {
         if let Some(last) = rows.last_mut() {
             last.ends_line = false;
         }
+        let mut galley = joined(&rows, line_height);
+        // A space at the end of a line takes no room.
+        galley.rect.max.x = galley.rect.max.x.min(width);
         Self {
-            galley: Arc::new(joined(&rows, line_height)),
+            galley: Arc::new(galley),
             ..Self::of_rows(&rows[..1], &Script::new(spans))
         }
     }

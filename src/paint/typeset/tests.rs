@@ -229,6 +229,10 @@ fn running_text_has_its_subscripts_lowered_and_is_read_as_it_is_written() {
     let galley = typeset.galley();
     assert_eq!(galley.text(), format!("{words} 0100"));
     assert!(galley.rows.len() > 2, "it is wrapped");
+    assert!(
+        galley.size().x <= 240.0,
+        "a panel as wide as its text stays as wide"
+    );
     let tops: Vec<f32> = galley.rows.iter().map(|row| row.pos.y).collect();
     assert!(
         tops.windows(2).all(|pair| pair[1] - pair[0] >= 30.0 - 0.1),
