@@ -117,7 +117,8 @@ impl WatchSection {
     fn is_new(&self, row_idx: usize, before: Option<&Self>) -> bool {
         let place = self.part.map_or(0, |part| part.first) + row_idx;
         match before {
-            None => self.part.is_none(),
+            // All of a list has begun; a part that shares no row with what was seen is another page of it.
+            None => self.part.is_none_or(|part| part.of == self.rows.len()),
             Some(before) => before.part.is_none_or(|part| place >= part.of),
         }
     }
@@ -220,6 +221,8 @@ mod tests {
         );
         let grown = list(&["V3", "V4", "V5"]).part(2, 5);
         assert_eq!(changed(grown, &before), [2], "V5 is new");
+        let begun = list(&["V1"]).part(0, 1);
+        assert_eq!(changed(begun, &list(&[]).part(0, 0)), [0], "the first");
         assert_eq!(
             changed(list(&["V7", "V8"]).part(6, 9), &before),
             [0; 0],
