@@ -3,7 +3,7 @@
 #![cfg(feature = "gui")]
 
 use clipscope::{
-    figure::Mark,
+    figure::{Mark, Shape},
     labs::Scene,
     lesson::Course,
     paint::{Headless, Obstacle, Placed, ThemeKind, Viewport, arrange},
@@ -13,6 +13,8 @@ use egui::{Pos2, Rect, Vec2, vec2};
 
 /// A page, and the stage of a window of 1280 by 720.
 const STAGES: [Vec2; 2] = [vec2(960.0, 540.0), vec2(768.0, 460.0)];
+/// The drawing of a comparison, and one beside tall lists: labels have hardly room.
+const SMALL: [Vec2; 3] = [vec2(420.0, 300.0), vec2(300.0, 320.0), vec2(200.0, 240.0)];
 /// Of the labels of the course so many, in percent, may have no place that is free, and stand in a halo.
 const MOST_HALOS_PERCENT: f64 = 2.0;
 
@@ -111,4 +113,54 @@ fn faults_of(placed: &[Placed], obstacles: &[Obstacle], stage: Rect) -> Vec<Stri
         }
     }
     faults
+}
+
+/// A code beside its region, or an inequality on the other side of its line, would be a false statement.
+#[test]
+fn no_label_of_a_region_or_a_half_plane_stands_elsewhere() {
+    let course = Course::embedded();
+    let (mut n_regions, mut n_sides, mut faults) = (0, 0, Vec::new());
+    for theme in [ThemeKind::Light, ThemeKind::Projector] {
+        let mut table = Headless::new(theme);
+        for step in course.lessons.iter().flat_map(|lesson| &lesson.steps) {
+            let bounds = step.scene.document().bounds();
+            for marks in drawings(&step.scene, step.position().expect("its moment comes")) {
+                for size in STAGES.into_iter().chain(SMALL) {
+                    let (placed, _) = place(&mut table, size, bounds, &marks);
+                    let viewport = Viewport::fit(Rect::from_min_size(Pos2::ZERO, size), bounds);
+                    let place = format!("{}, {theme}, {} wide", step.id, size.x);
+                    for mark in &marks {
+                        let Some(label) = &mark.label else { continue };
+                        let text = Catalog::of(Lang::En).value(&label.text);
+                        let mut same = placed.iter().filter(|placed| placed.text == text);
+                        let is_right = |placed: &Placed| match mark.shape {
+                            Shape::Region(corners) => lies_in(placed.rect, &viewport, corners),
+                            Shape::HalfPlane([a, b]) => {
+                                let at = viewport.to_world(placed.rect.center());
+                                // Where nothing else is said, the side that is not shaded, to the right.
+                                let [x, y] = label.toward.unwrap_or([b[1] - a[1], a[0] - b[0]]);
+                                (at[0] - a[0]) * x + (at[1] - a[1]) * y > 0.0
+                            }
+                            _ => true,
+                        };
+                        n_regions += usize::from(matches!(mark.shape, Shape::Region(_)));
+                        n_sides += usize::from(matches!(mark.shape, Shape::HalfPlane(_)));
+                        if !same.all(is_right) {
+                            faults.push(format!("{place}: {text}"));
+                        }
+                    }
+                }
+            }
+        }
+    }
+    assert!(n_regions > 1_000 && n_sides > 100, "{n_regions}, {n_sides}");
+    assert!(faults.is_empty(), "{} faults: {faults:#?}", faults.len());
+}
+
+fn lies_in(rect: Rect, viewport: &Viewport, [min, max]: [[f64; 2]; 2]) -> bool {
+    let half_a_pixel = 0.6 / viewport.scale;
+    [rect.min, rect.max].into_iter().all(|corner| {
+        let at = viewport.to_world(corner);
+        (0..2).all(|i| min[i] - half_a_pixel <= at[i] && at[i] <= max[i] + half_a_pixel)
+    })
 }

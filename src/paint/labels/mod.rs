@@ -22,7 +22,7 @@ use self::{
     anchor::Anchor,
     obstacles::obstacles,
     places::{LabelPlace, Lean, places},
-    text::{Setter, Text},
+    text::{INSIDE, Setter, Text},
 };
 
 pub use self::obstacles::Obstacle;
@@ -33,6 +33,10 @@ const MOST_LABELS: usize = 160;
 const ROUNDS: usize = 3;
 /// Space that two labels keep between them, in points.
 const APART: Vec2 = vec2(5.0, 2.0);
+/// What it costs a label to be cut off.
+const UNSEEN: f32 = 1_000.0;
+/// What it costs a label to stand where it says what is not true: more than anything else.
+const WRONG: f32 = 100_000.0;
 /// Points nearer than this are one, and its names one label.
 const SAME_POINT: f32 = 0.5;
 
@@ -93,18 +97,23 @@ impl Labels {
             taken: Vec::new(),
         };
         table.fill();
-        let placed = waiting.iter().zip(&table.taken).map(|(label, place)| {
-            let rect = place.rect;
-            Placed {
-                text: label.text.plain.clone(),
-                rect,
-                has_halo: obstacles.iter().any(|obstacle| obstacle.covers(rect)),
-                leader: place.leader,
-            }
-        });
+        let places = waiting.into_iter().zip(table.taken);
+        // What has a place only where it would be wrong is better not said.
+        let places = places.filter(|(_, place)| place.cost < WRONG);
+        let (texts, placed) = places
+            .map(|(label, Candidate { rect, leader, .. })| {
+                let placed = Placed {
+                    text: label.text.plain.clone(),
+                    rect,
+                    has_halo: obstacles.iter().any(|obstacle| obstacle.covers(rect)),
+                    leader,
+                };
+                (label.text, placed)
+            })
+            .unzip();
         Self {
-            placed: placed.collect(),
-            texts: waiting.into_iter().map(|label| label.text).collect(),
+            texts,
+            placed,
             obstacles,
         }
     }
@@ -135,7 +144,14 @@ fn waiting(setter: Setter<'_>, viewport: &Viewport, marks: &[Mark]) -> Vec<Waiti
         let Some(anchor) = Anchor::of(viewport, setter.theme, mark) else {
             continue;
         };
-        let text = setter.set(label, mark.role);
+        let text = match anchor {
+            // A region's label beside the region would say what is not true.
+            Anchor::Inside(region) => setter.set_in(region.size(), label, mark.role),
+            Anchor::Point(..) | Anchor::Along(_) | Anchor::Within(_) => {
+                Some(setter.set(label, mark.role))
+            }
+        };
+        let Some(text) = text else { continue };
         let rank = rank(label, &anchor, mark.role);
         let same = waiting
             .iter_mut()
@@ -223,11 +239,22 @@ fn candidates(label: &Waiting, stage: Rect, obstacles: &[Obstacle]) -> Vec<Candi
         let touching = nearby.iter().filter(|it| it.bounds().intersects(near));
         let covered: f32 = touching.map(|obstacle| obstacle.cost(rect)).sum();
         let is_seen = stage.shrink(3.0).contains_rect(rect);
+        let is_inside = match label.anchor {
+            Anchor::Inside(region) => region.expand(0.5).contains_rect(rect.expand2(INSIDE)),
+            Anchor::Point(..) | Anchor::Along(_) | Anchor::Within(_) => true,
+        };
         let leader = place.leader.map(|from| [from, rect.clamp(from)]);
         Candidate {
             rect,
             leader,
-            cost: place.dislike + covered + if is_seen { 0.0 } else { 1_000.0 },
+            cost: place.dislike
+                + covered
+                + if is_seen { 0.0 } else { UNSEEN }
+                + if is_inside && !place.is_wrong {
+                    0.0
+                } else {
+                    WRONG
+                },
         }
     };
     let mut candidates: Vec<Candidate> = places.into_iter().map(of_place).collect();

@@ -12,6 +12,8 @@ pub struct LabelPlace {
     pub centre: Pos2,
     /// In points of distance that it would rather go.
     pub dislike: f32,
+    /// On the wrong side of a line, where a label says what is not true.
+    pub is_wrong: bool,
     /// So far off that a thin line has to lead there, from here.
     pub leader: Option<Pos2>,
 }
@@ -48,9 +50,6 @@ const ASIDE: [f32; 3] = [5.0, 9.0, 15.0];
 const ACROSS: [f32; 9] = [0.5, 0.38, 0.62, 0.26, 0.74, 0.14, 0.86, 0.02, 0.98];
 /// Half of what it costs a corner's label to stand in the corner and not outside.
 const TURNED: f32 = 5.0;
-/// On the wrong side of a line, a label says what is not true.
-const WRONG_SIDE: f32 = 400.0;
-
 /// To which side of its anchor a label goes, on the screen.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct Lean {
@@ -113,10 +112,8 @@ fn around(at: Pos2, radius: f32, half: Vec2, lean: Lean) -> Vec<LabelPlace> {
             let turned = lean.away.map_or(0.0, |away| 1.0 - away.dot(direction));
             places.push(LabelPlace {
                 centre: at + half * corner + direction * (radius + gap),
-                dislike: dislike
-                    + TURNED * turned
-                    + 1.5 * (gap - GAPS[0])
-                    + if is_wrong { WRONG_SIDE } else { 0.0 },
+                dislike: dislike + TURNED * turned + 1.5 * (gap - GAPS[0]),
+                is_wrong,
                 leader: (gap > LED).then(|| at + direction * radius),
             });
         }
@@ -146,11 +143,8 @@ fn beside(
                 let centre = at + along * moved.dot(along);
                 places.push(LabelPlace {
                     centre,
-                    dislike: dislike
-                        + 1.2 * i as f32
-                        + k as f32
-                        + 0.8 * (gap - ASIDE[0])
-                        + if is_wrong { WRONG_SIDE } else { 0.0 },
+                    dislike: dislike + 1.2 * i as f32 + k as f32 + 0.8 * (gap - ASIDE[0]),
+                    is_wrong,
                     leader: None,
                 });
             }
@@ -171,6 +165,7 @@ fn inside(rect: Rect, half: Vec2) -> Vec<LabelPlace> {
                     inner.top() + y * inner.height(),
                 ),
                 dislike: 3.0 * row as f32 + column as f32,
+                is_wrong: false,
                 leader: None,
             });
         }
@@ -182,6 +177,7 @@ fn inside(rect: Rect, half: Vec2) -> Vec<LabelPlace> {
             places.push(LabelPlace {
                 centre: place.centre + by * Vec2::X,
                 dislike: place.dislike + 2.0,
+                is_wrong: false,
                 leader: None,
             });
         }
@@ -195,6 +191,7 @@ fn near(middle: Pos2, half: Vec2) -> Vec<LabelPlace> {
     places.push(LabelPlace {
         centre: middle,
         dislike: 0.0,
+        is_wrong: false,
         leader: None,
     });
     for place in &mut places {

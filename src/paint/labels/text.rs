@@ -15,6 +15,10 @@ use crate::{
 
 /// Space above and below that belongs to the line, not to its letters, as a part of the letters' size.
 const LEADING: f32 = 0.08;
+/// A label that has to lie in a region may be smaller by these parts.
+const SHRUNK: [f32; 4] = [1.0, 0.9, 0.8, 0.7];
+/// White space between such a label and the region's border.
+pub const INSIDE: Vec2 = vec2(2.0, 1.0);
 /// Reach of a halo, in points, and the rings of copies that it is made of.
 const HALO: f32 = 4.0;
 const HALO_RINGS: [(f32, usize); 2] = [(0.5, 8), (0.9, 16)];
@@ -39,10 +43,26 @@ pub struct Text {
 }
 
 impl Setter<'_> {
-    /// A mark's label.
+    /// A mark's label, as large as such labels are.
     pub fn set(&self, label: &Label, role: Role) -> Text {
+        self.set_at(1.0, label, role)
+    }
+
+    /// The same in a room that it may have to be smaller for; `None` where it would be too small to be read.
+    pub fn set_in(&self, room: Vec2, label: &Label, role: Role) -> Option<Text> {
+        let sizes = SHRUNK
+            .into_iter()
+            .map(|part| self.set_at(part, label, role));
+        sizes.into_iter().find(|text| {
+            let size = text.size() + 2.0 * INSIDE;
+            size.x <= room.x && size.y <= room.y
+        })
+    }
+
+    fn set_at(&self, part: f32, label: &Label, role: Role) -> Text {
         let plain = self.catalog.value(&label.text);
-        let (font, colour) = (font(label, self.theme), text_colour(self.theme, role));
+        let (mut font, colour) = (font(label, self.theme), text_colour(self.theme, role));
+        font.size *= part;
         let spans = match label.lit {
             Some(lit) => self.spans_lit(&plain, lit, &font, colour),
             None => vec![Span::value(self.catalog, &label.text, font, colour)],
