@@ -20,7 +20,7 @@ use super::{
     pen::{Pen, radius},
 };
 
-/// Draws the marks, then their labels where they cover nothing. What is about `lit` stands out.
+/// Draws the marks, then their labels where they cover nothing: where they stand. What is about `lit` stands out.
 pub fn stage(
     painter: &Painter,
     viewport: &Viewport,
@@ -28,7 +28,7 @@ pub fn stage(
     catalog: &Catalog,
     marks: &[Mark],
     lit: Option<Link>,
-) {
+) -> Vec<Placed> {
     let painter = &painter.with_clip_rect(viewport.rect);
     let stage = Stage {
         painter,
@@ -47,7 +47,9 @@ pub fn stage(
             | Layer::Marker => stage.part(piece),
         }
     }
-    Labels::new(painter, viewport, theme, catalog, (marks, &pieces)).draw(painter, theme);
+    let labels = Labels::new(painter, viewport, theme, catalog, (marks, &pieces));
+    labels.draw(painter, theme);
+    labels.placed
 }
 
 /// Where the labels of these marks would stand, and what they keep off.

@@ -121,7 +121,7 @@ impl Canvas<'_> {
             grid::draw(&painter, &viewport, step, theme.hairline);
         }
         handles.draw_idle(ui, &painter, &response);
-        paint::stage(
+        let labels = paint::stage(
             &painter,
             &viewport,
             theme,
@@ -130,7 +130,7 @@ impl Canvas<'_> {
             self.lit,
         );
         if self.has_grid {
-            grid::scale(&painter, &viewport, step, self.look);
+            grid::scale(&painter, &viewport, step, (self.look, &labels));
         }
         if let Some(pointed) = &self.pointed {
             let marks = std::slice::from_ref(pointed);

@@ -2,7 +2,10 @@
 
 use egui::{Align2, Color32, FontId, Mesh, Painter, Pos2, Rect, Shape, Vec2, pos2, vec2};
 
-use crate::{paint::Viewport, text::Notation};
+use crate::{
+    paint::{Placed, Viewport},
+    text::Notation,
+};
 
 use super::Look;
 
@@ -19,7 +22,12 @@ const FROM_EDGE: f32 = 4.0;
 const MOST_NUMBERS: f64 = 200.0;
 
 /// Writes the coordinates of the grid's lines along the lower and the left edge.
-pub fn scale(painter: &Painter, viewport: &Viewport, step: f64, look: Look<'_>) {
+pub fn scale(
+    painter: &Painter,
+    viewport: &Viewport,
+    step: f64,
+    (look, labels): (Look<'_>, &[Placed]),
+) {
     let rect = viewport.rect;
     let lines = (BETWEEN / (step * viewport.scale)).ceil().max(1.0);
     // Of grids of 1, 2 or 5 every fifth line has a round number, of others it has one, too.
@@ -51,6 +59,11 @@ pub fn scale(painter: &Painter, viewport: &Viewport, step: f64, look: Look<'_>) 
             colour,
         );
         let place = align.anchor_size(at, text.size());
+        // A number gives way to what the figure says.
+        let is_taken = |label: &Placed| label.rect.intersects(place.expand(4.0));
+        if labels.iter().any(is_taken) {
+            return;
+        }
         painter.rect_filled(place.expand2(vec2(2.0, 0.0)), 0.0, ground);
         painter.galley(place.min, text, colour);
     };

@@ -76,7 +76,7 @@ free-from-course = Scenes of the course
 action-help = Help
 action-undo = Undo
 action-redo = Redo
-save-exists = This file exists already and is another than the one that was opened.
+save-exists = This file already exists and is not the one that was opened.
 action-replace = Replace it
 action-save = Save
 action-export = Export this figure
@@ -148,7 +148,7 @@ faulty-title = What is wrong here?
 faulty-unnamed = A student’s program
 differs-from = differs from step { $step } on
 differs-nowhere = same steps on this input
-run-later = Let go: the run of so large a scene is recorded again then.
+run-later = The scene is too large to follow a drag: its run is recorded when you let go.
 
 ## Views beside the drawing
 

@@ -70,7 +70,7 @@ action-present-leave = Salir de la presentación
 action-free = Escena libre
 action-course = Volver al curso
 free-title = Escena libre
-free-about = Tu propia escena: nada está bloqueado y se conserva.
+free-about = Tu propia escena: no hay nada bloqueado y la escena se conserva.
 free-back = ← {$lesson}
 free-from-course = Escenas del curso
 action-help = Ayuda
@@ -81,7 +81,7 @@ action-replace = Reemplazarlo
 action-save = Guardar
 action-export = Exportar esta figura
 action-reset = Restablecer
-action-fit = Encajar
+action-fit = Encuadrar
 handle-locked = { $name } no se puede mover en este paso.
 action-reset-view = Encuadrar todo
 action-close = Cerrar
@@ -97,7 +97,7 @@ help-ends = Primer o último paso
 help-play = Reproducir o pausar
 help-reset = Restablecer la escena
 help-lesson-step = Paso anterior o siguiente de la lección
-help-drag = Arrastra cualquier tirador, en cualquier paso: la ejecución se vuelve a grabar
+help-drag = Arrastra cualquier tirador, en cualquier paso: la ejecución se vuelve a registrar
 
 ## What the program reports
 

@@ -9,8 +9,8 @@ cli-exported =
     }
 cli-checked =
     { $count ->
-        [one] { $count } lección en orden
-       *[other] { $count } lecciones en orden
+        [one] { $count } lección sin errores
+       *[other] { $count } lecciones sin errores
     }
 cli-refused =
     { $count ->
@@ -18,7 +18,7 @@ cli-refused =
        *[other] Se rechazaron { $count } entradas
     }
 cli-unreadable = No se pudo leer { $path }: { $reason }
-cli-nothing = No hay nada que hacer.
+cli-nothing = No hay nada que procesar.
 
 ## Wrong usage
 
@@ -28,10 +28,10 @@ usage-value-missing = { $name } necesita un valor.
 usage-wrong-value = { $name } no puede ser «{ $value }».
 usage-argument-missing = Falta { $name }.
 usage-conflict = { $name } no se puede usar con { $other }.
-usage-expected = Posibles: { $expected }.
+usage-expected = Valores posibles: { $expected }.
 usage-expected-size = Se esperaba ANCHOxALTO, de 64x64 a { $most }, como 1920x1080.
 usage-expected-scale = Se esperaba un número de 0.25 a 8.
-usage-see-help = --help muestra lo que hay, con ejemplos.
+usage-see-help = --help muestra las órdenes y opciones, con ejemplos.
 
 ## What the refusal of a case says; the JSON answer has the English sentence
 
@@ -40,7 +40,7 @@ case-not-utf8 = La línea no es UTF-8: véase el byte { $byte }.
 case-line-too-long = La línea tiene más de { $max } MiB.
 case-bad-id = El id está anidado en exceso o contiene un texto que no es Unicode.
 case-repeated-field = El campo «{ $name }» aparece dos veces.
-case-unknown-algorithm = No hay ningún algoritmo «{ $name }». Los hay: { $expected }.
+case-unknown-algorithm = No hay ningún algoritmo «{ $name }». Disponibles: { $expected }.
 case-unknown-field = No hay ningún campo «{ $name }» en { $algorithm }. Admite: { $expected }.
 case-missing-field = Falta el campo «{ $name }».
 case-missing-choice = Falta uno de estos campos: { $fields }.
@@ -81,7 +81,7 @@ case-triangles =
 
 ## Reports: the step table of a case
 
-report-title = Hoja de respuestas
+report-title = Solucionario
 report-case = Caso { $number }
 report-case-id = Caso { $number } ({ $id })
 report-source = fuente

@@ -49,7 +49,7 @@ system-busy = otro programa lo está usando
 system-no-files = aquí no hay archivos
 system-number = el sistema indica el error { $number }
 system-silent = el sistema no da ningún motivo
-error-typed-place = se esperaba { $count ->
-    [1] un número
-   *[other] { $count } números
+error-typed-place = { $count ->
+    [1] se esperaba un número
+   *[other] se esperaban { $count } números
 }, como −1.5 o 1/4, pero se escribió { $typed }

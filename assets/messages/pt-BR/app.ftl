@@ -82,7 +82,7 @@ action-save = Salvar
 action-export = Exportar esta figura
 action-reset = Redefinir
 action-fit = Enquadrar
-handle-locked = { $name } está travado neste passo.
+handle-locked = Não é possível mover { $name } neste passo.
 action-reset-view = Enquadrar tudo
 action-close = Fechar
 action-cancel = Cancelar
@@ -97,7 +97,7 @@ help-ends = Primeiro ou último passo
 help-play = Reproduzir ou pausar
 help-reset = Redefinir a cena
 help-lesson-step = Passo anterior ou próximo da lição
-help-drag = Arraste qualquer ponto de controle, em qualquer passo: a execução é gravada de novo
+help-drag = Arraste qualquer ponto de controle, em qualquer passo: a execução é registrada de novo
 
 ## What the program reports
 

@@ -9,8 +9,8 @@ cli-exported =
     }
 cli-checked =
     { $count ->
-        [one] { $count } lição em ordem
-       *[other] { $count } lições em ordem
+        [one] { $count } lição sem erros
+       *[other] { $count } lições sem erros
     }
 cli-refused =
     { $count ->
@@ -28,10 +28,10 @@ usage-value-missing = { $name } precisa de um valor.
 usage-wrong-value = { $name } não pode ser “{ $value }”.
 usage-argument-missing = Falta { $name }.
 usage-conflict = { $name } não pode ser usado com { $other }.
-usage-expected = Possíveis: { $expected }.
+usage-expected = Valores possíveis: { $expected }.
 usage-expected-size = Esperava-se LARGURAxALTURA, de 64x64 a { $most }, como 1920x1080.
 usage-expected-scale = Esperava-se um número de 0.25 a 8.
-usage-see-help = --help mostra o que há, com exemplos.
+usage-see-help = --help mostra os comandos e opções, com exemplos.
 
 ## What the refusal of a case says; the JSON answer has the English sentence
 
@@ -40,7 +40,7 @@ case-not-utf8 = A linha não é UTF-8: veja o byte { $byte }.
 case-line-too-long = A linha tem mais de { $max } MiB.
 case-bad-id = O id está aninhado em excesso ou contém um texto que não é Unicode.
 case-repeated-field = O campo “{ $name }” aparece duas vezes.
-case-unknown-algorithm = Não há nenhum algoritmo “{ $name }”. Existem: { $expected }.
+case-unknown-algorithm = Não há nenhum algoritmo “{ $name }”. Disponíveis: { $expected }.
 case-unknown-field = Não há nenhum campo “{ $name }” em { $algorithm }. Ele aceita: { $expected }.
 case-missing-field = Falta o campo “{ $name }”.
 case-missing-choice = Falta um destes campos: { $fields }.

@@ -8,7 +8,7 @@ error-too-few-vertices = Um polígono precisa de pelo menos três vértices.
 error-degenerate = A figura é degenerada: não tem extensão onde precisa.
 error-not-convex = O polígono de recorte deve ser convexo: este algoritmo conserva o que fica do lado interno de todas as arestas.
 error-self-intersecting = O polígono cruza a si mesmo.
-error-edges-meet = O contorno não pode encontrar a si mesmo: as arestas { $first } e { $second } se cruzam, se tocam ou se sobrepõem.
+error-edges-meet = O contorno não pode tocar nem cruzar a si mesmo: as arestas { $first } e { $second } se cruzam, se tocam ou se sobrepõem.
 error-misplaced-hole = O furo { $hole } deve ficar dentro do contorno, sem tocar suas arestas nem qualquer outro furo.
 error-at = { $place }: { $problem }
 
@@ -49,7 +49,7 @@ system-busy = outro programa o está usando
 system-no-files = aqui não há arquivos
 system-number = o sistema relata o erro { $number }
 system-silent = o sistema não dá nenhum motivo
-error-typed-place = era esperado { $count ->
-    [1] um número
-   *[other] { $count } números
+error-typed-place = { $count ->
+    [1] era esperado um número
+   *[other] eram esperados { $count } números
 }, como −1.5 ou 1/4, mas foi digitado { $typed }

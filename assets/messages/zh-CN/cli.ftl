@@ -3,14 +3,14 @@
 ## Results
 
 cli-exported = 已将 { $count } 幅图导出到 { $path }
-cli-checked = { $count } 课检查通过
+cli-checked = { $count } 节课检查通过
 cli-refused = 拒绝了 { $count } 项输入
 cli-unreadable = 无法读取 { $path }：{ $reason }
 cli-nothing = 没有要处理的内容。
 
 ## Wrong usage
 
-usage-no-such-command = 没有“{ $name }”这种用法。
+usage-no-such-command = 没有名为“{ $name }”的用法。
 usage-no-such-argument = 这里不接受“{ $name }”。
 usage-value-missing = { $name } 需要一个值。
 usage-wrong-value = { $name } 不能是“{ $value }”。

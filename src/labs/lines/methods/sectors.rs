@@ -16,8 +16,13 @@ use crate::{
 
 use super::shared::side_key;
 
-/// A sector that is narrower than this part of the window, from its middle to its side, has no room for a name.
-const NARROW: f64 = 0.3;
+/// Half of the room that a sector's name wants, as a part of the window's smaller side; and the steps in which it may get
+/// less.
+const ROOM: DVec2 = DVec2::new(0.4, 0.1);
+const N_ROOMS: u32 = 10;
+const LEAST_ROOM: u32 = 4;
+/// How far beyond the window's corners it may be, as parts of the window's diagonal.
+const BEYOND: [f64; 4] = [0.05, 0.1, 0.15, 0.25];
 
 /// The rays from P₁ through the corners, and the names of the sectors between them.
 pub fn marks(p1: Point, window: &Window) -> Vec<Mark> {
@@ -43,18 +48,46 @@ pub fn marks(p1: Point, window: &Window) -> Vec<Mark> {
         let Some(name) = name(eye, eye + along * (10.0 * size.length()), window) else {
             continue;
         };
-        let far = a.length().max(b.length()) + 0.15 * size.length();
-        let place = eye + along * far;
-        // A name that reached into the next sector would be that one's.
-        let half_width = far * along.perp_dot(a.normalize_or_zero()).abs();
-        let room = (0.2 * size.min_element()).min(0.5 * half_width);
-        if half_width < NARROW * size.min_element() {
+        let Some(corners) = room_for_name(eye, [a, b], along, window) else {
             continue;
-        }
-        let corners = [place - room, place + room].map(|p| p.to_array());
+        };
+        let corners = corners.map(|p| p.to_array());
         marks.push(Mark::new(Role::Faint, Shape::Region(corners)).labelled(name));
     }
     marks
+}
+
+/// Where the name of the sector between two directions stands: beyond the window, the largest place that reaches
+/// neither into the window nor into the next sector; of those as large the nearest.
+fn room_for_name(
+    eye: DVec2,
+    [a, b]: [DVec2; 2],
+    along: DVec2,
+    window: &Window,
+) -> Option<[DVec2; 2]> {
+    let [min, max] = [window.min(), window.max()].map(|p| DVec2::from(p.to_array()));
+    let size = max - min;
+    let turn = a.perp_dot(b).signum();
+    let is_in = |at: DVec2| {
+        let seen = at - eye;
+        turn * a.perp_dot(seen) >= 0.0 && turn * seen.perp_dot(b) >= 0.0
+    };
+    let mut best: Option<(u32, [DVec2; 2])> = None;
+    for beyond in BEYOND {
+        let place = eye + along * (a.length().max(b.length()) + beyond * size.length());
+        let largest = (LEAST_ROOM..=N_ROOMS).rev().find_map(|i| {
+            let room = ROOM * size.min_element() * f64::from(i) / f64::from(N_ROOMS);
+            let [from, to] = [place - room, place + room];
+            let upright = room * DVec2::new(1.0, -1.0);
+            let is_sectors = [from, to, place + upright, place - upright].map(is_in) == [true; 4];
+            let is_beyond = to.cmplt(min).any() || from.cmpgt(max).any();
+            (is_sectors && is_beyond).then_some((i, [from, to]))
+        });
+        if largest.map(|(i, _)| i) > best.map(|(i, _)| i) {
+            best = largest;
+        }
+    }
+    best.map(|(_, corners)| corners)
 }
 
 /// The corners as seen from a point, counter-clockwise; a corner at the point itself is left out.
