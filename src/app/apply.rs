@@ -68,6 +68,7 @@ impl App {
                 self.apply_dialog(ctx, command, now);
             }
             Command::Present
+            | Command::Projector
             | Command::Cancel
             | Command::Course
             | Command::Inspector
@@ -212,8 +213,9 @@ impl App {
         let is_narrow = is_narrow(size);
         let has_strip = wants_strip(self.look().theme, size.x);
         match *command {
-            Command::Present => self.shown.presenting ^= true,
-            Command::Cancel => self.cancel(),
+            Command::Present => self.present(ctx),
+            Command::Projector => self.toggle_projector(),
+            Command::Cancel => self.cancel(ctx),
             Command::Course if is_narrow => self.shown.room = self.shown.room.toggled(Room::Course),
             Command::Inspector if is_narrow => {
                 self.shown.room = self.shown.room.toggled(Room::Inspector);
@@ -234,7 +236,14 @@ impl App {
         }
     }
 
-    fn cancel(&mut self) {
+    fn cancel(&mut self, ctx: &Context) {
+        if self.leave_presentation(ctx) {
+            // Whatever else was on the screen; half an outline is still there to be gone on with.
+            (self.stage.typing, self.shown.dialog) = (None, None);
+            self.shown.is_measuring = false;
+            self.notices.clear();
+            return;
+        }
         if self.stage.typing.take().is_some()
             || self.shown.dialog.take().is_some()
             || self.stage.sketch.take().is_some()
@@ -248,7 +257,6 @@ impl App {
             self.notices.clear();
             return;
         }
-        self.shown.presenting = false;
         self.shown.room = Room::Stage;
         self.stage.selected = None;
     }

@@ -1,23 +1,23 @@
 //! The bar at the top and the transport at the bottom.
 
-use egui::{Align, Button, Layout, Rect, RichText, Ui, UiBuilder, pos2, vec2};
+use egui::{Align, Button, Layout, Popup, Rect, RichText, Ui, UiBuilder, pos2, vec2};
 
 use crate::{
     labs::Lab,
     lesson::CodeView,
-    paint::theme,
-    panels::{LabPanel, PanelAsk, compare_picker, method_picker, panel_of},
+    paint::{ThemeKind, theme},
+    panels::{LabPanel, compare_picker, method_picker},
     text::{Message, Value},
     widgets::{
-        Icon, Look, Press, Timeline, caption_text, icon_button, language_menu, speed_menu,
-        theme_menu, transport_buttons, transport_width,
+        Icon, Look, Press, Timeline, caption_text, icon_button, menu_style, speed_menu,
+        transport_buttons, transport_width,
     },
 };
 
 use super::{
-    Command,
+    Command, menus,
     model::Model,
-    room::{COURSE, CoursePart, Room},
+    room::{COURSE, CoursePart, Room, transport_has_room},
 };
 
 /// Name, labs and methods at the left; menus at the right.
@@ -33,9 +33,13 @@ pub fn top(
         ui.spacing_mut().item_spacing.x = 4.0;
         if model.is_narrow {
             sides(model, ui, commands);
-            icon_menu(model, ui, panels, commands);
+            menus::behind_one_button(model, ui, panels, commands);
         } else {
-            menus(model, ui, panels, commands);
+            menus::in_a_row(model, ui, panels, commands);
+            let is_all = model.course == CoursePart::Whole && model.settings.inspector;
+            if !is_all || model.has_strip {
+                sides(model, ui, commands);
+            }
         }
         let right = ui.available_rect_before_wrap().right();
         let left = Rect::from_min_max(bar.min, pos2(right - 8.0, bar.bottom()));
@@ -95,72 +99,15 @@ fn tab(
 fn pickers(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
     let edit = method_picker(ui, model.look, model.scene, model.code == CodeView::Hidden);
     commands.extend(edit.map(|edit| Command::Edit(edit, None)));
-    if ui.available_width() > 150.0 * model.look.theme.text_scale {
+    let has_room = ui.available_width() > 150.0 * model.look.theme.text_scale;
+    menus::compare_is_in_the_bar(ui.ctx(), has_room);
+    if has_room {
         let edit = compare_picker(ui, model.look, model.scene);
         commands.extend(edit.map(|edit| Command::Edit(edit, None)));
     }
 }
 
-/// From right to left.
-fn menus(
-    model: &Model<'_>,
-    ui: &mut Ui,
-    panels: &mut [Box<dyn LabPanel>],
-    commands: &mut Vec<Command>,
-) {
-    let look = model.look;
-    if ui.button(look.say("action-present")).clicked() {
-        commands.push(Command::Present);
-    }
-    ui.menu_button(look.say("settings-theme"), |ui| {
-        commands.extend(theme_menu(ui, look).map(Command::Theme));
-    });
-    ui.menu_button(model.settings.lang.native_name(), |ui| {
-        commands.extend(language_menu(ui, model.settings.lang).map(Command::Language));
-    });
-    ui.menu_button(look.say("panel-scene"), |ui| {
-        scene(model, ui, panels, commands);
-    });
-    let is_all = model.course == CoursePart::Whole && model.settings.inspector;
-    if !is_all || model.has_strip {
-        sides(model, ui, commands);
-    }
-}
-
-/// Everything that the wide bar holds, behind one button.
-fn icon_menu(
-    model: &Model<'_>,
-    ui: &mut Ui,
-    panels: &mut [Box<dyn LabPanel>],
-    commands: &mut Vec<Command>,
-) {
-    let look = model.look;
-    let button = icon_button(ui, look, Icon::More, &look.say("menu-more"), true);
-    egui::Popup::menu(&button).show(|ui| {
-        for panel in &*panels {
-            let lab = panel.lab();
-            let is_open = model.scene.document().lab() == lab;
-            if ui.radio(is_open, look.say(lab.name_key())).clicked() && !is_open {
-                commands.push(Command::Lab(lab.id()));
-                ui.close();
-            }
-        }
-        ui.separator();
-        ui.menu_button(look.say("panel-scene"), |ui| {
-            scene(model, ui, panels, commands);
-        });
-        ui.menu_button(look.say("settings-theme"), |ui| {
-            commands.extend(theme_menu(ui, look).map(Command::Theme));
-        });
-        ui.menu_button(model.settings.lang.native_name(), |ui| {
-            commands.extend(language_menu(ui, model.settings.lang).map(Command::Language));
-        });
-        if ui.button(look.say("action-present")).clicked() {
-            commands.push(Command::Present);
-        }
-    });
-}
-
+/// Buttons that show and hide the side panels.
 fn sides(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
     for (icon, key, command) in SIDES.iter().rev() {
         let is_open = match command {
@@ -180,71 +127,6 @@ fn sides(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
         if button.clicked() {
             commands.push(command.clone());
         }
-    }
-}
-
-fn scene(
-    model: &Model<'_>,
-    ui: &mut Ui,
-    panels: &mut [Box<dyn LabPanel>],
-    commands: &mut Vec<Command>,
-) {
-    let look = model.look;
-    let panel = panel_of(panels, model.scene);
-    let asked = panel.and_then(|panel| panel.menu(ui, look, model.scene));
-    commands.extend(asked.map(asked_of));
-    let mut snap = model.settings.snap;
-    if ui.checkbox(&mut snap, look.say("settings-snap")).changed() {
-        commands.push(Command::Snap(snap));
-    }
-    ui.separator();
-    let mut action = |ui: &mut Ui, key: &str, keys: &str, enabled: bool, command: Command| {
-        let button =
-            Button::new(look.say(key)).right_text(RichText::new(keys).color(look.theme.soft));
-        if ui.add_enabled(enabled, button).clicked() {
-            commands.push(command);
-        }
-    };
-    action(
-        ui,
-        "action-undo",
-        "Ctrl+Z",
-        model.can_travel[0],
-        Command::Undo,
-    );
-    action(
-        ui,
-        "action-redo",
-        "Ctrl+Shift+Z",
-        model.can_travel[1],
-        Command::Redo,
-    );
-    action(ui, "action-reset", "R", true, Command::Reset);
-    let free = if model.bookmark.free().is_some() {
-        "action-course"
-    } else {
-        "action-free"
-    };
-    action(ui, free, "F8", true, Command::Free);
-    action(ui, "action-reset-view", "0", true, Command::FitView);
-    ui.separator();
-    action(ui, "action-save", "Ctrl+S", true, Command::Save);
-    action(ui, "action-export", "Ctrl+E", true, Command::Export);
-    action(
-        ui,
-        "cost-measure",
-        "Ctrl+M",
-        model.measures,
-        Command::Measure(true),
-    );
-    action(ui, "action-help", "?", true, Command::Help);
-}
-
-/// What a lab's menu asked for.
-pub fn asked_of(asked: PanelAsk) -> Command {
-    match asked {
-        PanelAsk::Edit(edit) => Command::Edit(edit, None),
-        PanelAsk::Draw(outline) => Command::Draw(outline),
     }
 }
 
@@ -274,10 +156,14 @@ pub fn small_transport(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Comman
     ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
         buttons(model, ui, commands);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let leave =
-                RichText::new(model.look.say("action-present-leave")).color(model.look.theme.soft);
-            if ui.add(Button::new(leave)).clicked() {
-                commands.push(Command::Present);
+            if ui.available_width() > 240.0 * model.look.theme.text_scale {
+                hall(model, ui, commands);
+            } else {
+                let name = model.look.say("menu-more");
+                let button = icon_button(ui, model.look, Icon::More, &name, true);
+                Popup::menu(&button)
+                    .style(menu_style)
+                    .show(|ui| hall(model, ui, commands));
             }
             if ui.available_width() > 160.0 + transport_width() {
                 ui.label(own_step_text(model));
@@ -285,6 +171,20 @@ pub fn small_transport(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Comman
             }
         });
     });
+}
+
+/// What a lecture hall needs besides: the way out, and the colours for its projector.
+fn hall(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
+    let (look, soft) = (model.look, model.look.theme.soft);
+    let leave = RichText::new(look.say("action-present-leave")).color(soft);
+    if ui.add(Button::new(leave)).clicked() {
+        commands.push(Command::Present);
+    }
+    let is_on = look.theme.kind == ThemeKind::Projector;
+    let projector = RichText::new(look.say("theme-projector"));
+    if ui.selectable_label(is_on, projector).clicked() {
+        commands.push(Command::Projector);
+    }
 }
 
 fn buttons(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
@@ -353,11 +253,6 @@ fn timeline(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
     }
     .show(ui);
     commands.extend(asked.map(Command::Seek));
-}
-
-/// Is there room in `width` for the transport, a timeline and what stands after it?
-fn transport_has_room(width: f32) -> bool {
-    width > transport_width() + 260.0
 }
 
 /// The signs of the buttons that show and hide the side panels.

@@ -90,6 +90,8 @@ pub enum Command {
     Help,
     /// Enters or leaves the presentation.
     Present,
+    /// While presenting: the theme for a projector, or the one before.
+    Projector,
     /// Leaves what is open: a dialog, the presentation.
     Cancel,
     /// Shows or hides the course.

@@ -8,10 +8,10 @@ use crate::{
     paint::theme,
     panels::{LabPanel, panel_of},
     text::Message,
-    widgets::rule,
+    widgets::{menu_button, rule},
 };
 
-use super::{Command, bars::asked_of, model::Model};
+use super::{Command, menus::asked_of, model::Model};
 
 /// Draws the panel that stands where the course does.
 pub fn show(
@@ -70,7 +70,7 @@ fn of_lesson(
 ) {
     let text = lesson.text(model.settings.lang);
     let title = format!("{} · {}", i + 1, text.title);
-    ui.menu_button(title, |ui| {
+    menu_button(ui, title, |ui| {
         let mut shown = Vec::new();
         for (step, title) in lesson.steps.iter().zip(&text.steps) {
             if shown.contains(&&step.scene) {

@@ -8,7 +8,7 @@ use super::{
     Command, bars, course_panel, course_strip, free_panel, inspector,
     model::Model,
     overlays,
-    room::{COURSE, CoursePart, INSPECTOR, Room, panel_scale},
+    room::{BESIDE_TRANSPORT, COURSE, CoursePart, INSPECTOR, Room, panel_scale},
     stage,
     stage_state::StageState,
     typing,
@@ -105,7 +105,11 @@ fn top(
 
 fn bottom(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
     let height = if model.is_low { 40.0 } else { 56.0 };
-    let margin = if model.is_narrow { 4 } else { 12 };
+    let margin = if model.is_narrow {
+        BESIDE_TRANSPORT
+    } else {
+        12
+    };
     let frame = Frame::new()
         .fill(model.look.theme.panel)
         .inner_margin(Margin::symmetric(margin, 0));

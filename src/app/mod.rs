@@ -27,6 +27,7 @@ mod inspector;
 mod keys;
 mod kit;
 mod layout;
+mod menus;
 mod model;
 #[cfg(not(target_arch = "wasm32"))]
 mod native;
@@ -50,6 +51,7 @@ mod typing;
 mod watch_room;
 #[cfg(target_arch = "wasm32")]
 mod web;
+mod window;
 
 pub use command::{BINDINGS, Binding, Command};
 pub use desk::{Page, StoredWork};
@@ -119,7 +121,7 @@ struct Shown {
     /// Is the answer of the open step shown?
     is_answered: bool,
     /// Stage, caption and a small transport alone.
-    presenting: bool,
+    presenting: Option<window::Before>,
     /// Is the course open where it is a strip else?
     unfolded: bool,
     /// In a narrow window, the one place there is room for.
@@ -169,7 +171,7 @@ impl App {
                 is_measuring: false,
                 lists_lessons: false,
                 is_answered: false,
-                presenting: false,
+                presenting: None,
                 unfolded: false,
                 room: Room::Stage,
                 theme: None,
@@ -211,6 +213,7 @@ impl App {
             page: self.bookmark.page(),
             labs: self.desk.all_last().clone(),
             works: self.stored_works(),
+            theme: self.lasting_theme(),
             speed: self.playback.transport().speed(),
             ..self.settings.clone()
         }
@@ -264,6 +267,7 @@ impl App {
             ..self.model(ctx.content_rect().size())
         };
         layout::show(&model, ui, &mut stage, &mut panels, &mut commands);
+        self.hide_idle_pointer(&ctx);
         (self.stage, self.kit.panels) = (stage, panels);
         if !commands.is_empty() || lit != self.stage.lit {
             ctx.request_repaint();
@@ -279,7 +283,8 @@ impl App {
         if focus == Focus::Free && self.shown.dialog.is_none() {
             keys::tab_to(ctx, self.stage.handle_ids.first().copied());
         }
-        if self.stage.focused.is_some() || egui::Popup::is_any_open(ctx) {
+        let is_held = self.stage.focused.is_some() || egui::Popup::is_any_open(ctx);
+        if is_held && self.shown.presenting.is_none() {
             // Escape gives the handle's focus back, or closes the menu: nothing more.
             commands.retain(|command| !matches!(command, Command::Cancel));
         }
@@ -301,38 +306,6 @@ impl App {
         }
         let stopwatch = Stopwatch::start();
         panels::work(&mut self.kit.panels, ctx, &|| stopwatch.secs());
-    }
-
-    /// Gives the context the theme, unless it has it: a headless table brings its own.
-    fn install_theme(&mut self, ui: &mut Ui) {
-        let kind = self.settings.theme;
-        if self.shown.theme == Some(kind) {
-            return;
-        }
-        let wanted = crate::paint::Theme::of(kind).style();
-        let has = ui.ctx().global_style();
-        if has.text_styles != wanted.text_styles
-            || has.visuals.panel_fill != wanted.visuals.panel_fill
-        {
-            crate::paint::theme::install(ui.ctx(), kind);
-            // This frame has begun with the old one.
-            ui.reset_style();
-        }
-        self.shown.theme = Some(kind);
-    }
-
-    /// The window's title names the file that its scene is of.
-    fn name_window(&mut self, ctx: &egui::Context) {
-        let file = self.file.as_deref().map(std::path::Path::new);
-        let name = file.and_then(|path| path.file_name()?.to_str());
-        let title = name.map_or_else(
-            || "Clipscope".to_owned(),
-            |name| format!("{name} – Clipscope"),
-        );
-        if self.shown.title != title {
-            ctx.send_viewport_cmd(egui::ViewportCommand::Title(title.clone()));
-            self.shown.title = title;
-        }
     }
 
     /// Colours and words of the present settings.
@@ -374,7 +347,7 @@ impl App {
                 (true, false) => CoursePart::Whole,
             },
             has_strip,
-            is_presenting: self.shown.presenting,
+            is_presenting: self.shown.presenting.is_some(),
             dialog: self.shown.dialog.as_ref(),
             notices: self.notices.shown(),
             is_measuring: self.shown.is_measuring,

@@ -2,7 +2,7 @@
 
 use egui::Vec2;
 
-use crate::paint::Theme;
+use crate::{paint::Theme, widgets::transport_width};
 
 /// In windows narrower than this, in points, the course and the inspector take the stage's place.
 const NARROW: f32 = 860.0;
@@ -60,4 +60,13 @@ pub fn wants_strip(theme: &Theme, width: f32) -> bool {
 #[must_use]
 pub fn panel_scale(theme: &Theme) -> f32 {
     theme.text_scale.sqrt()
+}
+
+/// White space beside the transport of a narrow window.
+pub const BESIDE_TRANSPORT: i8 = 4;
+
+/// Is there room in `width` for the transport, a timeline and what stands after it?
+#[must_use]
+pub fn transport_has_room(width: f32) -> bool {
+    width > transport_width() + 260.0
 }

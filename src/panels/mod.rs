@@ -10,7 +10,7 @@ mod spots;
 
 pub use lab_panel::{Bench, LabPanel, PanelAsk, panel_of, work};
 pub use moved::moved_to;
-pub use pickers::{compare_picker, method_picker};
+pub use pickers::{compare_choices, compare_picker, method_picker};
 pub use seeded::Seeded;
 pub use spots::{Reach, spots};
 

@@ -1,10 +1,14 @@
 //! Which methods are on stage: the same for every lab.
 
-use egui::{ComboBox, Rect, Shape, Stroke, Ui, style::WidgetVisuals, vec2};
+use egui::{
+    ComboBox, Rect, Shape, Stroke, Ui,
+    style::{StyleModifier, WidgetVisuals},
+    vec2,
+};
 
 use crate::{
     labs::{Edit, MethodCard, Scene},
-    widgets::{Look, section},
+    widgets::{Look, menu_style, section},
 };
 
 /// A list of methods may be this high: all of a lab's are seen at once, where the window has room.
@@ -24,6 +28,7 @@ pub fn method_picker(ui: &mut Ui, look: Look<'_>, scene: &Scene, asks: bool) -> 
     let combo = ComboBox::from_id_salt("method")
         .height(LIST_PTS)
         .icon(chevron)
+        .popup_style(StyleModifier::new(menu_style))
         .selected_text(shown)
         .show_ui(ui, |ui| {
             for card in scene.document().lab().methods() {
@@ -41,41 +46,50 @@ pub fn method_picker(ui: &mut Ui, look: Look<'_>, scene: &Scene, asks: bool) -> 
 
 /// The method beside it; the change that was asked for.
 pub fn compare_picker(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<Edit> {
-    let mut asked = None;
-    let name = |card: &MethodCard| look.say(card.name_key);
-    let methods = scene.document().methods();
-    let (main, beside) = (*methods.first()?, methods.get(1));
-    let shown = beside.map_or_else(|| look.say("cost-compare"), |card| name(card));
+    let beside = scene.document().methods().get(1).copied();
+    let shown = beside.map_or("cost-compare", |card| card.name_key);
+    let shown = look.say(shown);
     let combo = ComboBox::from_id_salt("compare")
         .height(LIST_PTS)
         .icon(chevron)
+        .popup_style(StyleModifier::new(menu_style))
         .selected_text(shown)
-        .show_ui(ui, |ui| {
-            let none = look.say("cost-compare-none");
-            if ui.selectable_label(beside.is_none(), none).clicked() {
-                asked = Some(Edit::Compare(None));
-            }
-            // The ones that are wrong on purpose come last, under their question.
-            let (faulty, right): (Vec<&MethodCard>, Vec<_>) = scene
-                .document()
-                .lab()
-                .methods()
-                .into_iter()
-                .filter(|card| card.id != main.id)
-                .partition(|card| card.is_faulty);
-            let first_faulty = faulty.first().map(|card| card.id);
-            for card in right.into_iter().chain(faulty) {
-                if first_faulty == Some(card.id) {
-                    ui.separator();
-                    section(ui, look, &look.say("faulty-title"));
-                }
-                let chosen = beside.is_some_and(|beside| beside.id == card.id);
-                if ui.selectable_label(chosen, name(card)).clicked() {
-                    asked = Some(Edit::Compare(Some(card.id)));
-                }
-            }
-        });
+        .show_ui(ui, |ui| compare_choices(ui, look, scene));
     combo.response.on_hover_text(look.say("cost-compare"));
+    combo.inner.flatten()
+}
+
+/// The methods that can stand beside it, as rows of a menu; the change that was asked for.
+pub fn compare_choices(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<Edit> {
+    let mut asked = None;
+    let methods = scene.document().methods();
+    let (main, beside) = (*methods.first()?, methods.get(1));
+    let none = look.say("cost-compare-none");
+    if ui.selectable_label(beside.is_none(), none).clicked() {
+        asked = Some(Edit::Compare(None));
+    }
+    // The ones that are wrong on purpose come last, under their question.
+    let (faulty, right): (Vec<&MethodCard>, Vec<_>) = scene
+        .document()
+        .lab()
+        .methods()
+        .into_iter()
+        .filter(|card| card.id != main.id)
+        .partition(|card| card.is_faulty);
+    let first_faulty = faulty.first().map(|card| card.id);
+    for card in right.into_iter().chain(faulty) {
+        if first_faulty == Some(card.id) {
+            ui.separator();
+            section(ui, look, &look.say("faulty-title"));
+        }
+        let chosen = beside.is_some_and(|beside| beside.id == card.id);
+        if ui
+            .selectable_label(chosen, look.say(card.name_key))
+            .clicked()
+        {
+            asked = Some(Edit::Compare(Some(card.id)));
+        }
+    }
     asked
 }
 

@@ -6,6 +6,9 @@ use egui::{DragValue, Ui};
 
 use crate::widgets::Look;
 
+/// Seeds of more digits are not for people.
+const LAST_SEED: u64 = 999_999;
+
 /// How many, and from which seed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Seeded {
@@ -22,7 +25,8 @@ impl Default for Seeded {
 }
 
 impl Seeded {
-    /// Two fields and a button, with the catalogue keys of the first and the last; was it asked for?
+    /// Two fields, with the catalogue key of the first, and two buttons, with that of the first: this one, and one from
+    /// the next seed. Was either asked for?
     pub fn show(
         &mut self,
         ui: &mut Ui,
@@ -38,10 +42,20 @@ impl Seeded {
         ui.horizontal(|ui| {
             let label = ui.label(look.say("batch-seed"));
             let seed = DragValue::new(&mut self.seed)
-                .range(0..=999_999_u64)
+                .range(0..=LAST_SEED)
                 .speed(0.2);
             ui.add(seed).labelled_by(label.id);
         });
-        ui.button(look.say(make_key)).clicked()
+        ui.add_space(4.0);
+        if ui.button(look.say(make_key)).clicked() {
+            ui.close();
+            return true;
+        }
+        // The menu stays open: who wants another may want one more.
+        let again = ui.button(look.say("batch-again")).clicked();
+        if again {
+            self.seed = (self.seed + 1) % (LAST_SEED + 1);
+        }
+        again
     }
 }

@@ -10,6 +10,7 @@ use crate::{
 use super::{
     Icon, Look,
     icon::{disc_button, icon_button},
+    menu::menu_button,
 };
 
 /// A button of the transport was pressed.
@@ -67,7 +68,7 @@ pub fn transport_buttons(ui: &mut Ui, look: Look<'_>, transport: &Transport) -> 
 pub fn speed_menu(ui: &mut Ui, look: Look<'_>, speed: f32) -> Option<f32> {
     let written = |speed: f32| format!("{}×", look.catalog.number(f64::from(speed)));
     let mut chosen = None;
-    let button = ui.menu_button(written(speed), |ui| {
+    let button = menu_button(ui, written(speed), |ui| {
         for choice in Transport::SPEEDS {
             if ui
                 .selectable_label(choice == speed, written(choice))

@@ -191,6 +191,7 @@ action-remove-segment = Remove the segment
 batch-title = Random segments
 batch-count = How many
 batch-seed = Seed
+batch-again = Another set, from the next seed
 batch-make = Replace all segments
 
 ## Costs, measured

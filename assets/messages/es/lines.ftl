@@ -191,6 +191,7 @@ action-remove-segment = Quitar el segmento
 batch-title = Segmentos al azar
 batch-count = Cuántos
 batch-seed = Semilla
+batch-again = Otro conjunto, con la semilla siguiente
 batch-make = Reemplazar todos los segmentos
 
 ## Costs, measured

@@ -191,6 +191,7 @@ action-remove-segment = Remover o segmento
 batch-title = Segmentos aleatórios
 batch-count = Quantos
 batch-seed = Semente
+batch-again = Outro conjunto, com a semente seguinte
 batch-make = Substituir todos os segmentos
 
 ## Costs, measured

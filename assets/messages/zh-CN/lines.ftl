@@ -191,6 +191,7 @@ action-remove-segment = 删除线段
 batch-title = 随机线段
 batch-count = 数量
 batch-seed = 种子
+batch-again = 用下一个种子再来一组
 batch-make = 替换所有线段
 
 ## Costs, measured

@@ -34,9 +34,9 @@ fn a_presenter_walks_the_course_and_comes_back() {
         bench.key(Key::PageUp);
     }
     assert_eq!(bench.app.bookmark.indices(), [0, 0]);
-    assert!(bench.app.shown.presenting);
+    assert!(bench.app.shown.presenting.is_some());
     bench.key(Key::Escape);
-    assert!(!bench.app.shown.presenting);
+    assert!(bench.app.shown.presenting.is_none());
 }
 
 #[test]

@@ -7,9 +7,11 @@ mod frames;
 mod hands;
 mod keys;
 mod labs;
+mod menus;
 mod pages;
 mod places;
 mod polygons;
+mod presentation;
 mod third_lab;
 
 use egui::{
@@ -33,6 +35,11 @@ struct Bench {
     time: f64,
     /// Seconds until the app wants to be drawn again, after the last frame.
     wait_secs: f64,
+    /// What the last frame wanted of the pointer and of the window.
+    cursor: egui::CursorIcon,
+    asked_of_window: Vec<egui::ViewportCommand>,
+    /// What a screen reader would hear of it, and where that lies.
+    names: Vec<(String, Rect)>,
 }
 
 impl Bench {
@@ -49,6 +56,9 @@ impl Bench {
             size,
             time: 0.0,
             wait_secs: 0.0,
+            cursor: egui::CursorIcon::Default,
+            asked_of_window: Vec::new(),
+            names: Vec::new(),
         };
         bench.settle();
         bench
@@ -77,6 +87,11 @@ impl Bench {
         drop(output.textures_delta.set.drain());
         let viewport = &output.viewport_output[&ViewportId::ROOT];
         self.wait_secs = viewport.repaint_delay.as_secs_f64();
+        if let Some(update) = &output.platform_output.accesskit_update {
+            self.names = update.nodes.iter().filter_map(named).collect();
+        }
+        self.cursor = output.platform_output.cursor_icon;
+        self.asked_of_window.clone_from(&viewport.commands);
         self.ctx.tessellate(output.shapes, 1.0).len()
     }
 
@@ -163,6 +178,14 @@ fn written(shape: &egui::Shape, texts: &mut Vec<(String, Rect)>) {
         }
         _ => {}
     }
+}
+
+fn named((_, node): &(egui::accesskit::NodeId, egui::accesskit::Node)) -> Option<(String, Rect)> {
+    let name = node.label().or(node.value())?.to_owned();
+    let bounds = node.bounds()?;
+    let rect = [bounds.x0, bounds.y0, bounds.x1, bounds.y1].map(|side| side as f32);
+    let [x0, y0, x1, y1] = rect;
+    Some((name, Rect::from_min_max(pos2(x0, y0), pos2(x1, y1))))
 }
 
 fn ctrl() -> Modifiers {

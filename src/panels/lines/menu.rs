@@ -9,7 +9,7 @@ use crate::{
         lines::{LinesChange, MAX_SEGMENTS, Scene},
     },
     panels::Seeded,
-    widgets::Look,
+    widgets::{Look, form_button, menu_button},
 };
 
 /// Segments, the random batch and the order of the bits; the change that was asked for.
@@ -23,14 +23,13 @@ pub fn scene_menu(ui: &mut Ui, look: Look<'_>, scene: &Scene, batch: &mut Seeded
     if ui.add_enabled(can_remove, remove).clicked() {
         asked = Some(Edit::Remove(None));
     }
-    ui.menu_button(look.say("batch-title"), |ui| {
+    form_button(ui, look.say("batch-title"), |ui| {
         if batch.show(ui, look, ["batch-count", "batch-make"], 1..=MAX_SEGMENTS) {
             let Seeded { count, seed } = *batch;
             asked = Some(Edit::own(LinesChange::Random { count, seed }));
-            ui.close();
         }
     });
-    ui.menu_button(look.say("settings-bit-order"), |ui| {
+    menu_button(ui, look.say("settings-bit-order"), |ui| {
         for (order, key) in [
             (BitOrder::Tbrl, "bit-order-tbrl"),
             (BitOrder::Lrbt, "bit-order-lrbt"),

@@ -8,7 +8,7 @@ use crate::{
         polygons::{OUTLINES, PRESETS, PolygonsChange, REGIONS, Scene, Texture},
     },
     panels::{PanelAsk, Seeded},
-    widgets::Look,
+    widgets::{Look, form_button, menu_button},
 };
 
 /// What a frame can draw in time, with its run and everything else beside it.
@@ -45,7 +45,7 @@ pub fn scene_menu(
 
 fn presets(ui: &mut Ui, look: Look<'_>, random: &mut Seeded) -> Option<PolygonsChange> {
     let mut asked = None;
-    ui.menu_button(look.say("preset-title"), |ui| {
+    menu_button(ui, look.say("preset-title"), |ui| {
         for (i, preset) in PRESETS.iter().enumerate() {
             if ui.button(look.say(preset.name_key)).clicked() {
                 asked = Some(PolygonsChange::Preset(i));
@@ -53,11 +53,10 @@ fn presets(ui: &mut Ui, look: Look<'_>, random: &mut Seeded) -> Option<PolygonsC
             }
         }
         ui.separator();
-        ui.menu_button(look.say("preset-random"), |ui| {
+        form_button(ui, look.say("preset-random"), |ui| {
             if random.show(ui, look, ["random-count", "random-make"], 3..=MAX_RANDOM) {
                 let Seeded { count, seed } = *random;
                 asked = Some(PolygonsChange::Random { count, seed });
-                ui.close();
             }
         });
     });
@@ -75,7 +74,7 @@ fn holes(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PolygonsChange> {
 fn clip(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PolygonsChange> {
     let mut asked = None;
     ui.add_enabled_ui(scene.clips(), |ui| {
-        ui.menu_button(look.say("region-title"), |ui| {
+        menu_button(ui, look.say("region-title"), |ui| {
             let is_window = scene.clip.is_none();
             if ui.radio(is_window, look.say("region-window")).clicked() {
                 asked = Some(PolygonsChange::Clip(None));
@@ -96,7 +95,7 @@ fn clip(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PolygonsChange> {
 fn texture(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PolygonsChange> {
     let mut asked = None;
     ui.add_enabled_ui(scene.carries_texture(), |ui| {
-        ui.menu_button(look.say("texture-title"), |ui| {
+        menu_button(ui, look.say("texture-title"), |ui| {
             for (texture, key) in [
                 (Texture::None, "texture-none"),
                 (Texture::Interpolated, "texture-interpolated"),

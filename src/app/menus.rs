@@ -1,0 +1,158 @@
+//! The menus: in a row at the right of the bar, or in a narrow window behind one button.
+
+use egui::{Button, Context, Id, Popup, RichText, Ui};
+
+use crate::{
+    panels::{LabPanel, PanelAsk, compare_choices, panel_of},
+    widgets::{Icon, icon_button, language_menu, menu_button, menu_style, speed_menu, theme_menu},
+};
+
+use super::{
+    Command,
+    model::Model,
+    room::{BESIDE_TRANSPORT, transport_has_room},
+};
+
+/// The menus of the bar, from right to left.
+pub fn in_a_row(
+    model: &Model<'_>,
+    ui: &mut Ui,
+    panels: &mut [Box<dyn LabPanel>],
+    commands: &mut Vec<Command>,
+) {
+    let look = model.look;
+    if ui.button(look.say("action-present")).clicked() {
+        commands.push(Command::Present);
+    }
+    menu_button(ui, look.say("settings-theme"), |ui| {
+        commands.extend(theme_menu(ui, look).map(Command::Theme));
+    });
+    menu_button(ui, model.settings.lang.native_name(), |ui| {
+        commands.extend(language_menu(ui, model.settings.lang).map(Command::Language));
+    });
+    menu_button(ui, look.say("panel-scene"), |ui| {
+        scene(model, ui, panels, commands);
+    });
+}
+
+/// Everything that the wide bar holds, and all else that a narrow window has no room for, behind one button.
+pub fn behind_one_button(
+    model: &Model<'_>,
+    ui: &mut Ui,
+    panels: &mut [Box<dyn LabPanel>],
+    commands: &mut Vec<Command>,
+) {
+    let look = model.look;
+    let button = icon_button(ui, look, Icon::More, &look.say("menu-more"), true);
+    Popup::menu(&button).style(menu_style).show(|ui| {
+        for panel in &*panels {
+            let lab = panel.lab();
+            let is_open = model.scene.document().lab() == lab;
+            if ui.radio(is_open, look.say(lab.name_key())).clicked() && !is_open {
+                commands.push(Command::Lab(lab.id()));
+                ui.close();
+            }
+        }
+        ui.separator();
+        menu_button(ui, look.say("panel-scene"), |ui| {
+            scene(model, ui, panels, commands);
+        });
+        menu_button(ui, look.say("settings-theme"), |ui| {
+            commands.extend(theme_menu(ui, look).map(Command::Theme));
+        });
+        menu_button(ui, model.settings.lang.native_name(), |ui| {
+            commands.extend(language_menu(ui, model.settings.lang).map(Command::Language));
+        });
+        if !transport_has_room(ui.ctx().content_rect().width() - 2.0 * f32::from(BESIDE_TRANSPORT))
+        {
+            let speed = model.playback.transport().speed();
+            commands.extend(speed_menu(ui, look, speed).map(Command::Speed));
+        }
+        if ui.button(look.say("action-present")).clicked() {
+            commands.push(Command::Present);
+        }
+    });
+}
+
+/// What can be done to the scene, and with it.
+fn scene(
+    model: &Model<'_>,
+    ui: &mut Ui,
+    panels: &mut [Box<dyn LabPanel>],
+    commands: &mut Vec<Command>,
+) {
+    let look = model.look;
+    if !has_compare_in_the_bar(ui.ctx()) {
+        menu_button(ui, look.say("cost-compare"), |ui| {
+            let edit = compare_choices(ui, look, model.scene);
+            commands.extend(edit.map(|edit| Command::Edit(edit, None)));
+        });
+    }
+    let panel = panel_of(panels, model.scene);
+    let asked = panel.and_then(|panel| panel.menu(ui, look, model.scene));
+    commands.extend(asked.map(asked_of));
+    let mut snap = model.settings.snap;
+    if ui.checkbox(&mut snap, look.say("settings-snap")).changed() {
+        commands.push(Command::Snap(snap));
+    }
+    ui.separator();
+    let mut action = |ui: &mut Ui, key: &str, keys: &str, enabled: bool, command: Command| {
+        let button =
+            Button::new(look.say(key)).right_text(RichText::new(keys).color(look.theme.soft));
+        if ui.add_enabled(enabled, button).clicked() {
+            commands.push(command);
+        }
+    };
+    action(
+        ui,
+        "action-undo",
+        "Ctrl+Z",
+        model.can_travel[0],
+        Command::Undo,
+    );
+    action(
+        ui,
+        "action-redo",
+        "Ctrl+Shift+Z",
+        model.can_travel[1],
+        Command::Redo,
+    );
+    action(ui, "action-reset", "R", true, Command::Reset);
+    let free = if model.bookmark.free().is_some() {
+        "action-course"
+    } else {
+        "action-free"
+    };
+    action(ui, free, "F8", true, Command::Free);
+    action(ui, "action-reset-view", "0", true, Command::FitView);
+    ui.separator();
+    action(ui, "action-save", "Ctrl+S", true, Command::Save);
+    action(ui, "action-export", "Ctrl+E", true, Command::Export);
+    action(
+        ui,
+        "cost-measure",
+        "Ctrl+M",
+        model.measures,
+        Command::Measure(true),
+    );
+    action(ui, "action-help", "?", true, Command::Help);
+}
+
+/// What a lab's menu asked for.
+pub fn asked_of(asked: PanelAsk) -> Command {
+    match asked {
+        PanelAsk::Edit(edit) => Command::Edit(edit, None),
+        PanelAsk::Draw(outline) => Command::Draw(outline),
+    }
+}
+
+/// Remembers whether the bar, which is laid out after its menus, has room to compare methods: what has none is in a menu.
+pub fn compare_is_in_the_bar(ctx: &Context, is_there: bool) {
+    ctx.data_mut(|data| data.insert_temp(Id::unique(COMPARE), is_there));
+}
+
+fn has_compare_in_the_bar(ctx: &Context) -> bool {
+    ctx.data(|data| data.get_temp(Id::unique(COMPARE)).unwrap_or(true))
+}
+
+const COMPARE: &str = "compare is in the bar";

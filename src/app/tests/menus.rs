@@ -1,0 +1,93 @@
+//! Menus: what is clicked in them.
+
+use egui::{Event, Pos2, Rect, vec2};
+
+use super::{Bench, SIZE};
+use crate::{
+    app::{App, Settings},
+    labs::lines,
+    lesson::Course,
+};
+
+impl Bench {
+    /// Everything with a name in the last frames: what a screen reader would hear, and where it lies.
+    fn named(&mut self) -> Vec<(String, Rect)> {
+        self.ctx.enable_accesskit();
+        self.frame(0.1, Vec::new());
+        self.names.clone()
+    }
+
+    fn where_is(&mut self, name: &str) -> Option<Rect> {
+        let mut named = self.named().into_iter();
+        named.find(|(known, _)| known == name).map(|(_, rect)| rect)
+    }
+
+    fn press_at(&mut self, at: Pos2) {
+        self.frame(0.1, vec![Event::PointerMoved(at)]);
+        self.button(at, true);
+        self.button(at, false);
+        self.settle();
+    }
+
+    fn click_on(&mut self, name: &str) {
+        let rect = self.where_is(name);
+        let rect = rect.unwrap_or_else(|| panic!("no {name} in {:?}", self.names));
+        self.press_at(rect.center());
+    }
+}
+
+fn seeds(bench: &Bench) -> usize {
+    let scene = bench.app.scene().get::<lines::Scene>();
+    scene.expect("the first lab").segments().len()
+}
+
+#[test]
+fn random_numbers_are_typed_and_another_set_follows() {
+    let mut bench = Bench::with(App::new(Course::default(), Settings::default()), SIZE);
+    bench.click_on("Scene");
+    bench.click_on("Random segments");
+    let field = bench.where_is("How many").expect("a field");
+    bench.press_at(field.right_center() + vec2(24.0, 0.0));
+    assert!(bench.where_is("How many").is_some(), "the menu stays open");
+    bench.frame(0.1, vec![Event::Text("30".to_owned())]);
+    bench.click_on("Replace all segments");
+    assert_eq!(seeds(&bench), 30);
+    assert!(bench.where_is("How many").is_none());
+    bench.click_on("Scene");
+    bench.click_on("Random segments");
+    let mut seen = vec![bench.app.scene().clone()];
+    for _ in 0..3 {
+        bench.click_on("Another set, from the next seed");
+        assert!(!seen.contains(bench.app.scene()));
+        seen.push(bench.app.scene().clone());
+    }
+}
+
+#[test]
+fn wherever_the_pointer_is_in_a_menu_it_is_on_a_row() {
+    let mut bench = Bench::with(App::new(Course::default(), Settings::default()), SIZE);
+    bench.click_on("Scene");
+    let [undo, redo] = ["Undo", "Redo"].map(|name| {
+        let named = bench.named();
+        let found = named.iter().find(|(known, _)| known.starts_with(name));
+        found.expect("a row").1
+    });
+    assert_eq!(undo.bottom(), redo.top());
+    assert_eq!(undo.x_range(), redo.x_range());
+}
+
+#[test]
+fn what_has_no_room_in_the_bar_is_in_a_menu() {
+    for (size, menu) in [(vec2(360.0, 640.0), "More"), (SIZE, "Scene")] {
+        let mut bench = Bench::with(App::new(Course::default(), Settings::default()), size);
+        let in_the_bar = bench.where_is("Compare with…").is_some();
+        bench.click_on(menu);
+        if menu == "More" {
+            assert!(bench.where_is("1×").is_some(), "the speed");
+            bench.click_on("Scene");
+        }
+        let all = bench.named();
+        let n = all.iter().filter(|(name, _)| name == "Compare with…");
+        assert_eq!(n.count(), 1, "{size}: once, in the bar: {in_the_bar}");
+    }
+}

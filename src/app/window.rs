@@ -1,0 +1,103 @@
+//! The window around the app: its title, its look, and the presentation, which fills the screen.
+
+use egui::{Context, CursorIcon, Ui, ViewportCommand};
+
+use crate::paint::{Theme, ThemeKind, theme};
+
+use super::App;
+
+/// In a presentation, a pointer that has rested for so long is hidden, in seconds.
+const IDLE_SECS: f32 = 3.0;
+
+/// What a presentation comes back to.
+#[derive(Clone, Copy, Debug)]
+pub struct Before {
+    theme: ThemeKind,
+    is_fullscreen: bool,
+}
+
+impl App {
+    /// Enters the presentation, or leaves it.
+    pub(super) fn present(&mut self, ctx: &Context) {
+        if self.leave_presentation(ctx) {
+            return;
+        }
+        self.shown.presenting = Some(Before {
+            theme: self.settings.theme,
+            is_fullscreen: ctx.input(|input| input.viewport().fullscreen) == Some(true),
+        });
+        ctx.send_viewport_cmd(ViewportCommand::Fullscreen(true));
+    }
+
+    /// Leaves it, if it is open: all is as it was before.
+    pub(super) fn leave_presentation(&mut self, ctx: &Context) -> bool {
+        let Some(before) = self.shown.presenting.take() else {
+            return false;
+        };
+        self.settings.theme = before.theme;
+        ctx.send_viewport_cmd(ViewportCommand::Fullscreen(before.is_fullscreen));
+        true
+    }
+
+    /// The theme for a lecture hall, or the one that was there before.
+    pub(super) fn toggle_projector(&mut self) {
+        let before = self.lasting_theme();
+        let is_on = self.settings.theme == ThemeKind::Projector;
+        self.settings.theme = match (is_on, before) {
+            (false, _) => ThemeKind::Projector,
+            (true, ThemeKind::Projector) => ThemeKind::Light,
+            (true, before) => before,
+        };
+    }
+
+    /// The theme that stays when the presentation is over.
+    pub(super) fn lasting_theme(&self) -> ThemeKind {
+        let before = self.shown.presenting;
+        before.map_or(self.settings.theme, |before| before.theme)
+    }
+
+    /// Hides a pointer that rests while something is presented; asks to be drawn once more when it has rested enough.
+    pub(super) fn hide_idle_pointer(&self, ctx: &Context) {
+        if self.shown.presenting.is_none() {
+            return;
+        }
+        let left = IDLE_SECS - ctx.input(|input| input.pointer.time_since_last_movement());
+        if left > 0.0 {
+            ctx.request_repaint_after_secs(left);
+        } else {
+            ctx.set_cursor_icon(CursorIcon::None);
+        }
+    }
+
+    /// Gives the context the theme, unless it has it: a headless table brings its own.
+    pub(super) fn install_theme(&mut self, ui: &mut Ui) {
+        let kind = self.settings.theme;
+        if self.shown.theme == Some(kind) {
+            return;
+        }
+        let wanted = Theme::of(kind).style();
+        let has = ui.ctx().global_style();
+        if has.text_styles != wanted.text_styles
+            || has.visuals.panel_fill != wanted.visuals.panel_fill
+        {
+            theme::install(ui.ctx(), kind);
+            // This frame has begun with the old one.
+            ui.reset_style();
+        }
+        self.shown.theme = Some(kind);
+    }
+
+    /// The window's title names the file that its scene is of.
+    pub(super) fn name_window(&mut self, ctx: &Context) {
+        let file = self.file.as_deref().map(std::path::Path::new);
+        let name = file.and_then(|path| path.file_name()?.to_str());
+        let title = name.map_or_else(
+            || "Clipscope".to_owned(),
+            |name| format!("{name} – Clipscope"),
+        );
+        if self.shown.title != title {
+            ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
+            self.shown.title = title;
+        }
+    }
+}
