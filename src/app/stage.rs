@@ -5,7 +5,7 @@ use egui::{Align2, Button, Id, Rect, RichText, Stroke, Ui, UiBuilder, pos2, vec2
 
 use crate::{
     figure::{Caption, ColumnLayout, Frame, Layout, Lens, Mark, Role, Sheet, ViewId},
-    labs::{Handle, Lock, MethodCard, Scene, Sketch},
+    labs::{Edit, Handle, Lock, MethodCard, Scene, Sketch},
     lesson::LessonStep,
     paint::{Typeset, Viewport},
     panels::{Reach, spots},
@@ -273,6 +273,9 @@ impl Column<'_> {
         if let Some(drawn) = &state.sketch {
             sketch::draw(model, ui, &viewport, drawn);
         }
+        if self.index == 0 && model.playback.main().is_refused() && state.sketch.is_none() {
+            ways_out(model, ui, state, rect, commands);
+        }
         if state.is_moved(drawing.0) {
             fit(model, ui, rect, commands);
         }
@@ -295,4 +298,36 @@ fn fit(model: &Model<'_>, ui: &mut Ui, rect: Rect, commands: &mut Vec<Command>) 
     {
         commands.push(Command::FitView);
     }
+}
+
+/// What can be done with a scene that its method cannot take.
+fn ways_out(
+    model: &Model<'_>,
+    ui: &mut Ui,
+    state: &mut StageState,
+    rect: Rect,
+    commands: &mut Vec<Command>,
+) {
+    let look = model.look;
+    let place = rect.shrink2(vec2(INDENT, 0.5 * INDENT));
+    ui.scope_builder(UiBuilder::new().max_rect(place), |ui| {
+        ui.horizontal_wrapped(|ui| {
+            let mut way = |ui: &mut Ui, words: String, command: Command| {
+                let text = RichText::new(words).color(look.theme.accent);
+                if ui
+                    .add(Button::new(text).fill(look.theme.background))
+                    .clicked()
+                {
+                    commands.push(command);
+                }
+            };
+            if model.can_travel[0] {
+                way(ui, look.say("action-undo"), Command::Undo);
+            }
+            for card in state.ways_out(model.scene, model.revision) {
+                let edit = Edit::Method(card.id);
+                way(ui, look.say(card.name_key), Command::Edit(edit, None));
+            }
+        });
+    });
 }

@@ -7,7 +7,7 @@ use egui::{Context, Id, Pos2, Rect};
 use crate::{
     figure::{Body, Frame, Lens, Link, Mark, Slot, View, ViewId, project},
     geom::Orbit,
-    labs::{Handle, Scene, Sketch},
+    labs::{Handle, MethodCard, Scene, Sketch},
     paint::Viewport,
     widgets::PanZoom,
 };
@@ -41,6 +41,8 @@ pub struct StageState {
     pub selected: Option<Handle>,
     /// Half an outline, while one is drawn.
     pub sketch: Option<Sketch>,
+    /// The methods that can take a refused scene, and the revision of it.
+    ways_out: (u64, Vec<&'static MethodCard>),
     /// A place that is being typed.
     pub typing: Option<Typing>,
     /// The room that is kept for the captions.
@@ -117,6 +119,17 @@ impl StageState {
         let seen = self.seen.get(&id);
         let bounded = seen.map(|seen| to.bounded(&Viewport::fit(seen.rect, self.bounds)));
         self.moved.insert(id, bounded.unwrap_or(to));
+    }
+
+    /// The right methods that can take the scene.
+    pub fn ways_out(&mut self, scene: &Scene, revision: u64) -> &[&'static MethodCard] {
+        if self.ways_out.0 != revision || self.ways_out.1.is_empty() {
+            let document = scene.document();
+            let methods = document.lab().methods().into_iter();
+            let able = methods.filter(|card| !card.is_faulty && document.takes(card.id));
+            self.ways_out = (revision, able.collect());
+        }
+        &self.ways_out.1
     }
 
     /// Is a view moved away from the whole scene?

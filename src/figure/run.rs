@@ -31,6 +31,10 @@ pub enum Tick {
 pub trait Run {
     /// Number of events. Step 0 is before the first.
     fn n_steps(&self) -> usize;
+    /// Could the method not take the scene? Then there are no steps, and the caption says why.
+    fn is_refused(&self) -> bool {
+        false
+    }
     /// The kind of the event that leads to step `step ≥ 1`.
     fn tick(&self, step: usize) -> Tick;
     /// That event as JSON: `{"event": "cut", "edge": "left", …}`.

@@ -59,6 +59,10 @@ pub trait Document: Plain {
     fn baseline(&self) -> Option<(&'static MethodCard, Counts)> {
         None
     }
+    /// Can the method of this id take the scene?
+    fn takes(&self, _id: &str) -> bool {
+        true
+    }
     /// What lies under the marks of the method in this column, at the end of its run or before.
     fn backdrop(&self, column: usize, at_end: bool) -> Vec<Mark>;
     /// The world rectangle that a view shows at first.

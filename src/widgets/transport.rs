@@ -52,7 +52,9 @@ pub fn transport_buttons(ui: &mut Ui, look: Look<'_>, transport: &Transport) -> 
     } else {
         (Icon::Play, "transport-play")
     };
-    let play = disc_button(ui, look, icon, &look.say(key)).clicked();
+    let can_play = transport.n_steps() > 0;
+    let play = ui.add_enabled_ui(can_play, |ui| disc_button(ui, look, icon, &look.say(key)));
+    let play = play.inner.clicked();
     quiet(
         ui,
         Icon::Forward,

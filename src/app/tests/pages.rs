@@ -102,3 +102,34 @@ fn work_on_what_is_gone_is_left_out_and_the_rest_is_kept() {
         "without a course there is still a scene"
     );
 }
+
+#[test]
+fn a_scene_that_is_refused_offers_the_methods_that_take_it() {
+    let mut bench = bench();
+    let bow_tie = "method = \"weiler-atherton\"
+window = [0, 0, 4, 4]
+polygon = [[1, 1], [5, 5], [5, 1], [1, 5]]
+";
+    bench
+        .app
+        .open_bytes("bow-tie.toml", bow_tie.as_bytes(), 0.0);
+    bench.settle();
+    let run = bench.app.playback.main();
+    assert!(run.is_refused());
+    let said = format!("{:?}", run.caption(0));
+    assert!(said.contains("S₁S₂") && said.contains("S₃S₄"), "{said}");
+    let scene = bench.app.scene().clone();
+    let ways: Vec<&str> = bench
+        .app
+        .stage
+        .ways_out(&scene, bench.app.history.revision())
+        .iter()
+        .map(|card| card.id)
+        .collect();
+    assert_eq!(ways, ["sutherland-hodgman", "sutherland-hodgman-pipeline"]);
+    let ctx = bench.ctx.clone();
+    for id in ways {
+        bench.app.apply(&ctx, Command::Edit(Edit::Method(id), None));
+        assert!(!bench.app.playback.main().is_refused(), "{id}");
+    }
+}

@@ -17,6 +17,8 @@ pub trait PolygonDemo: Demo {
     const GIVEN: GivenSubject = GivenSubject::Whole;
     /// Does it know holes?
     const KNOWS_HOLES: bool = false;
+    /// What its drawing calls the subject's vertices.
+    const SUBJECT: char = 'V';
 
     /// Its input.
     ///

@@ -71,6 +71,10 @@ impl Document for Scene {
         self.on_stage().map(record).collect()
     }
 
+    fn takes(&self, id: &str) -> bool {
+        Method::by_id(id).is_some_and(|method| method.info().takes(self))
+    }
+
     fn backdrop(&self, column: usize, at_end: bool) -> Vec<Mark> {
         let method = self.on_stage().nth(column).unwrap_or(self.method);
         backdrop(self, method, at_end)

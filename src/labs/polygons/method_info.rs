@@ -24,9 +24,16 @@ pub struct MethodInfo<S> {
     /// Does it know holes?
     pub knows_holes: bool,
     pub(super) record: fn(&S) -> Box<dyn Run>,
+    pub(super) takes: fn(&S) -> bool,
 }
 
 impl<S> MethodInfo<S> {
+    /// Can it take the scene?
+    #[must_use]
+    pub fn takes(&self, scene: &S) -> bool {
+        (self.takes)(scene)
+    }
+
     /// Runs it on the scene; where it cannot take it, the run has no steps and says why.
     #[must_use]
     pub fn record(&self, scene: &S) -> Box<dyn Run> {

@@ -15,7 +15,8 @@ const fn info<A: PolygonDemo>() -> MethodInfo<Scene> {
         carries_texture: A::CARRIES_TEXTURE,
         given: A::GIVEN,
         knows_holes: A::KNOWS_HOLES,
-        record: |scene| A::record(scene).unwrap_or_else(|refusal| refusal.run(scene)),
+        record: |scene| A::record(scene).unwrap_or_else(|refusal| refusal.run(scene, A::SUBJECT)),
+        takes: |scene| A::input(scene).is_ok(),
     }
 }
 

@@ -5,12 +5,15 @@ use serde_json::{Value as Json, json};
 use crate::{
     figure::{Caption, Frame, Mark, Role, Run, Shape, Tick, View, Words},
     geom::{ConvexPolygon, GeomError, Polygon},
-    labs::words::{name, subscript, vertex_name},
+    labs::words::{name, subscript},
     text::{Message, Value},
     trace::Counts,
 };
 
 use super::Scene;
+
+/// Of an outline with more vertices each would have no room for its name.
+const MOST_NAMED: usize = 16;
 
 /// A part of the scene.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -47,7 +50,25 @@ impl UnfitScene {
         }
     }
 
-    fn caption(self, scene: &Scene) -> Caption {
+    /// What the drawing calls a vertex of the part: `C₄`. Holes go on after the outline.
+    fn symbol(self, scene: &Scene, subject: char, idx: usize) -> String {
+        let before = match self.part {
+            ScenePart::Subject | ScenePart::Clip => 0,
+            ScenePart::Hole(i) => {
+                let rings = std::iter::once(&scene.subject).chain(&scene.holes[..i]);
+                rings.map(|ring| ring.vertices().len()).sum()
+            }
+        };
+        let letter = match self.part {
+            ScenePart::Subject | ScenePart::Hole(_) => subject,
+            ScenePart::Clip => 'C',
+        };
+        format!("{letter}{}", subscript(before + idx + 1))
+    }
+
+    fn caption(self, scene: &Scene, subject: char) -> Caption {
+        let vertex = |idx| name(self.symbol(scene, subject, idx));
+        let edge = |ends: [usize; 2]| name(ends.map(|i| self.symbol(scene, subject, i)).concat());
         let part = match self.part {
             ScenePart::Subject => Value::Term("part-subject"),
             ScenePart::Hole(_) => Value::Term("part-hole"),
@@ -55,14 +76,14 @@ impl UnfitScene {
         };
         let message = match self.error {
             GeomError::NotConvex { vertex_idx } => {
-                Message::new("refused-not-convex").with("vertex", vertex_name(vertex_idx))
+                Message::new("refused-not-convex").with("vertex", vertex(vertex_idx))
             }
             GeomError::SelfIntersecting { vertex_idx } => {
-                Message::new("refused-winds-twice").with("vertex", vertex_name(vertex_idx))
+                Message::new("refused-winds-twice").with("vertex", vertex(vertex_idx))
             }
             GeomError::EdgesMeet { edges } => {
                 let n = self.outline(scene).vertices().len();
-                let [first, second] = edges.map(|i| edge_name([i, (i + 1) % n]));
+                let [first, second] = edges.map(|i| edge([i % n, (i + 1) % n]));
                 Message::new("refused-edges-meet")
                     .with("first", first)
                     .with("second", second)
@@ -76,34 +97,45 @@ impl UnfitScene {
         Caption::new(message.with("part", part))
     }
 
-    fn marks(self, scene: &Scene) -> Vec<Mark> {
+    /// The outline at fault with the names of its vertices, and what is wrong with it over them.
+    fn marks(self, scene: &Scene, subject: char) -> Vec<Mark> {
         let outline = self.outline(scene);
         let vertices: Vec<[f64; 2]> = outline.vertices().iter().map(|p| p.to_array()).collect();
+        let symbol = |i: usize| name(self.symbol(scene, subject, i));
         let mut marks = vec![Mark::new(Role::Discarded, Shape::Outline(vertices.clone()))];
-        if let GeomError::NotConvex { vertex_idx } | GeomError::SelfIntersecting { vertex_idx } =
-            self.error
-            && let Some(&at) = vertices.get(vertex_idx)
-        {
-            let ring = Mark::new(Role::Signal, Shape::Ring(at));
-            marks.push(ring.labelled(vertex_name(vertex_idx)));
+        if vertices.len() <= MOST_NAMED {
+            let named = vertices.iter().enumerate();
+            marks.extend(
+                named.map(|(i, &at)| Mark::new(Role::Soft, Shape::Vertex(at)).labelled(symbol(i))),
+            );
         }
-        if let GeomError::EdgesMeet { edges } = self.error {
-            let n = vertices.len();
-            let edges = edges.map(|i| [i % n, (i + 1) % n]);
-            marks.extend(edges.map(|[i, j]| {
-                let edge = Shape::Segment([vertices[i], vertices[j]]);
-                Mark::new(Role::Signal, edge).labelled(edge_name([i, j]))
-            }));
+        match self.error {
+            GeomError::NotConvex { vertex_idx } | GeomError::SelfIntersecting { vertex_idx } => {
+                let at = vertices.get(vertex_idx).copied();
+                marks.extend(at.map(|at| {
+                    Mark::new(Role::Signal, Shape::Ring(at)).labelled(symbol(vertex_idx))
+                }));
+            }
+            GeomError::EdgesMeet { edges } => {
+                let n = vertices.len();
+                let edges = edges.map(|i| [i % n, (i + 1) % n].map(|i| vertices[i]));
+                marks.extend(edges.map(|ends| Mark::new(Role::Signal, Shape::Segment(ends))));
+            }
+            GeomError::MisplacedHole { .. }
+            | GeomError::NotFinite { .. }
+            | GeomError::EmptyWindow { .. }
+            | GeomError::TooFewVertices
+            | GeomError::Degenerate { .. } => {}
         }
         marks
     }
 
     /// A run without a step that shows it.
-    pub(super) fn run(self, scene: &Scene) -> Box<dyn Run> {
+    pub(super) fn run(self, scene: &Scene, subject: char) -> Box<dyn Run> {
         Box::new(UnfitRun {
             refusal: self,
-            caption: self.caption(scene),
-            marks: self.marks(scene),
+            caption: self.caption(scene, subject),
+            marks: self.marks(scene, subject),
         })
     }
 }
@@ -122,11 +154,6 @@ impl Scene {
     }
 }
 
-/// `V₁V₂`.
-fn edge_name(ends: [usize; 2]) -> Value {
-    name(ends.map(|i| format!("V{}", subscript(i + 1))).concat())
-}
-
 struct UnfitRun {
     refusal: UnfitScene,
     caption: Caption,
@@ -136,6 +163,10 @@ struct UnfitRun {
 impl Run for UnfitRun {
     fn n_steps(&self) -> usize {
         0
+    }
+
+    fn is_refused(&self) -> bool {
+        true
     }
 
     fn tick(&self, _step: usize) -> Tick {

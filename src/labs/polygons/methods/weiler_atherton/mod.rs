@@ -41,6 +41,7 @@ const MAX_ROWS: usize = 12;
 
 impl PolygonDemo for WeilerAtherton {
     const KNOWS_HOLES: bool = true;
+    const SUBJECT: char = 'S';
 
     fn input(scene: &Scene) -> Result<Input, UnfitScene> {
         let simple = |polygon: &Polygon, part| {
