@@ -4,15 +4,13 @@ use egui::Context;
 
 use crate::{
     labs::{Edit, OutlineKind, Sketch},
-    text::{Catalog, Diagnostic, Message, Value},
+    text::{Diagnostic, Message, Value},
 };
 
 use super::{
-    App, Command, Dialog,
-    dialog::Target,
+    App, Command,
     history::UndoGroup,
     notice::Notice,
-    platform::StageFigure,
     room::{Room, is_narrow, wants_strip},
 };
 
@@ -244,7 +242,8 @@ impl App {
             self.notices.clear();
             return;
         }
-        if self.stage.typing.take().is_some()
+        if self.exporting.take().is_some()
+            || self.stage.typing.take().is_some()
             || self.shown.dialog.take().is_some()
             || self.stage.sketch.take().is_some()
         {
@@ -259,112 +258,6 @@ impl App {
         }
         self.shown.room = Room::Stage;
         self.stage.selected = None;
-    }
-
-    fn apply_dialog(&mut self, ctx: &Context, command: Command, now: f64) {
-        let name = |app: &Self, ending: &str| {
-            let step = app.bookmark.step().and_then(|step| step.figure.clone());
-            let stem = step.unwrap_or_else(|| {
-                app.history
-                    .now()
-                    .document()
-                    .methods()
-                    .first()
-                    .map_or_else(String::new, |card| card.id.to_owned())
-            });
-            app.platform.suggest(&format!("{stem}.{ending}"))
-        };
-        match command {
-            Command::Help if self.shown.dialog == Some(Dialog::Help) => self.shown.dialog = None,
-            Command::Help => self.shown.dialog = Some(Dialog::Help),
-            Command::Save => {
-                let path = self.file.clone().unwrap_or_else(|| name(self, "toml"));
-                self.shown.dialog = Some(Dialog::Save(Target::new(path)));
-            }
-            Command::Export => {
-                self.shown.dialog = Some(Dialog::Export(Target::new(name(self, "png"))));
-            }
-            Command::Show(dialog) => self.shown.dialog = dialog,
-            Command::Confirm => self.confirm(ctx, now),
-            _ => {}
-        }
-    }
-
-    /// Writes the file that the open dialog is about; one that the scene is not of only when told to a second time.
-    fn confirm(&mut self, ctx: &Context, now: f64) {
-        let mut asked = self.shown.dialog.take();
-        let (target, is_scene) = match &mut asked {
-            Some(Dialog::Save(target)) => (target, true),
-            Some(Dialog::Export(target)) => (target, false),
-            Some(Dialog::Help) | None => return,
-        };
-        let is_known = target.replaces || (is_scene && self.file.as_deref() == Some(&target.path));
-        if !is_known && self.platform.exists(&target.path) {
-            target.replaces = true;
-            self.shown.dialog = asked;
-            return;
-        }
-        let path = target.path.clone();
-        let notice = if is_scene {
-            self.save(&path, now)
-        } else {
-            self.export(&path, now)
-        };
-        if notice.is_problem {
-            // The path is still there to be mended.
-            self.shown.dialog = asked;
-        }
-        self.notices.clear();
-        self.notices.push(notice);
-        ctx.request_repaint();
-    }
-
-    fn save(&mut self, path: &str, now: f64) -> Notice {
-        let written = self.platform.write(path, self.as_file().as_bytes());
-        if let Ok(path) = &written {
-            self.file = Some(path.clone());
-        }
-        self.reported(path, written, ["status-saved", "status-save-failed"], now)
-    }
-
-    fn export(&mut self, path: &str, now: f64) -> Notice {
-        let title = self.bookmark.title(self.settings.lang);
-        let picture = StageFigure {
-            title: title.filter(|_| self.is_untouched()),
-            scene: self.history.now(),
-            position: self.playback.transport().position(),
-            theme: self.settings.theme,
-            lang: self.settings.lang,
-        };
-        let drawn = self.platform.draw(picture);
-        let written = drawn.and_then(|bytes| self.platform.write(path, &bytes));
-        self.reported(
-            path,
-            written,
-            ["status-exported", "status-export-failed"],
-            now,
-        )
-    }
-
-    fn reported(
-        &self,
-        asked: &str,
-        written: Result<String, Diagnostic>,
-        [done, failed]: [&'static str; 2],
-        now: f64,
-    ) -> Notice {
-        let catalog = Catalog::of(self.settings.lang);
-        match written {
-            Ok(path) => {
-                Notice::passing(catalog.message(&Message::new(done).with("path", path)), now)
-            }
-            Err(reason) => {
-                let reason = Message::new("error-at")
-                    .with("place", asked.to_owned())
-                    .with("problem", reason);
-                Notice::problem(catalog.message(&Message::new(failed).with("reason", reason)))
-            }
-        }
     }
 
     /// Does the stage show the lesson's own scene?

@@ -11,11 +11,16 @@ use crate::{
 use super::{App, notice::Notice};
 
 impl App {
-    /// Opens a scene that was dropped, or says what is wrong with it.
+    /// Opens a scene or a folder of lessons that was dropped, or says what is wrong with it.
     pub(super) fn take_dropped_files(&mut self, ctx: &Context) {
         let now = ctx.input(|input| input.time);
         let dropped = ctx.input_mut(|input| std::mem::take(&mut input.raw.dropped_files));
         for file in dropped {
+            #[cfg(not(target_arch = "wasm32"))]
+            if file.path().is_dir() {
+                self.open_folder(file.path(), ctx);
+                continue;
+            }
             let name = file.path().display().to_string();
             match bytes_of(&file) {
                 Ok(bytes) => self.open_bytes(&name, &bytes, now),
@@ -59,7 +64,7 @@ impl App {
 
     /// Problems as a compiler prints them; of very many, the first.
     pub(super) fn listing(&self, problems: &[Problem]) -> String {
-        const MOST: usize = 8;
+        const MOST: usize = 64;
         let catalog = self.catalog();
         let mut lines: Vec<String> = problems
             .iter()

@@ -21,6 +21,7 @@ mod course_strip;
 mod desk;
 mod dialog;
 mod drop;
+mod files;
 mod free_panel;
 mod history;
 mod inspector;
@@ -55,7 +56,7 @@ mod window;
 
 pub use command::{BINDINGS, Binding, Command};
 pub use desk::{Page, StoredWork};
-pub use dialog::Dialog;
+pub use dialog::{Dialog, Figures, Target};
 pub use kit::Kit;
 #[cfg(not(target_arch = "wasm32"))]
 pub use native::{Opening, run_native};
@@ -102,6 +103,8 @@ pub struct App {
     shown: Shown,
     notices: Notices,
     platform: Box<dyn Platform>,
+    /// Figures on their way into files.
+    exporting: Option<files::Export>,
     #[cfg(not(target_arch = "wasm32"))]
     reload: Option<reload::Reload>,
 }
@@ -179,6 +182,7 @@ impl App {
             },
             notices: Notices::default(),
             platform: Box::new(NoFiles),
+            exporting: None,
             #[cfg(not(target_arch = "wasm32"))]
             reload: None,
         };
@@ -298,6 +302,7 @@ impl App {
     }
 
     fn pass_time(&mut self, ctx: &egui::Context, now: f64) {
+        self.export_next(ctx, now);
         if let Some(wait) = self.playback.advance(now) {
             ctx.request_repaint_after_secs(wait.max(0.0));
         }

@@ -44,7 +44,18 @@ pub fn run_native(opening: Opening) -> Result<(), Message> {
         Box::new(|creation| Ok(Box::new(NativeWindow(create(creation, opening))))),
     );
     // What eframe says is the system's own; its frame is the reader's.
-    result.map_err(|error| Message::new("status-no-window").with("reason", error.to_string()))
+    result.map_err(|error| {
+        let reason = without_place(&error.to_string()).to_owned();
+        Message::new("status-no-window").with("reason", reason)
+    })
+}
+
+/// What an error of winit says, without the line of its source: `os error at …/mod.rs:765: no display`.
+fn without_place(error: &str) -> &str {
+    let after = error
+        .rsplit_once(".rs:")
+        .and_then(|(_, rest)| rest.split_once(": "));
+    after.map_or(error, |(_, said)| said)
 }
 
 fn create(creation: &CreationContext<'_>, opening: Opening) -> App {
@@ -88,5 +99,17 @@ impl eframe::App for NativeWindow {
 
     fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
         visuals.window_fill.to_normalized_gamma_f32()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::without_place;
+
+    #[test]
+    fn a_reader_hears_the_reason_and_no_place_in_a_source() {
+        let said = "winit EventLoopError: os error at /a/winit-0.30.13/src/mod.rs:765: no display";
+        assert_eq!(without_place(said), "no display");
+        assert_eq!(without_place("no OpenGL: 2.1"), "no OpenGL: 2.1");
     }
 }

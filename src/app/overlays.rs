@@ -6,12 +6,13 @@ use egui::{
 };
 
 use crate::{
-    paint::theme,
+    paint::{ThemeKind, theme},
     panels::{LabPanel, panel_of},
-    widgets::{Icon, Look, icon_button},
+    text::Lang,
+    widgets::{Icon, Look, icon_button, theme_key},
 };
 
-use super::{BINDINGS, Command, Dialog, dialog::Target, model::Model, notice::Notice};
+use super::{BINDINGS, Command, Dialog, Figures, Target, model::Model, notice::Notice};
 
 /// Width of the list of keys at text scale 1, where there is room.
 const WIDTH: f32 = 528.0;
@@ -187,9 +188,10 @@ fn written(ctx: &Context, modifiers: Modifiers, key: Key) -> String {
 }
 
 fn path_dialog(ctx: &Context, look: Look<'_>, dialog: &Dialog, commands: &mut Vec<Command>) {
-    let (key, action, target) = match dialog {
-        Dialog::Save(target) => ("save-title", "action-save", target),
-        Dialog::Export(target) => ("export-title", "action-export", target),
+    let mut changed = dialog.clone();
+    let (key, action, target, figures) = match &mut changed {
+        Dialog::Save(target) => ("save-title", "action-save", target, None),
+        Dialog::Export(target, figures) => ("export-title", "action-export", target, Some(figures)),
         Dialog::Help => return,
     };
     let action = if target.replaces {
@@ -197,20 +199,14 @@ fn path_dialog(ctx: &Context, look: Look<'_>, dialog: &Dialog, commands: &mut Ve
     } else {
         action
     };
-    let mut path = target.path.clone();
     let response = modal("path", look).show(ctx, |ui| {
         ui.set_max_width((ctx.content_rect().width() - 64.0).clamp(120.0, 480.0));
         heading(ui, look, key, commands);
         ui.add_space(8.0);
-        let label = ui.label(RichText::new(look.say("save-path")).color(look.theme.soft));
-        let field = TextEdit::singleline(&mut path)
-            .desired_width(f32::INFINITY)
-            .font(egui::TextStyle::Monospace);
-        let field = ui.add(field).labelled_by(label.id);
-        let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
-        if !field.has_focus() && !entered && ui.memory(|memory| memory.focused().is_none()) {
-            field.request_focus();
+        if let Some(figures) = figures {
+            choices(ui, look, figures);
         }
+        let entered = path_field(ui, look, target);
         if target.replaces {
             ui.label(look.say("save-exists"));
         }
@@ -220,7 +216,7 @@ fn path_dialog(ctx: &Context, look: Look<'_>, dialog: &Dialog, commands: &mut Ve
                 .text_style(theme::strong())
                 .color(look.theme.background);
             let go = egui::Button::new(text).fill(look.theme.accent);
-            let ready = !path.trim().is_empty();
+            let ready = !target.path.trim().is_empty();
             if (ui.add_enabled(ready, go).clicked() || entered) && ready {
                 commands.push(Command::Confirm);
             }
@@ -228,19 +224,65 @@ fn path_dialog(ctx: &Context, look: Look<'_>, dialog: &Dialog, commands: &mut Ve
                 commands.push(Command::Show(None));
             }
         });
-        field.changed()
     });
-    if response.inner {
-        // Before a press of the button, so that it does what is written now.
-        let target = Target::new(path);
-        let dialog = match dialog {
-            Dialog::Save(_) => Dialog::Save(target),
-            Dialog::Export(_) | Dialog::Help => Dialog::Export(target),
-        };
-        commands.insert(0, Command::Show(Some(dialog)));
+    if changed != *dialog {
+        if let Dialog::Save(target) | Dialog::Export(target, _) = &mut changed {
+            target.replaces = false;
+        }
+        // Before a press of the button, so that it does what is chosen now.
+        commands.insert(0, Command::Show(Some(changed)));
     } else if response.should_close() {
         commands.push(Command::Show(None));
     }
+}
+
+/// Where the path is typed; was Enter pressed in it?
+fn path_field(ui: &mut Ui, look: Look<'_>, target: &mut Target) -> bool {
+    let label = ui.label(RichText::new(look.say("save-path")).color(look.theme.soft));
+    let field = TextEdit::singleline(&mut target.path)
+        .desired_width(f32::INFINITY)
+        .font(egui::TextStyle::Monospace);
+    let field = ui.add(field).labelled_by(label.id);
+    let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+    if !field.has_focus() && !entered && ui.memory(|memory| memory.focused().is_none()) {
+        field.request_focus();
+    }
+    entered
+}
+
+/// What an author would set: size, theme, language, this step or all.
+fn choices(ui: &mut Ui, look: Look<'_>, figures: &mut Figures) {
+    let named = |ui: &mut Ui, key: &str, row: &mut dyn FnMut(&mut Ui)| {
+        ui.label(RichText::new(look.say(key)).color(look.theme.soft));
+        ui.horizontal_wrapped(row);
+        ui.end_row();
+    };
+    Grid::new("figures")
+        .num_columns(2)
+        .spacing(vec2(16.0, 4.0))
+        .show(ui, |ui| {
+            named(ui, "export-size", &mut |ui| {
+                for size in Figures::SIZES {
+                    let [width, height] = size;
+                    ui.selectable_value(&mut figures.size_px, size, format!("{width} × {height}"));
+                }
+            });
+            named(ui, "settings-theme", &mut |ui| {
+                for kind in ThemeKind::ALL {
+                    ui.selectable_value(&mut figures.theme, kind, look.say(theme_key(kind)));
+                }
+            });
+            named(ui, "export-language", &mut |ui| {
+                for lang in Lang::ALL {
+                    ui.selectable_value(&mut figures.lang, lang, lang.native_name());
+                }
+            });
+            named(ui, "export-steps", &mut |ui| {
+                for (all, key) in [(false, "export-this-step"), (true, "export-all-steps")] {
+                    ui.selectable_value(&mut figures.all, all, look.say(key));
+                }
+            });
+        });
 }
 
 fn measure(

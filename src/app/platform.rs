@@ -6,9 +6,10 @@ use std::io;
 use crate::{export, paint::Headless};
 use crate::{
     labs::Scene,
-    paint::ThemeKind,
-    text::{Diagnostic, Lang, SystemError},
+    text::{Diagnostic, SystemError},
 };
+
+use super::dialog::Figures;
 
 /// A figure to be exported: what the stage shows.
 #[derive(Clone, Copy, Debug)]
@@ -20,9 +21,7 @@ pub struct StageFigure<'a> {
     /// Where its run stands.
     pub position: usize,
     /// How it looks.
-    pub theme: ThemeKind,
-    /// What is spoken.
-    pub lang: Lang,
+    pub figures: Figures,
 }
 
 /// Files, as far as there are any.
@@ -76,10 +75,6 @@ impl Platform for NoFiles {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Desktop;
 
-/// Size of an exported figure: a slide's.
-#[cfg(not(target_arch = "wasm32"))]
-const SIZE_PX: [u32; 2] = [1920, 1080];
-
 #[cfg(not(target_arch = "wasm32"))]
 impl Platform for Desktop {
     fn suggest(&self, name: &str) -> String {
@@ -97,15 +92,25 @@ impl Platform for Desktop {
     }
 
     fn draw(&mut self, picture: StageFigure<'_>) -> Result<Vec<u8>, Diagnostic> {
-        let mut table = Headless::new(picture.theme);
+        let Figures {
+            size_px,
+            theme,
+            lang,
+            all,
+        } = picture.figures;
+        let mut table = Headless::new(theme);
         let figure = export::Picture {
             title: picture.title,
             scene: picture.scene,
             step: picture.position,
-            lang: picture.lang,
-            theme: picture.theme,
-            size_px: SIZE_PX,
-            among: export::Steps::Figures,
+            lang,
+            theme,
+            size_px,
+            among: if all {
+                export::Steps::All
+            } else {
+                export::Steps::Figures
+            },
         };
         Ok(export::draw(&mut table, &figure).to_png())
     }

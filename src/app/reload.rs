@@ -14,7 +14,7 @@ use crate::{
     text::Message,
 };
 
-use super::{App, notice::Notice};
+use super::{App, bookmark::Bookmark, notice::Notice};
 
 /// Editors write a file in several strokes: wait until they are done.
 const SETTLE: Duration = Duration::from_millis(150);
@@ -83,6 +83,29 @@ impl App {
         self.reload = Some(Reload::new(folder, ctx));
     }
 
+    /// Opens a folder that was dropped, as `clipscope open` does; where it holds no lesson all stays as it was.
+    pub(super) fn open_folder(&mut self, root: &Path, ctx: &Context) {
+        let folder = Folder::new(root);
+        let Loaded { course, problems } = Course::check_with(&folder, self.kit.formats);
+        self.notices.clear();
+        if course.lessons.is_empty() {
+            let kept = self.catalog().term("status-kept");
+            let text = format!("{}\n{kept}", self.listing(&problems));
+            self.notices.push(Notice::problem(text));
+            return;
+        }
+        let (page, was_untouched) = (self.bookmark.page(), self.is_untouched());
+        self.turn_to(|bookmark| {
+            *bookmark = Bookmark::new(course);
+            true
+        });
+        if self.bookmark.page() == page && was_untouched {
+            self.enter();
+        }
+        self.report(&problems);
+        self.watch(folder, ctx.clone());
+    }
+
     pub(super) fn take_changed_course(&mut self, now: f64) {
         let changed = self.reload.as_ref().filter(|reload| reload.has_changed());
         if let Some(folder) = changed.map(|reload| reload.folder.clone()) {
@@ -105,7 +128,8 @@ impl App {
             .filter(|p| p.severity == Severity::Error)
             .collect();
         let path = path.to_owned();
-        self.notices.clear();
+        let was_broken = self.notices.shown().iter().any(|notice| notice.is_problem);
+        let mut is_another = false;
         if !is_gone {
             let merged = merged(self.bookmark.lessons(), loaded.course.lessons, |lesson| {
                 let of_lesson = |file: &str| {
@@ -115,13 +139,20 @@ impl App {
                 };
                 errors.iter().any(|problem| of_lesson(&problem.file))
             });
+            is_another = merged != self.bookmark.lessons();
             self.bookmark.replace(Course { lessons: merged });
             if self.bookmark.step() != before.as_ref() {
                 self.course_changed(was_untouched);
             }
         }
+        let is_good = errors.is_empty() && !is_gone;
+        if is_good && !is_another && !was_broken {
+            // Saved again as it was, or another file beside the lessons.
+            return;
+        }
+        self.notices.clear();
         let catalog = self.catalog();
-        if errors.is_empty() && !is_gone {
+        if is_good {
             let text = catalog.message(&Message::new("status-reloaded").with("path", path));
             self.notices.push(Notice::passing(text, now));
         } else {

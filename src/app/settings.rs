@@ -6,7 +6,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::{paint::ThemeKind, text::Lang};
 
-use super::desk::{Page, StoredWork};
+use super::{
+    desk::{Page, StoredWork},
+    dialog::Figures,
+};
 
 /// Choices that outlive the window.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
@@ -24,6 +27,8 @@ pub struct Settings {
     pub snap: bool,
     /// Steps a second.
     pub speed: f32,
+    /// How figures were exported last.
+    pub figures: Option<Figures>,
     /// The page that was open.
     pub page: Option<Page>,
     /// The page of each lab that was open last, by the lab's id.
@@ -41,6 +46,7 @@ impl Default for Settings {
             inspector: true,
             snap: true,
             speed: 1.0,
+            figures: None,
             page: None,
             labs: BTreeMap::new(),
             works: Vec::new(),

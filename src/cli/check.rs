@@ -1,4 +1,4 @@
-//! `clipscope check`: are lesson files in order?
+//! `clipscope check`: are lessons and scene files in order?
 
 use std::path::PathBuf;
 
@@ -13,13 +13,14 @@ const EXAMPLES: &str = "\
 Examples:
   clipscope check                          the embedded course
   clipscope check my-course/01-outcodes    one lesson
-  clipscope check my-course                every lesson of a folder";
+  clipscope check my-course                every lesson of a folder
+  clipscope check scene.toml               a scene file";
 
 /// What it accepts.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Args {
-    /// Lesson folders, folders of lessons, or lessons of the embedded course by name
+    /// Lesson folders, folders of lessons, scene files, or lessons of the embedded course by name
     #[arg(value_name = "LESSON")]
     lessons: Vec<PathBuf>,
     /// Language of messages
@@ -31,11 +32,18 @@ pub(super) struct Args {
 pub(super) fn check(args: &Args) -> Outcome {
     let chosen = choose(&args.lessons, Course::check);
     let outcome = chosen.report(args.lang);
-    if chosen.lessons.is_empty() {
+    let counts = [
+        ("cli-checked", chosen.lessons.len()),
+        ("cli-checked-scenes", chosen.scenes.len()),
+    ];
+    let mut sum = String::new();
+    for (key, count) in counts.into_iter().filter(|(_, count)| *count > 0) {
+        sum += &Catalog::of(args.lang).message(&Message::new(key).with("count", count));
+        sum += "\n";
+    }
+    if sum.is_empty() {
         return outcome;
     }
-    let sum = Message::new("cli-checked").with("count", chosen.lessons.len());
-    let sum = Catalog::of(args.lang).message(&sum) + "\n";
     match print(&sum, args.lang) {
         Outcome::Done => outcome,
         failed => failed,

@@ -11,7 +11,7 @@ use egui::vec2;
 
 use crate::{
     app::{App, Page, Settings},
-    export::{self, Failure, Job, Options, jobs, run},
+    export::{self, Failure, Job, Options, Source, jobs, jobs_of_file, run},
     lesson::Course,
     paint::{Headless, ThemeKind},
     text::{Diagnostic, Lang, Message},
@@ -24,6 +24,7 @@ Examples:
   clipscope export --out figures
   clipscope export 03-outcodes --out slides --theme projector --scale 2
   clipscope export --out figuras --lang pt-BR --steps all
+  clipscope export scene.toml --out figures
 
 The same input gives the same bytes on every machine. A file is written whole or not at all.";
 
@@ -31,7 +32,7 @@ The same input gives the same bytes on every machine. A file is written whole or
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Args {
-    /// Lessons of the embedded course by name, or lesson folders; all of the course where none is given
+    /// Lessons of the embedded course by name, lesson folders, or scene files; all of the course where none is given
     #[arg(value_name = "LESSON")]
     pub lessons: Vec<PathBuf>,
     /// The folder to write to; it is made where it is not there
@@ -134,7 +135,7 @@ fn scale(text: &str) -> Result<f32, Expected> {
 pub(super) fn export(args: &Args) -> Outcome {
     let chosen = choose(&args.lessons, Course::load);
     let read = chosen.report_errors(args.lang);
-    if chosen.lessons.is_empty() {
+    if chosen.is_empty() {
         return read;
     }
     let options = Options {
@@ -147,7 +148,10 @@ pub(super) fn export(args: &Args) -> Outcome {
         say(args.lang, &failed(args.out.display().to_string(), error));
         return Outcome::Unusable;
     }
-    let jobs = jobs(&chosen.lessons, options.steps);
+    let mut jobs = jobs(&chosen.lessons, options.steps);
+    for (name, scene) in &chosen.scenes {
+        jobs.extend(jobs_of_file(name, scene, options.steps));
+    }
     let course = Course {
         lessons: chosen.lessons.clone(),
     };
@@ -193,11 +197,17 @@ fn window_png(job: &Job<'_>, course: &Course, table: &mut Headless, args: &Args)
     let settings = Settings {
         lang: args.lang,
         theme: args.theme,
-        page: Some(Page::Step(job.lesson.id.clone(), job.step.id.clone())),
+        page: match job.source {
+            Source::Step(lesson, step) => Some(Page::Step(lesson.id.clone(), step.id.clone())),
+            Source::File(_) => None,
+        },
         ..Settings::default()
     };
     let size = vec2(args.size.width as f32, args.size.height as f32);
     let mut app = App::new(course.clone(), settings);
+    if let Source::File(file) = job.source {
+        app = app.with_scene(&job.path, file.clone());
+    }
     app.seek(job.position);
     let image = table.draw(size, args.scale, |ui| app.ui(ui));
     image.to_png()

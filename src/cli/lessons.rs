@@ -1,10 +1,15 @@
-//! The lessons that a command names.
+//! The lessons and scene files that a command names.
 
-use std::path::{Path, PathBuf};
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
 
 use crate::{
-    lesson::{Course, Embedded, Files, Folder, Lesson, Loaded, Problem, Severity},
-    text::{Catalog, Lang, Message},
+    lesson::{
+        Course, Embedded, Files, Folder, Lesson, Loaded, Problem, SceneFile, SceneFormats, Severity,
+    },
+    text::{Catalog, Diagnostic, Lang, Message},
 };
 
 use super::{Outcome, say, say::say_text};
@@ -14,12 +19,14 @@ use super::{Outcome, say, say::say_text};
 pub(super) struct Chosen {
     /// Those in order.
     pub lessons: Vec<Lesson>,
+    /// The scenes of files, each with its name without the ending.
+    pub scenes: Vec<(String, SceneFile)>,
     problems: Vec<Problem>,
-    /// Names that are neither a path nor a lesson of the embedded course.
-    missing: Vec<String>,
+    /// Why something that was named was not found, or could not be read.
+    unread: Vec<Message>,
 }
 
-/// Each name is a path to a lesson or to a folder of lessons, else a lesson of the embedded course; without
+/// Each name is a path to a lesson, to a folder of lessons or to a scene file, else a lesson of the embedded course; without
 /// names it is that course, read by `embedded`: it has been checked already, unless that is what was asked for.
 pub(super) fn choose(names: &[PathBuf], embedded: fn(&dyn Files) -> Loaded) -> Chosen {
     let mut chosen = Chosen::default();
@@ -31,6 +38,10 @@ pub(super) fn choose(names: &[PathBuf], embedded: fn(&dyn Files) -> Loaded) -> C
     }
     let mut course = None;
     for name in names {
+        if name.is_file() {
+            chosen.read_scene(name);
+            continue;
+        }
         if name.exists() {
             let loaded = Course::check(&Folder::new(name));
             chosen.lessons.extend(loaded.course.lessons);
@@ -40,13 +51,35 @@ pub(super) fn choose(names: &[PathBuf], embedded: fn(&dyn Files) -> Loaded) -> C
         let course = course.get_or_insert_with(|| embedded(&Embedded).course);
         match name.to_str().and_then(|id| course.lesson(id)) {
             Some(lesson) => chosen.lessons.push(lesson.clone()),
-            None => chosen.missing.push(shown(name)),
+            None => {
+                let message = Message::new("cli-no-lesson").with("name", shown(name));
+                chosen.unread.push(message);
+            }
         }
     }
     chosen
 }
 
 impl Chosen {
+    /// Is nothing in order?
+    pub const fn is_empty(&self) -> bool {
+        self.lessons.is_empty() && self.scenes.is_empty()
+    }
+
+    fn read_scene(&mut self, path: &Path) {
+        let read = fs::read(path).map_err(|error| {
+            Message::new("cli-unreadable")
+                .with("path", shown(path))
+                .with("reason", Diagnostic::from(error))
+        });
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        match read.map(|bytes| SceneFormats::standard().read(&shown(path), &bytes)) {
+            Ok(Ok(scene)) => self.scenes.push((stem.into_owned(), scene)),
+            Ok(Err(problems)) => self.problems.extend(problems),
+            Err(message) => self.unread.push(message),
+        }
+    }
+
     /// Names on standard error whatever is wrong.
     pub fn report(&self, lang: Lang) -> Outcome {
         self.name(lang, |_| true)
@@ -62,20 +95,15 @@ impl Chosen {
             say_text(&problem.render(Catalog::of(lang)));
         }
         let errors: Vec<&Problem> = self.problems.iter().filter(|p| is_error(p)).collect();
-        for name in &self.missing {
-            say(
-                lang,
-                &Message::new("cli-no-lesson").with("name", name.clone()),
-            );
+        for message in &self.unread {
+            say(lang, message);
         }
         let nothing_read = |problem: &Problem| {
             problem.place.is_none() && matches!(problem.code(), "no-lessons" | "unreadable")
         };
-        match errors.len() + self.missing.len() {
+        match errors.len() + self.unread.len() {
             0 => Outcome::Done,
-            _ if self.lessons.is_empty() && errors.iter().all(|p| nothing_read(p)) => {
-                Outcome::Unusable
-            }
+            _ if self.is_empty() && errors.iter().all(|p| nothing_read(p)) => Outcome::Unusable,
             _ => Outcome::Refused,
         }
     }

@@ -13,7 +13,8 @@ use std::{
 };
 
 use crate::{
-    lesson::{Lesson, LessonStep},
+    labs::Scene,
+    lesson::{Lesson, LessonStep, SceneFile},
     paint::{Headless, ThemeKind},
     text::Lang,
 };
@@ -36,13 +37,20 @@ pub struct Options {
     pub steps: Steps,
 }
 
+/// Whose scene a picture shows.
+#[derive(Clone, Copy, Debug)]
+pub enum Source<'a> {
+    /// A step's of a lesson.
+    Step(&'a Lesson, &'a LessonStep),
+    /// A file's.
+    File(&'a SceneFile),
+}
+
 /// One picture to be drawn.
 #[derive(Clone, Debug)]
 pub struct Job<'a> {
-    /// The lesson's folder.
-    pub lesson: &'a Lesson,
-    /// The lesson step whose scene it shows.
-    pub step: &'a LessonStep,
+    /// Whose scene it shows.
+    pub source: Source<'a>,
     /// Events folded so far.
     pub position: usize,
     /// Path below the output folder: `03-outcodes/nine-regions.png`.
@@ -57,8 +65,7 @@ pub fn jobs<'a>(lessons: impl IntoIterator<Item = &'a Lesson>, steps: Steps) -> 
         for step in &lesson.steps {
             let Some(figure) = &step.figure else { continue };
             let job = |position, name: String| Job {
-                lesson,
-                step,
+                source: Source::Step(lesson, step),
                 position,
                 path: format!("{}/{name}.png", lesson.id),
             };
@@ -68,9 +75,8 @@ pub fn jobs<'a>(lessons: impl IntoIterator<Item = &'a Lesson>, steps: Steps) -> 
                     jobs.extend(position.map(|position| job(position, figure.clone())));
                 }
                 Steps::All => {
-                    let runs = step.scene.document().record();
-                    let n_steps = runs.first().map_or(0, |run| run.n_steps());
-                    jobs.extend((0..=n_steps).map(|k| job(k, format!("{figure}-{k:03}"))));
+                    let all = 0..=n_steps(&step.scene);
+                    jobs.extend(all.map(|k| job(k, format!("{figure}-{k:03}"))));
                 }
             }
         }
@@ -78,13 +84,52 @@ pub fn jobs<'a>(lessons: impl IntoIterator<Item = &'a Lesson>, steps: Steps) -> 
     jobs
 }
 
+/// The pictures of a scene file, under this name.
+#[must_use]
+pub fn jobs_of_file<'a>(name: &str, file: &'a SceneFile, steps: Steps) -> Vec<Job<'a>> {
+    let job = |position, path| Job {
+        source: Source::File(file),
+        position,
+        path,
+    };
+    match steps {
+        Steps::Figures => vec![job(file.position, format!("{name}.png"))],
+        Steps::All => (0..=n_steps(&file.scene))
+            .map(|k| job(k, format!("{name}-{k:03}.png")))
+            .collect(),
+    }
+}
+
+fn n_steps(scene: &Scene) -> usize {
+    let runs = scene.document().record();
+    runs.first().map_or(0, |run| run.n_steps())
+}
+
 impl Job<'_> {
+    /// The scene that it shows.
+    #[must_use]
+    pub fn scene(&self) -> &Scene {
+        match self.source {
+            Source::Step(_, step) => &step.scene,
+            Source::File(file) => &file.scene,
+        }
+    }
+
+    /// The idea in words, where a lesson says it.
+    #[must_use]
+    pub fn title(&self, lang: Lang) -> Option<&str> {
+        match self.source {
+            Source::Step(lesson, step) => lesson.step_title(&step.id, lang),
+            Source::File(_) => None,
+        }
+    }
+
     /// The picture as PNG.
     #[must_use]
     pub fn png(&self, table: &mut Headless, options: &Options) -> Vec<u8> {
         let picture = Picture {
-            title: self.lesson.step_title(&self.step.id, options.lang),
-            scene: &self.step.scene,
+            title: self.title(options.lang),
+            scene: self.scene(),
             step: self.position,
             lang: options.lang,
             theme: options.theme,

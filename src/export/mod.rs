@@ -7,4 +7,4 @@ mod jobs;
 
 pub use figure::{Picture, Steps, draw};
 pub use files::write_whole;
-pub use jobs::{Failure, Job, Options, jobs, run};
+pub use jobs::{Failure, Job, Options, Source, jobs, jobs_of_file, run};

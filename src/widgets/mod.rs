@@ -33,7 +33,7 @@ pub use icon::{Icon, icon_button};
 pub use lesson_text::{lesson_text, step_title};
 pub use menu::{form_button, menu_button, menu_style};
 pub use pan_zoom::PanZoom;
-pub use picker::{language_menu, theme_menu};
+pub use picker::{language_menu, theme_key, theme_menu};
 pub use pseudocode::{CodeStep, CodeText, Pseudocode, code_view_switch};
 pub use section::{rule, section};
 pub use timeline::Timeline;

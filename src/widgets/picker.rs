@@ -20,7 +20,8 @@ pub fn language_menu(ui: &mut Ui, current: Lang) -> Option<Lang> {
 }
 
 /// Catalogue key of a theme's name.
-const fn theme_key(kind: ThemeKind) -> &'static str {
+#[must_use]
+pub const fn theme_key(kind: ThemeKind) -> &'static str {
     match kind {
         ThemeKind::Light => "theme-light",
         ThemeKind::Dark => "theme-dark",

@@ -102,6 +102,7 @@ help-drag = Drag any handle, at any step: the run is recorded again
 ## What the program reports
 
 status-exported = Exported to { $path }
+status-exporting = Exported { $count } of { $total } steps. Escape stops.
 status-export-failed = The figure could not be exported: { $reason }
 status-saved = Saved to { $path }
 status-save-failed = The scene could not be saved: { $reason }
@@ -121,6 +122,11 @@ cost-title = Cost so far
 cost-compared-with = compared with { $method }
 save-title = Save the scene
 export-title = Export this figure
+export-size = Size
+export-language = Language
+export-steps = Steps
+export-this-step = this step
+export-all-steps = all steps of the run
 save-path = File
 help-zoom = Zoom in or out; also Ctrl and wheel
 help-course = Show or hide the course

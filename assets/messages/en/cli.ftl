@@ -12,6 +12,11 @@ cli-checked =
         [one] { $count } lesson is in order
        *[other] { $count } lessons are in order
     }
+cli-checked-scenes =
+    { $count ->
+        [one] { $count } scene file is in order
+       *[other] { $count } scene files are in order
+    }
 cli-refused =
     { $count ->
         [one] { $count } input was refused

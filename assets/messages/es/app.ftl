@@ -102,6 +102,7 @@ help-drag = Arrastra cualquier tirador, en cualquier paso: la ejecución se vuel
 ## What the program reports
 
 status-exported = Exportado en { $path }
+status-exporting = Exportados { $count } de { $total } pasos. Escape detiene la exportación.
 status-export-failed = No se pudo exportar la figura: { $reason }
 status-saved = Guardado en { $path }
 status-save-failed = No se pudo guardar la escena: { $reason }
@@ -121,6 +122,11 @@ cost-title = Coste hasta aquí
 cost-compared-with = en comparación con { $method }
 save-title = Guardar la escena
 export-title = Exportar esta figura
+export-size = Tamaño
+export-language = Idioma
+export-steps = Pasos
+export-this-step = este paso
+export-all-steps = todos los pasos de la ejecución
 save-path = Archivo
 help-zoom = Acercar o alejar; también Ctrl y la rueda
 help-course = Mostrar u ocultar el curso

@@ -12,6 +12,11 @@ cli-checked =
         [one] { $count } lección sin errores
        *[other] { $count } lecciones sin errores
     }
+cli-checked-scenes =
+    { $count ->
+        [one] { $count } archivo de escena en orden
+       *[other] { $count } archivos de escena en orden
+    }
 cli-refused =
     { $count ->
         [one] Se rechazó { $count } entrada

@@ -102,6 +102,7 @@ help-drag = Arraste qualquer ponto de controle, em qualquer passo: a execução 
 ## What the program reports
 
 status-exported = Exportado para { $path }
+status-exporting = { $count } de { $total } passos exportados. Esc interrompe.
 status-export-failed = Não foi possível exportar a figura: { $reason }
 status-saved = Salvo em { $path }
 status-save-failed = Não foi possível salvar a cena: { $reason }
@@ -121,6 +122,11 @@ cost-title = Custo até aqui
 cost-compared-with = em comparação com { $method }
 save-title = Salvar a cena
 export-title = Exportar esta figura
+export-size = Tamanho
+export-language = Idioma
+export-steps = Passos
+export-this-step = este passo
+export-all-steps = todos os passos da execução
 save-path = Arquivo
 help-zoom = Aproximar ou afastar; também Ctrl e a roda do mouse
 help-course = Mostrar ou ocultar o curso

@@ -12,6 +12,11 @@ cli-checked =
         [one] { $count } lição sem erros
        *[other] { $count } lições sem erros
     }
+cli-checked-scenes =
+    { $count ->
+        [one] { $count } arquivo de cena em ordem
+       *[other] { $count } arquivos de cena em ordem
+    }
 cli-refused =
     { $count ->
         [one] { $count } entrada foi recusada

@@ -98,6 +98,7 @@ help-drag = 任何一步都可拖动控制柄：运行过程会重新记录
 ## What the program reports
 
 status-exported = 已导出到 { $path }
+status-exporting = 已导出 { $count } / { $total } 步。按 Esc 停止。
 status-export-failed = 无法导出此图：{ $reason }
 status-saved = 已保存到 { $path }
 status-save-failed = 无法保存场景：{ $reason }
@@ -117,6 +118,11 @@ cost-title = 至此的运算量
 cost-compared-with = 与{ $method }比较
 save-title = 保存场景
 export-title = 导出此图
+export-size = 大小
+export-language = 语言
+export-steps = 步骤
+export-this-step = 当前这一步
+export-all-steps = 运行的所有步骤
 save-path = 文件
 help-zoom = 放大或缩小；也可按住 Ctrl 滚动滚轮
 help-course = 显示或隐藏课程

@@ -4,6 +4,7 @@
 
 cli-exported = 已将 { $count } 幅图导出到 { $path }
 cli-checked = { $count } 节课检查通过
+cli-checked-scenes = { $count } 个场景文件检查通过
 cli-refused = 拒绝了 { $count } 项输入
 cli-unreadable = 无法读取 { $path }：{ $reason }
 cli-nothing = 没有要处理的内容。

@@ -9,8 +9,8 @@ use super::*;
 
 fn lost(table: &mut Headless, job: &Job<'_>, lang: Lang, size_px: [u32; 2]) -> Vec<ViewId> {
     let picture = Picture {
-        title: job.lesson.step_title(&job.step.id, lang),
-        scene: &job.step.scene,
+        title: job.title(lang),
+        scene: job.scene(),
         step: job.position,
         lang,
         theme: table.theme().kind,
