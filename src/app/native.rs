@@ -60,6 +60,8 @@ fn without_place(error: &str) -> &str {
 
 fn create(creation: &CreationContext<'_>, opening: Opening) -> App {
     let ctx = &creation.egui_ctx;
+    // A window that was closed during a presentation is a window again.
+    ctx.send_viewport_cmd(egui::ViewportCommand::Fullscreen(false));
     ctx.set_fonts(fonts::definitions());
     let stored = creation
         .storage
