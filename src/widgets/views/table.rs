@@ -14,7 +14,7 @@ use super::{
     fold::Fold,
     links::Links,
     on_slate::OnSlate,
-    slate::{Face, Slate, Style, text_colour, wash},
+    slate::{Face, LEAST_SCALE, Slate, Style, text_colour, wash},
 };
 
 const SIZE: f32 = 14.0;
@@ -132,8 +132,9 @@ impl OnSlate for Table {
         let room = rect.size();
         let n_rows = self.rows.len();
         let slate = Slate::with_numbers(painter, look, notation(self));
-        slate.fitted_in(room, |slate| {
-            let plan = Plan::of(slate, self, room.x - 2.0 * slate.pts(PAD));
+        let plan_of = |slate: &Slate<'_>| Plan::of(slate, self, room.x - 2.0 * slate.pts(PAD));
+        let slate = slate.fitted_in(room, |slate| {
+            let plan = plan_of(slate);
             let row = plan.row + 2.0 * slate.pts(AIR[0]);
             let height = |n_rows: usize| row * (n_rows + 1) as f32 + plan.notes;
             // Rows are folded before their text becomes too small.
@@ -145,6 +146,10 @@ impl OnSlate for Table {
                 n_rows
             };
             vec2(plan.width(slate, GAPS[0]), height(n_rows))
+        });
+        // Rows that have no room are folded; a column that had none would be cut.
+        slate.shrunk_to(LEAST_SCALE, vec2(room.x, f32::INFINITY), |slate| {
+            vec2(plan_of(slate).width(slate, GAPS[0]), 1.0)
         })
     }
 
