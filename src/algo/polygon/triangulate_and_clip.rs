@@ -14,7 +14,8 @@
 //!
 //! 1. Cut the polygon into triangles: [`EarClipping`].
 //! 2. Clip each triangle against the region: [`SutherlandHodgman`]. What is left of a convex polygon in a convex
-//!    region is convex: one piece, or none. A triangle that only touches the region leaves none.
+//!    region is convex: one piece, or none. A triangle that only touches the region leaves none, but for what rounding leaves
+//!    ([`Pieces::rings`]).
 //!
 //! The pieces together are the polygon's part in the region. Two of them that meet along a diagonal share it bit
 //! for bit, as both triangles do and as a crossing belongs to its edge: [`Pieces::outline`] takes such edges out
@@ -251,7 +252,9 @@ impl Pieces {
         self.ends.is_empty()
     }
 
-    /// Each piece's vertices, counter-clockwise.
+    /// Each piece's vertices, counter-clockwise. Where a triangle only touches the region in a point off its vertices,
+    /// and the crossings there are rounded, a sliver may be left that is no wider than that rounding, and turns
+    /// either way.
     #[must_use]
     pub fn rings(&self) -> impl ExactSizeIterator<Item = &[Point]> + '_ {
         (0..self.ends.len()).map(|i| {
