@@ -127,6 +127,18 @@ impl Bookmark {
         true
     }
 
+    /// Opens a page, where it is still there; `lab_of` knows the labs by their ids.
+    pub fn open_page(
+        &mut self,
+        page: &Page,
+        lab_of: impl FnOnce(&str) -> Option<&'static dyn Lab>,
+    ) -> bool {
+        match page {
+            Page::Step(lesson, step) => self.open_ids(lesson, step),
+            Page::Free(id) => lab_of(id).is_some_and(|lab| self.open_free(lab)),
+        }
+    }
+
     /// Back to the course.
     pub fn close_free(&mut self) -> bool {
         self.open(self.lesson_idx, self.step_idx)

@@ -52,7 +52,7 @@ pub fn ask(
         return;
     };
     let vertex = click.spot.and_then(|i| handles.get(i));
-    let is_free = |handle: &&Handle| !locks.iter().any(|lock| lock.holds(**handle));
+    let is_free = |handle: &&Handle| !Lock::any_holds(locks, **handle);
     if let Some(&handle) = vertex.filter(|handle| click.is_double && is_free(handle)) {
         commands.push(Command::Type(Some(handle)));
         return;

@@ -26,7 +26,7 @@ pub struct Work {
     pub position: usize,
     /// The file that the scene was read from or written to.
     pub file: Option<String>,
-    /// Is it another scene than the page's own?
+    /// Is it another scene than the page's own? A free scene is always the reader's.
     pub is_changed: bool,
 }
 

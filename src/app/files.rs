@@ -26,18 +26,6 @@ pub struct Export {
 }
 
 impl Export {
-    /// The file of a step: of many, each has its number before the ending.
-    fn path_of(&self, step: usize) -> String {
-        if !self.figures.all {
-            return self.path.clone();
-        }
-        let (stem, ending) = match self.path.rsplit_once('.') {
-            Some((stem, ending)) if !ending.contains(['/', '\\']) => (stem, ending),
-            _ => (self.path.as_str(), "png"),
-        };
-        format!("{stem}-{step:03}.{ending}")
-    }
-
     fn figure(&self) -> StageFigure<'_> {
         StageFigure {
             title: self.title.as_deref(),
@@ -46,6 +34,18 @@ impl Export {
             figures: self.figures,
         }
     }
+}
+
+/// The file of a step: of many, each has its number before the ending.
+fn path_of(path: &str, figures: Figures, step: usize) -> String {
+    if !figures.all {
+        return path.to_owned();
+    }
+    let (stem, ending) = match path.rsplit_once('.') {
+        Some((stem, ending)) if !ending.contains(['/', '\\']) => (stem, ending),
+        _ => (path, "png"),
+    };
+    format!("{stem}-{step:03}.{ending}")
 }
 
 impl App {
@@ -90,8 +90,9 @@ impl App {
                 self.file.as_deref() != Some(&target.path) && self.platform.exists(&target.path)
             }
             Some(Dialog::Export(target, figures)) => {
-                let export = self.export_of(&target.path, *figures);
-                (export.next..=export.last).any(|step| self.platform.exists(&export.path_of(step)))
+                let [first, last] = self.exported(*figures);
+                let path = |step| path_of(&target.path, *figures, step);
+                (first..=last).any(|step| self.platform.exists(&path(step)))
             }
             Some(Dialog::Help) | None => return,
         };
@@ -131,14 +132,19 @@ impl App {
         self.reported(path, written, ["status-saved", "status-save-failed"], now)
     }
 
-    fn export_of(&self, path: &str, figures: Figures) -> Export {
+    /// The first and the last step that become figures.
+    const fn exported(&self, figures: Figures) -> [usize; 2] {
         let transport = self.playback.transport();
-        let title = self.bookmark.title(figures.lang);
-        let [next, last] = if figures.all {
+        if figures.all {
             [0, transport.n_steps()]
         } else {
             [transport.position(); 2]
-        };
+        }
+    }
+
+    fn export_of(&self, path: &str, figures: Figures) -> Export {
+        let title = self.bookmark.title(figures.lang);
+        let [next, last] = self.exported(figures);
         Export {
             path: path.to_owned(),
             figures,
@@ -154,7 +160,7 @@ impl App {
         let Some(mut export) = self.exporting.take() else {
             return;
         };
-        let path = export.path_of(export.next);
+        let path = path_of(&export.path, export.figures, export.next);
         let drawn = self.platform.draw(export.figure());
         let written = drawn.and_then(|bytes| self.platform.write(&path, &bytes));
         self.notices.clear();

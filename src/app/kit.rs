@@ -6,8 +6,6 @@ use crate::{
     panels::{self, LabPanel},
 };
 
-use super::{bookmark::Bookmark, desk::Page};
-
 /// The labs that the window has, with what each adds to it and how its scenes are spelt in files.
 pub struct Kit {
     pub(super) panels: Vec<Box<dyn LabPanel>>,
@@ -29,13 +27,5 @@ impl Kit {
     pub(super) fn lab(&self, id: &str) -> Option<&'static dyn Lab> {
         let mut labs = self.panels.iter().map(|panel| panel.lab());
         labs.find(|lab| lab.id() == id)
-    }
-
-    /// Opens a page, where it is still there.
-    pub(super) fn open_page(&self, bookmark: &mut Bookmark, page: &Page) -> bool {
-        match page {
-            Page::Step(lesson, step) => bookmark.open_ids(lesson, step),
-            Page::Free(id) => self.lab(id).is_some_and(|lab| bookmark.open_free(lab)),
-        }
     }
 }

@@ -40,6 +40,7 @@ mod playback;
 #[cfg(not(target_arch = "wasm32"))]
 mod reload;
 mod room;
+mod run_room;
 mod settings;
 mod sketch;
 mod stage;
@@ -151,7 +152,7 @@ impl App {
         let mut bookmark = Bookmark::new(course);
         let first = kit.panels.first().expect("a window has a lab").lab();
         let is_open = match &settings.page {
-            Some(page) => kit.open_page(&mut bookmark, page),
+            Some(page) => bookmark.open_page(page, |id| kit.lab(id)),
             None => bookmark.step().is_some(),
         };
         if !is_open && bookmark.step().is_none() {

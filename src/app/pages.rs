@@ -26,42 +26,37 @@ const MOST_STORED: usize = 200_000;
 impl App {
     /// Opens another page, where there is one; what was done on this one is put away.
     pub(super) fn turn_to(&mut self, open: impl FnOnce(&mut Bookmark) -> bool) {
-        let (page, is_changed) = (self.bookmark.page(), !self.is_untouched());
+        let (page, is_changed) = (self.bookmark.page(), self.is_the_readers());
         let is_open = open(&mut self.bookmark);
         if !is_open || self.bookmark.page() == page {
             return;
         }
-        let scene = self.history.now().clone();
-        let history = std::mem::replace(&mut self.history, History::new(scene));
-        let file = self.file.take();
-        let is_worth_keeping = history.can_undo() || history.can_redo() || is_changed;
-        if let Some(page) = page.filter(|page| is_worth_keeping || matches!(page, Page::Free(_))) {
-            let work = Work {
-                history,
-                position: self.playback.transport().position(),
-                file,
-                is_changed,
-            };
-            self.desk.put(page, work);
+        let before = self.enter();
+        if let (Some(page), Some(work)) = (page, before)
+            && (is_changed || work.history.can_undo() || work.history.can_redo())
+        {
+            self.desk.put(page, Work { is_changed, ..work });
         }
-        self.enter();
     }
 
-    /// Shows the open page as it was left, else as it is at first.
-    pub(super) fn enter(&mut self) {
+    /// Is the scene the reader's own, or changed by the reader?
+    fn is_the_readers(&self) -> bool {
+        self.bookmark.free().is_some() || !self.is_untouched()
+    }
+
+    /// Shows the open page as it was left, else as it is at first; what was shown before.
+    pub(super) fn enter(&mut self) -> Option<Work> {
         let speed = self.settings.speed;
         let page = self.bookmark.page();
         let work = page.as_ref().and_then(|page| self.desk.take(page));
-        if let Some(work) = work {
-            self.show(work);
-        } else if let Some((scene, position)) = self.own() {
-            self.show(Work {
-                history: History::new(scene),
-                position,
-                file: None,
-                is_changed: false,
-            });
-        }
+        let at_first = |(scene, position)| Work {
+            history: History::new(scene),
+            position,
+            file: None,
+            is_changed: false,
+        };
+        let work = work.or_else(|| self.own().map(at_first));
+        let before = work.map(|work| self.show(work));
         (self.shown.lists_lessons, self.shown.is_answered) = (false, false);
         self.shown.code = self
             .bookmark
@@ -76,14 +71,20 @@ impl App {
             self.desk.opened(lab.id(), page);
         }
         self.playback.transport_mut().set_speed(speed);
+        before
     }
 
-    fn show(&mut self, work: Work) {
+    /// Shows this in the place of what is shown, which it answers.
+    fn show(&mut self, work: Work) -> Work {
         let scene = work.history.now();
-        self.playback = Playback::record(scene, work.position);
+        let before = std::mem::replace(&mut self.playback, Playback::record(scene, work.position));
         self.stage = StageState::new(scene);
-        self.history = work.history;
-        self.file = work.file;
+        Work {
+            position: before.transport().position(),
+            history: std::mem::replace(&mut self.history, work.history),
+            file: std::mem::replace(&mut self.file, work.file),
+            ..work
+        }
     }
 
     /// The open page's own scene, and where its run stands at first.
@@ -129,13 +130,10 @@ impl App {
     pub(super) fn open_lab(&mut self, id: &str) {
         let Some(lab) = self.kit.lab(id) else { return };
         let last = self.desk.last(id).cloned();
-        let mut bookmark = self.bookmark.clone();
-        let is_open = last.is_some_and(|page| self.kit.open_page(&mut bookmark, &page))
-            || bookmark.open_lab(id)
-            || bookmark.open_free(lab);
-        self.turn_to(|open| {
-            *open = bookmark;
-            is_open
+        self.turn_to(|bookmark| {
+            last.is_some_and(|page| bookmark.open_page(&page, |_| Some(lab)))
+                || bookmark.open_lab(id)
+                || bookmark.open_free(lab)
         });
     }
 
@@ -170,16 +168,13 @@ impl App {
             })
         };
         let page = self.bookmark.page();
-        let is_changed = page
-            .as_ref()
-            .is_some_and(|page| matches!(page, Page::Free(_)) || !self.is_untouched());
-        let open = page.filter(|_| is_changed).and_then(|page| {
+        let open = page.filter(|_| self.is_the_readers()).and_then(|page| {
             let position = self.playback.transport().position();
             store(&page, self.history.now(), position, &self.file)
         });
         let mut stored: Vec<StoredWork> = open.into_iter().collect();
         for (page, work) in self.desk.works() {
-            if work.is_changed || matches!(page, Page::Free(_)) {
+            if work.is_changed {
                 stored.extend(store(page, work.history.now(), work.position, &work.file));
             }
         }
@@ -204,7 +199,7 @@ impl App {
             let Some(own) = own.filter(|own| own.document().lab() == scene.document().lab()) else {
                 continue;
             };
-            let is_changed = own != scene;
+            let is_changed = matches!(work.page, Page::Free(_)) || own != scene;
             let mut history = History::new(own);
             history.replace(scene);
             let StoredWork {

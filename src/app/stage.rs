@@ -5,8 +5,7 @@ use egui::{Align2, Button, Id, Rect, RichText, Stroke, Ui, UiBuilder, pos2, vec2
 
 use crate::{
     figure::{Caption, ColumnLayout, Frame, Layout, Lens, Mark, Role, Sheet, ViewId},
-    labs::{Edit, Handle, Lock, MethodCard, Scene, Sketch},
-    lesson::LessonStep,
+    labs::{Edit, Handle, Lock, MethodCard, Sketch},
     paint::{Typeset, Viewport},
     panels::{Reach, spots},
     text::Message,
@@ -77,7 +76,7 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
     let step = model.bookmark.step();
     let hands = Hands {
         handles: &handles,
-        locks: step.map_or(&[][..], |step| locks_of(step, model.scene, &handles)),
+        locks: step.map_or(&[][..], |step| step.locks_in(model.scene, &handles)),
         focused: state.focused.take(),
     };
     state.canvas_ids.clear();
@@ -140,18 +139,6 @@ fn lay_out(model: &Model<'_>, ui: &Ui, state: &mut StageState, rect: Rect) -> La
         title.paint(ui.painter(), at, Align2::LEFT_TOP);
     }
     layout
-}
-
-/// What a step locks, as long as it lies where the lesson has it: in another scene all is free.
-fn locks_of<'a>(step: &'a LessonStep, scene: &Scene, handles: &[Handle]) -> &'a [Lock] {
-    let (own, now) = (step.scene.document(), scene.document());
-    let is_elsewhere = |&handle: &Handle| own.position(handle) != now.position(handle);
-    let is_locked = |handle: &&Handle| step.locks.iter().any(|lock| lock.holds(**handle));
-    if handles.iter().filter(is_locked).any(is_elsewhere) {
-        &[]
-    } else {
-        &step.locks
-    }
 }
 
 /// One method's part of the stage.
@@ -227,10 +214,12 @@ impl Column<'_> {
         state: &StageState,
         (viewport, lens): (&Viewport, Lens),
     ) -> Option<Mark> {
+        if state.sketch.is_some() || !ui.rect_contains_pointer(viewport.rect) {
+            return None;
+        }
         let pointer = ui.input(|input| input.pointer.hover_pos())?;
-        let is_free = state.sketch.is_none() && ui.rect_contains_pointer(viewport.rect);
         let click = clicks::click_at(viewport, lens, self.hands.locks, pointer);
-        let shape = model.scene.document().pointed(&click).filter(|_| is_free)?;
+        let shape = model.scene.document().pointed(&click)?;
         Some(Mark::new(Role::Accent, shape))
     }
 

@@ -42,7 +42,7 @@ pub struct StageState {
     /// Half an outline, while one is drawn.
     pub sketch: Option<Sketch>,
     /// The methods that can take a refused scene, and the revision of it.
-    ways_out: (u64, Vec<&'static MethodCard>),
+    ways_out: Option<(u64, Vec<&'static MethodCard>)>,
     /// A place that is being typed.
     pub typing: Option<Typing>,
     /// The room that is kept for the captions.
@@ -123,13 +123,15 @@ impl StageState {
 
     /// The right methods that can take the scene.
     pub fn ways_out(&mut self, scene: &Scene, revision: u64) -> &[&'static MethodCard] {
-        if self.ways_out.0 != revision || self.ways_out.1.is_empty() {
+        let known = self.ways_out.take();
+        let known = known.filter(|(of, _)| *of == revision);
+        let (_, ways) = self.ways_out.insert(known.unwrap_or_else(|| {
             let document = scene.document();
             let methods = document.lab().methods().into_iter();
             let able = methods.filter(|card| !card.is_faulty && document.takes(card.id));
-            self.ways_out = (revision, able.collect());
-        }
-        &self.ways_out.1
+            (revision, able.collect())
+        }));
+        ways
     }
 
     /// Is a view moved away from the whole scene?

@@ -1,7 +1,7 @@
 //! What was typed, done.
 
 use crate::{
-    labs::{Edit, Handle, place_of, written},
+    labs::{Edit, Handle, Lock, place_of, written},
     text::Diagnostic,
 };
 
@@ -10,15 +10,22 @@ use super::{App, typing::Typing};
 impl App {
     /// Opens the field for a handle, unless the lesson holds it in place; or closes it.
     pub(super) fn start_typing(&mut self, handle: Option<Handle>) {
-        let document = self.history.now().document();
-        self.stage.typing = handle.and_then(|handle| {
-            let at = document.position(handle)?;
-            Some(Typing {
-                handle,
-                text: written(handle, at, self.stage.is_flat()),
-                problem: None,
-            })
-        });
+        let (scene, step) = (self.history.now(), self.bookmark.step());
+        let document = scene.document();
+        let is_locked = |handle| {
+            let locks = step.map(|step| step.locks_in(scene, &document.handles()));
+            locks.is_some_and(|locks| Lock::any_holds(locks, handle))
+        };
+        self.stage.typing = handle
+            .filter(|&handle| !is_locked(handle))
+            .and_then(|handle| {
+                let at = document.position(handle)?;
+                Some(Typing {
+                    handle,
+                    text: written(handle, at, self.stage.is_flat()),
+                    problem: None,
+                })
+            });
     }
 
     /// Puts the handle where it was typed, or says why it cannot lie there.

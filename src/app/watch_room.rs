@@ -1,33 +1,21 @@
-//! The room that a run's watch table takes: found once, and kept until another run asks for more.
+//! The room that a run's watch table takes.
 
 use egui::Ui;
 
 use crate::{
     figure::{Run, Watch, watches},
-    paint::ThemeKind,
-    text::Lang,
     widgets::WatchRoom,
 };
 
-use super::model::Model;
+use super::{model::Model, run_room::RunRoom};
 
-/// The room of each method's table, and what it was found for.
+/// The room of each method's table.
 #[derive(Default)]
-pub struct WatchRooms {
-    known: [Option<(Asked, WatchRoom)>; 2],
-}
-
-/// What the room of a table depends on.
-#[derive(Clone, Copy, PartialEq)]
-struct Asked {
-    recording: u64,
-    lang: Lang,
-    theme: ThemeKind,
-}
+pub struct WatchRooms([RunRoom<WatchRoom>; 2]);
 
 impl WatchRooms {
-    /// The room for the table of the method in this column at all steps, `now` among them. While a handle is dragged it
-    /// grows, but is not found anew.
+    /// The room for the table of the method in this column at all steps, `now` among them: while a handle is dragged it
+    /// grows.
     pub fn of(
         &mut self,
         model: &Model<'_>,
@@ -35,24 +23,11 @@ impl WatchRooms {
         (column, run): (usize, &dyn Run),
         now: &Watch,
     ) -> &WatchRoom {
-        let asked = Asked {
-            recording: model.playback.recording(),
-            lang: model.settings.lang,
-            theme: model.settings.theme,
-        };
-        let is_held = ui.input(|input| input.pointer.any_down());
-        let known = &mut self.known[column];
-        let is_known = known.as_ref().is_some_and(|(known, _)| {
-            let recording = known.recording;
-            *known == asked || (is_held && Asked { recording, ..asked } == *known)
-        });
-        if !is_known {
-            *known = None;
-        }
-        let (_, room) = known.get_or_insert_with(|| {
+        // What a table wants does not depend on the width that it has.
+        let room = self.0[column].get(model, ui, 0.0, || {
             let mut room = WatchRoom::default();
             watches(run).for_each(|watch| room.widen(ui, model.look, &watch));
-            (asked, room)
+            room
         });
         room.widen(ui, model.look, now);
         room

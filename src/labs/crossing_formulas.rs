@@ -92,6 +92,15 @@ impl Weights {
     }
 }
 
+/// The coordinate that a line with this normal, through `origin`, fixes, if it runs along an axis.
+pub fn fixed([nx, ny]: [f64; 2], origin: Point) -> Option<(Axis, f64)> {
+    if ny == 0.0 {
+        Some((Axis::X, origin.x()))
+    } else {
+        (nx == 0.0).then(|| (Axis::Y, origin.y()))
+    }
+}
+
 /// Where a segment crosses the line on which the `axis` coordinate is `c`: both weights, then the other coordinate.
 /// Where the line passes through an end there is nothing to compute.
 pub fn upright(segment: &Segment, axis: Axis, c: f64, at: Point) -> Vec<Formula> {

@@ -197,10 +197,10 @@ impl Lock {
         groups.find(|&&known| known == name).copied().map(Self)
     }
 
-    /// Is this handle locked?
+    /// Is this handle in one of these groups?
     #[must_use]
-    pub fn holds(self, handle: Handle) -> bool {
-        handle.group() == self.0
+    pub fn any_holds(locks: &[Self], handle: Handle) -> bool {
+        locks.iter().any(|lock| lock.0 == handle.group())
     }
 }
 

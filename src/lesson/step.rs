@@ -4,7 +4,7 @@ use std::sync::{Arc, OnceLock};
 
 use crate::{
     figure::{Moment, MomentError, Run},
-    labs::{Lock, Scene},
+    labs::{Handle, Lock, Scene},
     text::{Diagnostic, Message},
 };
 
@@ -34,6 +34,21 @@ pub struct LessonStep {
 }
 
 impl LessonStep {
+    /// What it locks among these handles of a scene, as long as that lies where the lesson has it: in another scene all is
+    /// free.
+    #[must_use]
+    pub fn locks_in(&self, scene: &Scene, handles: &[Handle]) -> &[Lock] {
+        let (own, now) = (self.scene.document(), scene.document());
+        let is_elsewhere = |&handle: &Handle| {
+            Lock::any_holds(&self.locks, handle) && own.position(handle) != now.position(handle)
+        };
+        if handles.iter().any(is_elsewhere) {
+            &[]
+        } else {
+            &self.locks
+        }
+    }
+
     /// The step of the first method's run at which its moment comes; `None` where it never does. The run is recorded
     /// when this is first asked for.
     #[must_use]

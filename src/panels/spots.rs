@@ -50,7 +50,7 @@ pub fn spots(
             index,
             at: reach.at(scene, handle)?,
             name: look.catalog.message(&handle.name()),
-            locked: locks.iter().any(|lock| lock.holds(handle)),
+            locked: Lock::any_holds(locks, handle),
             snap: if handle.kind().is_whole {
                 Snap::Offset
             } else {

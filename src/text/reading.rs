@@ -33,20 +33,11 @@ pub fn read_numbers(text: &str) -> Option<Vec<f64>> {
 
 fn read_number(text: &str) -> Option<f64> {
     let (above, below) = text.split_once('/').unwrap_or((text, "1"));
-    let is_written = |part: &str| !part.is_empty() && !part.contains(char::is_alphabetic);
-    let read = |part: &str| {
-        part.parse::<f64>()
-            .ok()
-            .filter(|_| is_written(part) || has_exponent(part))
-    };
+    // `1e-3`, but not `inf` or `nan`.
+    let is_written = |part: &str| !part.contains(|c: char| c.is_alphabetic() && !"eE".contains(c));
+    let read = |part: &str| part.parse::<f64>().ok().filter(|_| is_written(part));
     let quotient = read(above)? / read(below)?;
     quotient.is_finite().then_some(quotient)
-}
-
-/// `1e-3`, but not `inf` or `nan`.
-fn has_exponent(text: &str) -> bool {
-    let mut letters = text.chars().filter(|c| c.is_alphabetic());
-    letters.all(|letter| matches!(letter, 'e' | 'E')) && text.contains(|c: char| c.is_ascii_digit())
 }
 
 #[cfg(test)]

@@ -12,17 +12,16 @@ use crate::{
     trace::Transport,
 };
 
+fn n_steps(bench: &Bench) -> usize {
+    let lessons = bench.app.bookmark.lessons();
+    lessons.iter().map(|lesson| lesson.steps.len()).sum()
+}
+
 #[test]
 fn a_presenter_walks_the_course_and_comes_back() {
     let mut bench = Bench::with(App::new(Course::embedded(), Settings::default()), SIZE);
     bench.key(Key::F5);
-    let n_steps: usize = bench
-        .app
-        .bookmark
-        .lessons()
-        .iter()
-        .map(|l| l.steps.len())
-        .sum();
+    let n_steps = n_steps(&bench);
     for _ in 0..n_steps + 2 {
         bench.key(Key::PageDown);
         assert!(!bench.app.shown.is_answered, "no text is read there");
@@ -84,13 +83,7 @@ fn settings_come_back() {
 #[test]
 fn page_down_shows_the_answer_before_it_moves_on() {
     let mut bench = Bench::with(App::new(Course::embedded(), Settings::default()), SIZE);
-    let n_steps: usize = bench
-        .app
-        .bookmark
-        .lessons()
-        .iter()
-        .map(|l| l.steps.len())
-        .sum();
+    let n_steps = n_steps(&bench);
     let mut n_answers = 0;
     for _ in 1..n_steps {
         let before = bench.app.bookmark.page();

@@ -3,7 +3,11 @@
 use egui::{Key, Modifiers, vec2};
 
 use super::{Bench, ROOMY, ctrl};
-use crate::{app::Command, labs::lines};
+use crate::{
+    app::{App, Command, Settings},
+    labs::{Lock, lines},
+    lesson::Course,
+};
 
 #[test]
 fn an_end_is_dragged_and_one_undo_takes_the_whole_drag_back() {
@@ -181,4 +185,22 @@ fn a_place_is_typed_where_it_lies_and_a_bad_one_says_why() {
         (p1(&bench), bench.app.stage.typing.is_some()),
         (before, false)
     );
+}
+
+#[test]
+fn what_the_lesson_locks_is_not_typed_either() {
+    let mut bench = Bench::with(App::new(Course::embedded(), Settings::default()), ROOMY);
+    let handles = bench.app.scene().document().handles();
+    let locked = loop {
+        let step = bench.app.bookmark.step().expect("a step locks something");
+        if let Some(&locked) = handles.iter().find(|&&h| Lock::any_holds(&step.locks, h)) {
+            break locked;
+        }
+        bench.key(Key::PageDown);
+    };
+    let free = handles.iter().find(|h| h.group() != locked.group());
+    for (handle, is_typed) in [(Some(locked), false), (free.copied(), true)] {
+        bench.app.start_typing(handle);
+        assert_eq!(bench.app.stage.typing.is_some(), is_typed, "{handle:?}");
+    }
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     geom::{Point, Polygon, distance_to_segment},
-    labs::{self, ChangeOf, Click, Handle, OutlineKind, Own},
+    labs::{self, ChangeOf, Click, Handle, Lock, OutlineKind, Own},
     text::Diagnostic,
 };
 
@@ -127,10 +127,7 @@ pub fn vertex_of(scene: &Scene, handle: Option<Handle>) -> SceneVertex {
 /// A click that puts something in puts a new vertex on the edge that it is on.
 pub fn clicked(scene: &Scene, click: &Click<'_>) -> Option<PolygonsChange> {
     let [x, y, _] = click.at;
-    let is_locked = |vertex: &SceneVertex| {
-        let mut locks = click.locks.iter();
-        locks.any(|lock| lock.holds(vertex.handle()))
-    };
+    let is_locked = |vertex: &SceneVertex| Lock::any_holds(click.locks, vertex.handle());
     let vertices = scene.subject_vertices().chain(scene.clip_vertices());
     let near = vertices.filter_map(|vertex| {
         let edge = scene.ring_of(vertex)?.edge(vertex.idx());

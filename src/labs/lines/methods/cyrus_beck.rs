@@ -6,10 +6,10 @@ use crate::{
         CyrusBeckState as State, End,
     },
     figure::{Body, Caption, Mark, Side, Tick, View, Watch, WatchSection},
-    geom::{Axis, Point, Segment},
+    geom::{Point, Segment},
     labs::{
         CodeLine, Demo, Step, code_line,
-        crossing_formulas::{oblique, taken, upright},
+        crossing_formulas::{fixed, oblique, taken, upright},
         lines::{LineDemo, Scene},
     },
     text::{Formula, Message},
@@ -276,21 +276,10 @@ fn put_formulas(
     Input { clip, segment }: &Input,
 ) -> Vec<Formula> {
     let is_touch = before.interval[0] == before.interval[1] && clip.vertices().contains(&at);
-    let on_axis = |axis, c| {
-        if is_touch {
-            taken(axis, at)
-        } else {
-            upright(segment, axis, c, at)
-        }
-    };
-    let [nx, ny] = row.normal;
-    if ny == 0.0 {
-        on_axis(Axis::X, row.origin.x())
-    } else if nx == 0.0 {
-        on_axis(Axis::Y, row.origin.y())
-    } else if is_touch {
-        vec![Formula::default().point(at.to_array())]
-    } else {
-        vec![oblique("P", [segment.p1, segment.p2], [row.d1, row.d2], at)]
+    match fixed(row.normal, row.origin) {
+        Some((axis, _)) if is_touch => taken(axis, at),
+        Some((axis, c)) => upright(segment, axis, c, at),
+        None if is_touch => vec![Formula::default().point(at.to_array())],
+        None => vec![oblique("P", [segment.p1, segment.p2], [row.d1, row.d2], at)],
     }
 }

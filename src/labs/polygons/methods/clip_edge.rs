@@ -5,7 +5,7 @@ use crate::{
     figure::{Link, Mark, Role, Shape},
     geom::{Axis, Edge, Point, Segment, Window},
     labs::{
-        crossing_formulas::{Weights, oblique, upright},
+        crossing_formulas::{Weights, fixed, oblique, upright},
         words::{along, axis_symbol, border_equation, edge_link, edge_name, name, subscript},
     },
     text::{Formula, Message, Value},
@@ -178,13 +178,7 @@ impl<'a> ClipEdge<'a> {
     /// The coordinate that it fixes, if it runs along an axis.
     fn upright_line(&self) -> Option<(Axis, f64)> {
         let plane = self.region.half_planes()[self.idx];
-        let [x, y] = plane.origin().to_array();
-        let [nx, ny] = plane.normal();
-        if ny == 0.0 {
-            Some((Axis::X, x))
-        } else {
-            (nx == 0.0).then_some((Axis::Y, y))
-        }
+        fixed(plane.normal(), plane.origin())
     }
 
     /// Where the edge from S to P crosses it, worked out.
