@@ -13,9 +13,9 @@
 mod pictures;
 
 use clipscope::{
-    export::{Options, Steps, jobs},
+    export::{Options, Steps, Studio, jobs},
     lesson::Course,
-    paint::{Headless, ThemeKind},
+    paint::ThemeKind,
     text::Lang,
 };
 
@@ -34,10 +34,10 @@ const OPTIONS: Options = Options {
 #[test]
 fn every_figure_is_as_accepted() {
     let course = Course::embedded();
-    let mut table = Headless::new(OPTIONS.theme);
+    let mut studio = Studio::new(OPTIONS.theme);
     let mut pictures = Pictures::of("figures");
     for job in jobs(&course.lessons, OPTIONS.steps) {
-        pictures.check(&job.path, &job.png(&mut table, &OPTIONS));
+        pictures.check(&job.path, &job.png(&mut studio, &OPTIONS));
     }
     pictures.finish();
 }
@@ -47,8 +47,8 @@ fn a_figure_is_the_same_whatever_was_drawn_before() {
     let course = Course::embedded();
     let jobs = jobs(&course.lessons, Steps::Figures);
     let (first, last) = (&jobs[0], &jobs[jobs.len() - 1]);
-    let fresh = last.png(&mut Headless::new(OPTIONS.theme), &OPTIONS);
-    let mut table = Headless::new(ThemeKind::Dark);
+    let fresh = last.png(&mut Studio::new(OPTIONS.theme), &OPTIONS);
+    let mut studio = Studio::new(ThemeKind::Dark);
     for theme in ThemeKind::ALL {
         for lang in Lang::ALL {
             let options = Options {
@@ -56,11 +56,11 @@ fn a_figure_is_the_same_whatever_was_drawn_before() {
                 lang,
                 ..OPTIONS
             };
-            assert!(!first.png(&mut table, &options).is_empty());
+            assert!(!first.png(&mut studio, &options).is_empty());
         }
     }
     assert!(
-        last.png(&mut table, &OPTIONS) == fresh,
+        last.png(&mut studio, &OPTIONS) == fresh,
         "{} depends on what was drawn before it",
         last.path
     );

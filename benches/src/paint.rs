@@ -3,10 +3,10 @@
 use std::{hint::black_box, time::Instant};
 
 use clipscope::{
-    export::{Picture, Steps, draw},
+    export::{Picture, Steps, Studio},
     labs::Scene,
     lesson::{Course, LessonStep},
-    paint::{Headless, ThemeKind},
+    paint::ThemeKind,
     text::Lang,
 };
 
@@ -22,14 +22,11 @@ pub fn run() {
     let [mut new, mut drawn, mut packed] = [const { Vec::new() }; 3];
     let mut n_bytes = Vec::new();
     for _ in 0..N_ROUNDS {
-        let (secs, mut table) = timed(|| Headless::new(ThemeKind::Light));
+        let (secs, mut studio) = timed(|| Studio::new(ThemeKind::Light));
         new.push(secs);
         for step in &steps {
             let (secs, image) = timed(|| {
-                draw(
-                    &mut table,
-                    &picture(&step.scene, step.position().unwrap_or_default()),
-                )
+                studio.draw(&picture(&step.scene, step.position().unwrap_or_default()))
             });
             drawn.push(secs);
             let (secs, png) = timed(|| image.to_png());

@@ -58,7 +58,10 @@ impl App {
             Command::Contents(open) => self.shown.lists_lessons = open,
             Command::Answer(shown) => self.shown.is_answered = shown,
             Command::Free => self.toggle_free(),
-            Command::Save
+            Command::OpenFile
+            | Command::Save
+            | Command::TypePath(_)
+            | Command::Browse
             | Command::Export
             | Command::Show(_)
             | Command::Confirm

@@ -78,8 +78,14 @@ pub enum Command {
     Undo,
     /// Makes it again.
     Redo,
-    /// Asks where to save the scene.
+    /// Asks which file to open, in the system's dialog where there is one.
+    OpenFile,
+    /// Asks where to save the scene, in the same way.
     Save,
+    /// The same in the window, where the path is typed.
+    TypePath(PathOf),
+    /// In place of the open dialog, the system's.
+    Browse,
     /// Asks where to export the figure.
     Export,
     /// Opens or closes a dialog.
@@ -118,6 +124,15 @@ pub enum Command {
     Measure(bool),
     /// The messages have been read.
     Dismiss,
+}
+
+/// What a path is typed for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum PathOf {
+    /// To be opened.
+    Opened,
+    /// To be saved.
+    Saved,
 }
 
 impl Command {
@@ -176,7 +191,7 @@ const fn once(command: Command, keys: &'static [(Modifiers, Key)], help: &'stati
 }
 
 /// Every key, in the order of the help.
-pub static BINDINGS: [Binding; 34] = [
+pub static BINDINGS: [Binding; 35] = [
     held(Command::Step(-1), &[(NONE, Key::ArrowLeft)], "help-step"),
     held(Command::Step(1), &[(NONE, Key::ArrowRight)], "help-step"),
     held(
@@ -241,6 +256,7 @@ pub static BINDINGS: [Binding; 34] = [
         &[(NONE, Key::Backspace)],
         "help-draw-back",
     ),
+    once(Command::OpenFile, &[(CTRL, Key::O)], "action-open"),
     once(Command::Save, &[(CTRL, Key::S)], "action-save"),
     once(Command::Export, &[(CTRL, Key::E)], "action-export"),
     once(Command::Course, &[(NONE, Key::F6)], "help-course"),

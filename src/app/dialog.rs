@@ -1,4 +1,4 @@
-//! What lies over the window: the list of keys, the question where to save, messages.
+//! What lies over the window, or beside it: the list of keys, the question which file.
 
 use serde::{Deserialize, Serialize};
 
@@ -9,13 +9,34 @@ use crate::{paint::ThemeKind, text::Lang};
 pub enum Dialog {
     /// The list of keys.
     Help,
+    /// Which file to open.
+    Open(Target),
     /// Where to save the scene.
     Save(Target),
     /// Where to export the figure, or those of all steps, and how they look.
     Export(Target, Figures),
 }
 
-/// A file to be written.
+impl Dialog {
+    /// The file that it is about.
+    #[must_use]
+    pub const fn target(&self) -> Option<&Target> {
+        match self {
+            Self::Help => None,
+            Self::Open(target) | Self::Save(target) | Self::Export(target, _) => Some(target),
+        }
+    }
+
+    /// The same, to be changed.
+    pub const fn target_mut(&mut self) -> Option<&mut Target> {
+        match self {
+            Self::Help => None,
+            Self::Open(target) | Self::Save(target) | Self::Export(target, _) => Some(target),
+        }
+    }
+}
+
+/// A file to be read or written.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Target {
     /// As it is being typed.
@@ -33,6 +54,30 @@ impl Target {
             replaces: false,
         }
     }
+}
+
+/// What a dialog of the system is opened for.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Question {
+    /// Over it.
+    pub title: String,
+    /// What is suggested; to open a file, the folder it is looked for in counts.
+    pub path: String,
+    /// Is a file to be opened, or to be written?
+    pub opens: bool,
+    /// How the names of such files end: `toml`.
+    pub ending: &'static str,
+}
+
+/// What came of a dialog of the system.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Answer {
+    /// This file; where it is to be written and there was one, the reader has said that it is to be replaced.
+    Chosen(String),
+    /// None: the dialog was closed.
+    Cancelled,
+    /// This system has no such dialog.
+    NoDialog,
 }
 
 /// How exported figures look, and which they are.

@@ -24,15 +24,18 @@ impl App {
             let name = file.path().display().to_string();
             match bytes_of(&file) {
                 Ok(bytes) => self.open_bytes(&name, &bytes, now),
-                Err(reason) => {
-                    let message = Message::new("status-open-failed")
-                        .with("path", name)
-                        .with("reason", reason);
-                    let text = self.catalog().message(&message);
-                    self.notices.push(Notice::problem(text));
-                }
+                Err(reason) => self.report_unread(&name, reason),
             }
         }
+    }
+
+    /// Says why a file cannot be read.
+    pub(super) fn report_unread(&mut self, path: &str, reason: Diagnostic) {
+        let message = Message::new("status-open-failed")
+            .with("path", path.to_owned())
+            .with("reason", reason);
+        let text = self.catalog().message(&message);
+        self.notices.push(Notice::problem(text));
     }
 
     /// Shows the scene in these bytes, in the free scene of its lab; what is wrong with them is shown, and all left as

@@ -8,7 +8,7 @@ use crate::{
 };
 
 use super::{
-    App, Command, Dialog,
+    App, Dialog,
     dialog::{Figures, Target},
     notice::Notice,
     platform::StageFigure,
@@ -49,41 +49,8 @@ fn path_of(path: &str, figures: Figures, step: usize) -> String {
 }
 
 impl App {
-    pub(super) fn apply_dialog(&mut self, ctx: &Context, command: Command, now: f64) {
-        let name = |app: &Self, ending: &str| {
-            let step = app.bookmark.step().and_then(|step| step.figure.clone());
-            let stem = step.unwrap_or_else(|| {
-                app.history
-                    .now()
-                    .document()
-                    .methods()
-                    .first()
-                    .map_or_else(String::new, |card| card.id.to_owned())
-            });
-            app.platform.suggest(&format!("{stem}.{ending}"))
-        };
-        match command {
-            Command::Help if self.shown.dialog == Some(Dialog::Help) => self.shown.dialog = None,
-            Command::Help => self.shown.dialog = Some(Dialog::Help),
-            Command::Save => {
-                let path = self.file.clone().unwrap_or_else(|| name(self, "toml"));
-                self.shown.dialog = Some(Dialog::Save(Target::new(path)));
-            }
-            Command::Export => {
-                let figures = self
-                    .settings
-                    .figures
-                    .unwrap_or_else(|| Figures::slide(self.settings.theme, self.settings.lang));
-                self.shown.dialog = Some(Dialog::Export(Target::new(name(self, "png")), figures));
-            }
-            Command::Show(dialog) => self.shown.dialog = dialog,
-            Command::Confirm => self.confirm(ctx, now),
-            _ => {}
-        }
-    }
-
-    /// Writes what the open dialog is about; a file that the scene is not of is replaced only when told to a second time.
-    fn confirm(&mut self, ctx: &Context, now: f64) {
+    /// Does what the open dialog is about; a file that the scene is not of is replaced only when told to a second time.
+    pub(super) fn confirm(&mut self, ctx: &Context, now: f64) {
         let mut asked = self.shown.dialog.take();
         let is_there = match &asked {
             Some(Dialog::Save(target)) => {
@@ -94,9 +61,10 @@ impl App {
                 let path = |step| path_of(&target.path, *figures, step);
                 (first..=last).any(|step| self.platform.exists(&path(step)))
             }
+            Some(Dialog::Open(_)) => false,
             Some(Dialog::Help) | None => return,
         };
-        if let Some(Dialog::Save(target) | Dialog::Export(target, _)) = &mut asked
+        if let Some(target) = asked.as_mut().and_then(Dialog::target_mut)
             && is_there
             && !target.replaces
         {
@@ -106,6 +74,7 @@ impl App {
         }
         self.notices.clear();
         match asked {
+            Some(Dialog::Open(target)) => self.open(&target.path, ctx, now),
             Some(Dialog::Save(target)) => {
                 let notice = self.save(&target.path, now);
                 if notice.is_problem {
@@ -120,6 +89,24 @@ impl App {
                 self.export_next(ctx, now);
             }
             Some(Dialog::Help) | None => {}
+        }
+        ctx.request_repaint();
+    }
+
+    /// Opens a scene, or a folder of lessons.
+    fn open(&mut self, path: &str, ctx: &Context, now: f64) {
+        #[cfg(not(target_arch = "wasm32"))]
+        if std::path::Path::new(path).is_dir() {
+            self.open_folder(std::path::Path::new(path), ctx);
+            return;
+        }
+        match self.platform.read(path) {
+            Ok(bytes) => self.open_bytes(path, &bytes, now),
+            Err(reason) => {
+                self.report_unread(path, reason);
+                // The path is still there to be mended.
+                self.shown.dialog = Some(Dialog::Open(Target::new(path.to_owned())));
+            }
         }
         ctx.request_repaint();
     }

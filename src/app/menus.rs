@@ -4,11 +4,13 @@ use egui::{Button, Context, Id, Popup, RichText, Ui};
 
 use crate::{
     panels::{LabPanel, PanelAsk, compare_choices, panel_of},
-    widgets::{Icon, icon_button, language_menu, menu_button, menu_style, speed_menu, theme_menu},
+    widgets::{
+        Icon, Look, icon_button, language_menu, menu_button, menu_style, speed_menu, theme_menu,
+    },
 };
 
 use super::{
-    Command,
+    Command, PathOf,
     model::Model,
     room::{BESIDE_TRANSPORT, transport_has_room},
 };
@@ -96,46 +98,58 @@ fn scene(
         commands.push(Command::Snap(snap));
     }
     ui.separator();
-    let mut action = |ui: &mut Ui, key: &str, keys: &str, enabled: bool, command: Command| {
-        let button =
-            Button::new(look.say(key)).right_text(RichText::new(keys).color(look.theme.soft));
-        if ui.add_enabled(enabled, button).clicked() {
-            commands.push(command);
-        }
-    };
-    action(
-        ui,
-        "action-undo",
-        "Ctrl+Z",
-        model.can_travel[0],
-        Command::Undo,
-    );
-    action(
-        ui,
-        "action-redo",
-        "Ctrl+Shift+Z",
-        model.can_travel[1],
-        Command::Redo,
-    );
-    action(ui, "action-reset", "R", true, Command::Reset);
+    changes(model, ui, commands);
+    ui.separator();
+    files(model, ui, commands);
+    let measure = Command::Measure(true);
+    action(ui, look, ("cost-measure", "Ctrl+M"), model.measures).then(|| commands.push(measure));
+    action(ui, look, ("action-help", "?"), true).then(|| commands.push(Command::Help));
+}
+
+/// A row of the menu, with the keys that do the same; was it clicked?
+fn action(ui: &mut Ui, look: Look<'_>, (key, keys): (&str, &str), enabled: bool) -> bool {
+    let keys = RichText::new(keys).color(look.theme.soft);
+    let button = Button::new(look.say(key)).right_text(keys);
+    ui.add_enabled(enabled, button).clicked()
+}
+
+/// What was done and can be taken back; other scenes; the view.
+fn changes(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
+    let [can_undo, can_redo] = model.can_travel;
     let free = if model.bookmark.free().is_some() {
         "action-course"
     } else {
         "action-free"
     };
-    action(ui, free, "F8", true, Command::Free);
-    action(ui, "action-reset-view", "0", true, Command::FitView);
-    ui.separator();
-    action(ui, "action-save", "Ctrl+S", true, Command::Save);
-    action(ui, "action-export", "Ctrl+E", true, Command::Export);
-    action(
-        ui,
-        "cost-measure",
-        "Ctrl+M",
-        model.measures,
-        Command::Measure(true),
-    );
-    action(ui, "action-help", "?", true, Command::Help);
+    let rows = [
+        ("action-undo", "Ctrl+Z", can_undo, Command::Undo),
+        ("action-redo", "Ctrl+Shift+Z", can_redo, Command::Redo),
+        ("action-reset", "R", true, Command::Reset),
+        (free, "F8", true, Command::Free),
+        ("action-reset-view", "0", true, Command::FitView),
+    ];
+    for (key, keys, enabled, command) in rows {
+        action(ui, model.look, (key, keys), enabled).then(|| commands.push(command));
+    }
+}
+
+/// Files that are opened and written; where the system asks for them, their paths can be typed all the same.
+fn files(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
+    let path = |of| model.has_file_dialogs.then_some(Command::TypePath(of));
+    let rows = [
+        ("action-open", "Ctrl+O", Some(Command::OpenFile)),
+        ("action-open-path", "", path(PathOf::Opened)),
+        ("action-save", "Ctrl+S", Some(Command::Save)),
+        ("action-save-path", "", path(PathOf::Saved)),
+        ("action-export", "Ctrl+E", Some(Command::Export)),
+    ];
+    for (key, keys, command) in rows {
+        if let Some(command) = command
+            && action(ui, model.look, (key, keys), true)
+        {
+            commands.push(command);
+        }
+    }
 }
 
 /// What a lab's menu asked for.

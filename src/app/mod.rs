@@ -11,9 +11,12 @@
 //! Panels read a `Model` and push [`Command`]s; nothing else changes anything.
 
 mod apply;
+mod asking;
 mod bars;
 mod bookmark;
 mod caption_room;
+#[cfg(not(target_arch = "wasm32"))]
+mod chooser;
 mod clicks;
 mod command;
 mod course_panel;
@@ -55,9 +58,9 @@ mod watch_room;
 mod web;
 mod window;
 
-pub use command::{BINDINGS, Binding, Command};
+pub use command::{BINDINGS, Binding, Command, PathOf};
 pub use desk::{Page, StoredWork};
-pub use dialog::{Dialog, Figures, Target};
+pub use dialog::{Answer, Dialog, Figures, Question, Target};
 pub use kit::Kit;
 #[cfg(not(target_arch = "wasm32"))]
 pub use native::{Opening, run_native};
@@ -104,6 +107,8 @@ pub struct App {
     shown: Shown,
     notices: Notices,
     platform: Box<dyn Platform>,
+    /// What a dialog of the system has been opened for.
+    asked: Option<Dialog>,
     /// Figures on their way into files.
     exporting: Option<files::Export>,
     #[cfg(not(target_arch = "wasm32"))]
@@ -183,6 +188,7 @@ impl App {
             },
             notices: Notices::default(),
             platform: Box::new(NoFiles),
+            asked: None,
             exporting: None,
             #[cfg(not(target_arch = "wasm32"))]
             reload: None,
@@ -251,6 +257,7 @@ impl App {
             self.apply(&ctx, command);
         }
         self.take_dropped_files(&ctx);
+        self.take_answer(&ctx, now);
         #[cfg(not(target_arch = "wasm32"))]
         self.take_changed_course(now);
         self.pass_time(&ctx, now);
@@ -354,6 +361,7 @@ impl App {
             },
             has_strip,
             is_presenting: self.shown.presenting.is_some(),
+            has_file_dialogs: self.platform.has_dialogs(),
             dialog: self.shown.dialog.as_ref(),
             notices: self.notices.shown(),
             is_measuring: self.shown.is_measuring,

@@ -54,6 +54,8 @@ pub struct Model<'a> {
     pub has_strip: bool,
     /// Stage, caption and a small transport alone.
     pub is_presenting: bool,
+    /// May the system have dialogs for files?
+    pub has_file_dialogs: bool,
     /// The open dialog.
     pub dialog: Option<&'a Dialog>,
     /// Messages over the window.

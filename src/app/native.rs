@@ -71,7 +71,7 @@ fn create(creation: &CreationContext<'_>, opening: Opening) -> App {
     let course = loaded
         .as_ref()
         .map_or_else(Course::embedded, |loaded| loaded.course.clone());
-    let mut app = App::new(course, settings).with_platform(Desktop);
+    let mut app = App::new(course, settings).with_platform(Desktop::with_dialogs());
     if let Some((file, scene)) = opening.scene {
         app = app.with_scene(&file, scene);
     }

@@ -2,7 +2,10 @@
 
 use egui::{
     Align, Align2, Area, Context, Frame, Grid, Id, Key, KeyboardShortcut, Layout, Margin, Modal,
-    Modifiers, Order, RichText, ScrollArea, TextEdit, Ui, vec2,
+    Modifiers, Order, RichText, ScrollArea, TextEdit, Ui,
+    text::{CCursor, CCursorRange},
+    text_edit::TextEditState,
+    vec2,
 };
 
 use crate::{
@@ -33,7 +36,7 @@ pub fn show(
     }
     match model.dialog {
         Some(Dialog::Help) => help(ctx, look, commands),
-        Some(dialog) => path_dialog(ctx, look, dialog, commands),
+        Some(dialog) => path_dialog(model, ctx, dialog, commands),
         None => {}
     }
 }
@@ -187,9 +190,11 @@ fn written(ctx: &Context, modifiers: Modifiers, key: Key) -> String {
     format!("{}{sign}", whole.trim_end_matches('A'))
 }
 
-fn path_dialog(ctx: &Context, look: Look<'_>, dialog: &Dialog, commands: &mut Vec<Command>) {
+fn path_dialog(model: &Model<'_>, ctx: &Context, dialog: &Dialog, commands: &mut Vec<Command>) {
+    let look = model.look;
     let mut changed = dialog.clone();
     let (key, action, target, figures) = match &mut changed {
+        Dialog::Open(target) => ("open-title", "action-open-it", target, None),
         Dialog::Save(target) => ("save-title", "action-save", target, None),
         Dialog::Export(target, figures) => ("export-title", "action-export", target, Some(figures)),
         Dialog::Help => return,
@@ -220,13 +225,16 @@ fn path_dialog(ctx: &Context, look: Look<'_>, dialog: &Dialog, commands: &mut Ve
             if (ui.add_enabled(ready, go).clicked() || entered) && ready {
                 commands.push(Command::Confirm);
             }
+            if model.has_file_dialogs && ui.button(look.say("action-browse")).clicked() {
+                commands.push(Command::Browse);
+            }
             if ui.button(look.say("action-cancel")).clicked() {
                 commands.push(Command::Show(None));
             }
         });
     });
     if changed != *dialog {
-        if let Dialog::Save(target) | Dialog::Export(target, _) = &mut changed {
+        if let Some(target) = changed.target_mut() {
             target.replaces = false;
         }
         // Before a press of the button, so that it does what is chosen now.
@@ -246,8 +254,20 @@ fn path_field(ui: &mut Ui, look: Look<'_>, target: &mut Target) -> bool {
     let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
     if !field.has_focus() && !entered && ui.memory(|memory| memory.focused().is_none()) {
         field.request_focus();
+        select_name(ui.ctx(), field.id, &target.path);
     }
     entered
+}
+
+/// Selects the file's name in the field of its path, without folder and ending: what is typed first replaces it.
+fn select_name(ctx: &Context, field: Id, path: &str) {
+    let name = path.rfind(['/', '\\']).map_or(0, |at| at + 1);
+    let end = path[name..].rfind('.').map_or(path.len(), |at| name + at);
+    let [start, end] = [name, end].map(|byte| CCursor::new(path[..byte].chars().count()));
+    let mut state = TextEditState::load(ctx, field).unwrap_or_default();
+    let range = CCursorRange::two(start, end);
+    state.cursor.set_char_range(Some(range));
+    state.store(ctx, field);
 }
 
 /// What an author would set: size, theme, language, this step or all.

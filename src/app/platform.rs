@@ -2,14 +2,18 @@
 
 use std::io;
 
+use egui::Context;
+
 #[cfg(not(target_arch = "wasm32"))]
-use crate::{export, paint::Headless};
+use crate::export;
 use crate::{
     labs::Scene,
     text::{Diagnostic, SystemError},
 };
 
-use super::dialog::Figures;
+#[cfg(not(target_arch = "wasm32"))]
+use super::chooser::Chooser;
+use super::dialog::{Answer, Figures, Question};
 
 /// A figure to be exported: what the stage shows.
 #[derive(Clone, Copy, Debug)]
@@ -31,6 +35,27 @@ pub trait Platform {
 
     /// Is there a file at this path?
     fn exists(&self, path: &str) -> bool;
+
+    /// May the system have dialogs in which a file is chosen?
+    fn has_dialogs(&self) -> bool {
+        false
+    }
+
+    /// Opens one beside the window, and comes back at once; the context is woken when there is an answer.
+    fn ask(&mut self, _question: &Question, _ctx: &Context) {}
+
+    /// What came of the one that was opened last: said once.
+    fn answer(&mut self) -> Option<Answer> {
+        None
+    }
+
+    /// The bytes of a file.
+    ///
+    /// # Errors
+    /// Why it could not be read.
+    fn read(&self, _path: &str) -> Result<Vec<u8>, Diagnostic> {
+        Err(NO_FILES.into())
+    }
 
     /// Writes a file whole or not at all; the path it was written to.
     ///
@@ -72,8 +97,23 @@ impl Platform for NoFiles {
 
 /// A desktop with files.
 #[cfg(not(target_arch = "wasm32"))]
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Desktop;
+#[derive(Default)]
+pub struct Desktop {
+    studio: Option<export::Studio>,
+    chooser: Option<Chooser>,
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+impl Desktop {
+    /// With the dialogs of the system, where it has any: else every path is typed.
+    #[must_use]
+    pub fn with_dialogs() -> Self {
+        Self {
+            chooser: Some(Chooser::default()),
+            ..Self::default()
+        }
+    }
+}
 
 #[cfg(not(target_arch = "wasm32"))]
 impl Platform for Desktop {
@@ -84,6 +124,25 @@ impl Platform for Desktop {
 
     fn exists(&self, path: &str) -> bool {
         std::path::Path::new(path).exists()
+    }
+
+    fn has_dialogs(&self) -> bool {
+        let mut chooser = self.chooser.iter();
+        chooser.any(|chooser| !chooser.is_missing())
+    }
+
+    fn ask(&mut self, question: &Question, ctx: &Context) {
+        if let Some(chooser) = &mut self.chooser {
+            chooser.ask(question, ctx);
+        }
+    }
+
+    fn answer(&mut self) -> Option<Answer> {
+        self.chooser.as_mut()?.answer()
+    }
+
+    fn read(&self, path: &str) -> Result<Vec<u8>, Diagnostic> {
+        Ok(std::fs::read(path)?)
     }
 
     fn write(&mut self, path: &str, bytes: &[u8]) -> Result<String, Diagnostic> {
@@ -98,7 +157,8 @@ impl Platform for Desktop {
             lang,
             all,
         } = picture.figures;
-        let mut table = Headless::new(theme);
+        let new = || export::Studio::new(theme);
+        let studio = self.studio.get_or_insert_with(new);
         let figure = export::Picture {
             title: picture.title,
             scene: picture.scene,
@@ -112,6 +172,6 @@ impl Platform for Desktop {
                 export::Steps::Figures
             },
         };
-        Ok(export::draw(&mut table, &figure).to_png())
+        Ok(studio.draw(&figure).to_png())
     }
 }

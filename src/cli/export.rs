@@ -160,11 +160,11 @@ pub(super) fn export(args: &Args) -> Outcome {
         &jobs,
         options.theme,
         &args.out,
-        |job, table| {
+        |job, studio| {
             if args.window {
-                window_png(job, &course, table, args)
+                window_png(job, &course, studio.table(), args)
             } else {
-                job.png(table, &options)
+                job.png(studio, &options)
             }
         },
         || progress.advance(1),

@@ -66,39 +66,91 @@ pub struct Picture<'a> {
     pub among: Steps,
 }
 
-/// Draws a figure. A table that has drawn others draws it faster; the bytes are the same.
-#[must_use]
-pub fn draw(table: &mut Headless, picture: &Picture<'_>) -> Image {
-    drawn(table, picture).0
+/// Draws figures. One that has drawn others draws faster, and records the run of a scene once, however many of its steps
+/// it draws; the bytes are the same.
+pub struct Studio {
+    table: Headless,
+    last: Option<Recorded>,
 }
 
-/// The figure, and the views that have no room even on the largest page.
-fn drawn(table: &mut Headless, picture: &Picture<'_>) -> (Image, Vec<ViewId>) {
+impl Studio {
+    /// One that has drawn nothing yet.
+    #[must_use]
+    pub fn new(theme: ThemeKind) -> Self {
+        Self {
+            table: Headless::new(theme),
+            last: None,
+        }
+    }
+
+    /// What else is drawn without a window is drawn on this.
+    pub const fn table(&mut self) -> &mut Headless {
+        &mut self.table
+    }
+
+    /// Draws a figure.
+    #[must_use]
+    pub fn draw(&mut self, picture: &Picture<'_>) -> Image {
+        self.drawn(picture).0
+    }
+
+    /// The figure, and the views that have no room even on the largest page.
+    fn drawn(&mut self, picture: &Picture<'_>) -> (Image, Vec<ViewId>) {
+        let known = self.last.take();
+        let known = known.filter(|known| known.scene == *picture.scene);
+        let recorded = known.unwrap_or_else(|| Recorded::new(picture.scene));
+        let drawn = drawn(&mut self.table, &recorded, picture);
+        self.last = Some(recorded);
+        drawn
+    }
+}
+
+/// A scene with its runs, and what they want of a page.
+struct Recorded {
+    scene: Scene,
+    runs: Vec<Box<dyn Run>>,
+    needs: Vec<Vec<Need>>,
+    difference: Option<Difference>,
+}
+
+impl Recorded {
+    fn new(scene: &Scene) -> Self {
+        let runs = scene.document().record();
+        let all: Vec<&dyn Run> = runs.iter().map(|run| &**run).collect();
+        Self {
+            scene: scene.clone(),
+            needs: all.iter().map(|&run| needs(run)).collect(),
+            difference: Difference::between(&scene.document().methods(), &all),
+            runs,
+        }
+    }
+
+    /// Each method, at the step that stands beside this one of the first.
+    fn columns(&self, step: usize) -> Vec<Column> {
+        let methods = self.scene.document().methods().into_iter();
+        let columns = methods.zip(&self.runs).enumerate();
+        let column = |(i, (method, run)): (usize, (_, &Box<dyn Run>))| match i {
+            0 => Column::new(method, &**run, step),
+            _ => Column::new(method, &**run, run.beside(&*self.runs[0], step)),
+        };
+        columns.map(column).collect()
+    }
+}
+
+/// See [`Studio::drawn`].
+fn drawn(table: &mut Headless, recorded: &Recorded, picture: &Picture<'_>) -> (Image, Vec<ViewId>) {
     table.set_theme(picture.theme);
     let size = vec2(picture.size_px[0] as f32, picture.size_px[1] as f32);
     let pixels_per_point = (size.x / PAGE_PTS[0]).min(size.y / PAGE_PTS[1]);
-    let runs = picture.scene.document().record();
-    let all: Vec<&dyn Run> = runs.iter().map(|run| &**run).collect();
-    let methods = picture.scene.document().methods();
     let page = Page {
         picture,
         look: Look {
             theme: Theme::of(picture.theme),
             catalog: Catalog::of(picture.lang),
         },
-        runs: &all,
-        needs: all.iter().map(|&run| needs(run)).collect(),
-        difference: Difference::between(&methods, &all),
+        recorded,
     };
-    let columns: Vec<Column> = methods
-        .into_iter()
-        .zip(&all)
-        .enumerate()
-        .map(|(i, (method, &run))| match i {
-            0 => Column::new(method, run, picture.step),
-            _ => Column::new(method, run, run.beside(all[0], picture.step)),
-        })
-        .collect();
+    let columns = recorded.columns(picture.step);
     let mut page_scale = 1.0;
     loop {
         let pixels_per_point = pixels_per_point / page_scale;
@@ -149,9 +201,7 @@ impl Column {
 struct Page<'a> {
     picture: &'a Picture<'a>,
     look: Look<'static>,
-    runs: &'a [&'a dyn Run],
-    needs: Vec<Vec<Need>>,
-    difference: Option<Difference>,
+    recorded: &'a Recorded,
 }
 
 impl Page<'_> {
@@ -189,7 +239,7 @@ impl Page<'_> {
                 .first()
                 .map_or(0.0, |bars| bars.height() + OVER_COST_PTS),
         };
-        let layout = sheet.lay_out(&self.needs);
+        let layout = sheet.lay_out(&self.recorded.needs);
         if let Some(title) = title {
             title.paint(ui.painter(), rect_of(layout.title).min, Align2::LEFT_TOP);
         }
@@ -206,7 +256,7 @@ impl Page<'_> {
             let lost = lost.filter(|&id| places.slot(id).is_none());
             lost.collect::<Vec<ViewId>>()
         };
-        let columns = self.needs.iter().zip(&layout.columns);
+        let columns = self.recorded.needs.iter().zip(&layout.columns);
         columns.flat_map(lost).collect()
     }
 
@@ -221,14 +271,14 @@ impl Page<'_> {
                 height(&mut columns.iter().map(|column| column.frame.caption.clone()))
             }
             Steps::Figures | Steps::All => {
-                height(&mut self.runs.iter().flat_map(|&run| sentences(run)))
+                height(&mut self.recorded.runs.iter().flat_map(|run| sentences(&**run)))
             }
         }
     }
 
     /// What each method has done, where two are compared; what a mistake costs is not what is to be seen.
     fn costs(&self, columns: &[Column]) -> Vec<Cost<'static>> {
-        if columns.len() < 2 || self.difference.is_some() {
+        if columns.len() < 2 || self.recorded.difference.is_some() {
             return Vec::new();
         }
         let counts: Vec<_> = columns.iter().map(|column| column.frame.counts).collect();
@@ -252,9 +302,10 @@ impl Page<'_> {
                 view(ui, self.look, rect_of(slot), first, None);
             }
         }
-        let is_comparison = self.needs.len() > 1;
+        let is_comparison = self.recorded.needs.len() > 1;
         let name = is_comparison.then(|| catalog.term(column.method.name_key));
         let note = self
+            .recorded
             .difference
             .filter(|difference| difference.column == index)
             .map(|difference| catalog.message(&difference.message()));

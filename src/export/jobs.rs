@@ -15,12 +15,12 @@ use std::{
 use crate::{
     labs::Scene,
     lesson::{Lesson, LessonStep, SceneFile},
-    paint::{Headless, ThemeKind},
+    paint::ThemeKind,
     text::Lang,
 };
 
 use super::{
-    figure::{Picture, Steps, draw},
+    figure::{Picture, Steps, Studio},
     files::write_whole,
 };
 
@@ -126,7 +126,7 @@ impl Job<'_> {
 
     /// The picture as PNG.
     #[must_use]
-    pub fn png(&self, table: &mut Headless, options: &Options) -> Vec<u8> {
+    pub fn png(&self, studio: &mut Studio, options: &Options) -> Vec<u8> {
         let picture = Picture {
             title: self.title(options.lang),
             scene: self.scene(),
@@ -136,7 +136,7 @@ impl Job<'_> {
             size_px: options.size_px,
             among: options.steps,
         };
-        draw(table, &picture).to_png()
+        studio.draw(&picture).to_png()
     }
 
     fn write(&self, png: &[u8], out: &Path) -> io::Result<()> {
@@ -163,7 +163,7 @@ pub fn run(
     jobs: &[Job<'_>],
     theme: ThemeKind,
     out: &Path,
-    png: impl Fn(&Job<'_>, &mut Headless) -> Vec<u8> + Sync,
+    png: impl Fn(&Job<'_>, &mut Studio) -> Vec<u8> + Sync,
     mut done: impl FnMut(),
 ) -> Vec<Failure> {
     let next = AtomicUsize::new(0);
@@ -177,9 +177,9 @@ pub fn run(
             let finished = finished.clone();
             let (next, failures, png) = (&next, &failures, &png);
             scope.spawn(move || {
-                let mut table = Headless::new(theme);
+                let mut studio = Studio::new(theme);
                 while let Some((i, job)) = take(next, jobs) {
-                    if let Err(error) = job.write(&png(job, &mut table), out) {
+                    if let Err(error) = job.write(&png(job, &mut studio), out) {
                         let path = out.join(&job.path).display().to_string();
                         if let Ok(mut failures) = failures.lock() {
                             failures.push((i, Failure { path, error }));

@@ -7,11 +7,11 @@ use egui::Key;
 use super::{Bench, SIZE, ctrl};
 use crate::{
     app::{App, Command, Desktop, Dialog, Figures, Settings, Target},
-    export::{Picture, Steps, draw},
+    export::{Picture, Steps, Studio},
     figure::Moment,
     labs::{Scene, lines},
     lesson::{Course, SceneFormats},
-    paint::{Headless, ThemeKind},
+    paint::ThemeKind,
     text::Lang,
 };
 
@@ -67,7 +67,7 @@ fn a_scene_that_is_dropped_is_opened_and_can_be_undone() {
 #[test]
 fn a_scene_is_saved_where_the_dialog_says() {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let app = App::new(Course::default(), Settings::default()).with_platform(Desktop);
+    let app = App::new(Course::default(), Settings::default()).with_platform(Desktop::default());
     let mut bench = Bench::with(app, SIZE);
     bench.press(Key::S, ctrl());
     assert!(matches!(bench.app.shown.dialog, Some(Dialog::Save(_))));
@@ -92,7 +92,7 @@ fn another_file_is_replaced_only_when_told_twice() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let path = folder.path().join("mine.toml").display().to_string();
     std::fs::write(&path, "mine").expect("writable");
-    let app = App::new(Course::default(), Settings::default()).with_platform(Desktop);
+    let app = App::new(Course::default(), Settings::default()).with_platform(Desktop::default());
     let mut bench = Bench::with(app, SIZE);
     let ctx = bench.ctx.clone();
     let ask = Command::Show(Some(Dialog::Save(Target::new(path.clone()))));
@@ -130,7 +130,7 @@ fn a_saved_scene_keeps_its_moment_and_names_the_window() {
 #[test]
 fn an_export_is_what_was_chosen_and_the_choice_is_remembered() {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let app = App::new(Course::default(), Settings::default()).with_platform(Desktop);
+    let app = App::new(Course::default(), Settings::default()).with_platform(Desktop::default());
     let mut bench = Bench::with(app, SIZE);
     let ctx = bench.ctx.clone();
     bench.press(Key::E, ctrl());
@@ -164,7 +164,7 @@ fn an_export_is_what_was_chosen_and_the_choice_is_remembered() {
             size_px: Figures::SIZES[0],
             among: Steps::All,
         };
-        let drawn = draw(&mut Headless::new(ThemeKind::Projector), &picture).to_png();
+        let drawn = Studio::new(ThemeKind::Projector).draw(&picture).to_png();
         assert!(
             written.expect("a step") == drawn,
             "as `clipscope export` draws it"

@@ -7,17 +7,22 @@ use crate::{
 
 use super::*;
 
-fn lost(table: &mut Headless, job: &Job<'_>, lang: Lang, size_px: [u32; 2]) -> Vec<ViewId> {
+fn lost(
+    studio: &mut Studio,
+    job: &Job<'_>,
+    (theme, lang): (ThemeKind, Lang),
+    size_px: [u32; 2],
+) -> Vec<ViewId> {
     let picture = Picture {
         title: job.title(lang),
         scene: job.scene(),
         step: job.position,
         lang,
-        theme: table.theme().kind,
+        theme,
         size_px,
         among: Steps::Figures,
     };
-    drawn(table, &picture).1
+    studio.drawn(&picture).1
 }
 
 /// The page is never smaller than at 16 : 9, whatever the size: a higher or wider one has room for more.
@@ -27,10 +32,10 @@ fn no_figure_of_the_course_loses_a_view() {
     let jobs = jobs(&course.lessons, Steps::Figures);
     // The dark theme's text is as large as the light one's.
     for theme in [ThemeKind::Light, ThemeKind::Projector] {
-        let mut table = Headless::new(theme);
+        let mut studio = Studio::new(theme);
         for lang in Lang::ALL {
             let faults = jobs.iter().filter_map(|job| {
-                let lost = lost(&mut table, job, lang, [640, 360]);
+                let lost = lost(&mut studio, job, (theme, lang), [640, 360]);
                 (!lost.is_empty()).then(|| format!("{}: {lost:?}", job.path))
             });
             let faults: Vec<String> = faults.collect();

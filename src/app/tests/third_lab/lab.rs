@@ -1,5 +1,7 @@
 //! The third lab in its layers: scene, spelling in files, panel.
 
+use std::cell::Cell;
+
 use egui::Ui;
 
 use crate::{
@@ -60,6 +62,11 @@ pub fn face() -> Handle {
     FACE.at([0, 0])
 }
 
+thread_local! {
+    /// How often this thread has recorded a box.
+    pub static N_RECORDED: Cell<usize> = const { Cell::new(0) };
+}
+
 #[derive(Clone, PartialEq, Debug)]
 pub struct BoxScene {
     pub half: f64,
@@ -80,6 +87,7 @@ impl Document for BoxScene {
     fn set_compare(&mut self, _: Option<&str>) {}
 
     fn record(&self) -> Vec<Box<dyn Run>> {
+        N_RECORDED.set(N_RECORDED.get() + 1);
         let &Self { half, c } = self;
         vec![record::<Corners>(Input { half, c })]
     }

@@ -14,12 +14,12 @@ use crate::{
     figure::{Body, Moment, Run, project},
     labs::Scene,
     lesson::{Course, FileError, Files, SceneFormat, SceneFormats},
-    paint::{Headless, ThemeKind},
+    paint::ThemeKind,
     text::Lang,
 };
 
 use corners::corner;
-use lab::{BoxFormat, BoxPanel, BoxScene, LAB, SOLVERS};
+use lab::{BoxFormat, BoxPanel, BoxScene, LAB, N_RECORDED, SOLVERS};
 
 static FORMATS: [&dyn SceneFormat; 1] = [&BoxFormat];
 
@@ -121,16 +121,21 @@ fn its_figure_is_a_cube_with_hidden_edges_dashed() {
     };
     let marks = project(space, &space.eye);
     assert_eq!(marks.iter().filter(|mark| mark.is_dashed).count(), 3);
-    let picture = export::Picture {
+    let picture = |step| export::Picture {
         scene: &scene,
-        step: 1,
+        step,
         lang: Lang::En,
         theme: ThemeKind::Light,
         size_px: [1280, 720],
         among: export::Steps::Figures,
         title: None,
     };
-    let image = export::draw(&mut Headless::new(ThemeKind::Light), &picture);
+    let mut studio = export::Studio::new(ThemeKind::Light);
+    let image = studio.draw(&picture(1));
+    let before = N_RECORDED.get();
+    let steps: Vec<_> = (0..=9).map(|step| studio.draw(&picture(step))).collect();
+    assert_eq!(N_RECORDED.get(), before, "the run is there already");
+    assert!(steps[1].to_png() == image.to_png() && steps[2].to_png() != image.to_png());
     let png = image.to_png();
     assert!(png.len() > 2_000, "{} bytes: something is drawn", png.len());
     if let Some(folder) = std::env::var_os("CLIPSCOPE_SAMPLES") {

@@ -1,0 +1,160 @@
+//! Which file: the system's dialog is asked, and where there is none, or it hangs, the path is typed.
+
+use std::{cell::RefCell, rc::Rc};
+
+use egui::{Context, Event, Key};
+
+use super::{Bench, SIZE, ctrl};
+use crate::{
+    app::{Answer, App, Command, Desktop, Dialog, Platform, Question, Settings, StageFigure},
+    lesson::Course,
+    text::Diagnostic,
+};
+
+/// A desktop whose dialogs are answered by the test.
+#[derive(Clone, Default)]
+struct Asked(Rc<RefCell<Dialogs>>);
+
+#[derive(Default)]
+struct Dialogs {
+    questions: Vec<Question>,
+    answer: Option<Answer>,
+    is_missing: bool,
+}
+
+impl Platform for Asked {
+    fn suggest(&self, name: &str) -> String {
+        format!("/nowhere/{name}")
+    }
+    fn exists(&self, path: &str) -> bool {
+        Desktop::default().exists(path)
+    }
+    fn has_dialogs(&self) -> bool {
+        !self.0.borrow().is_missing
+    }
+    fn ask(&mut self, question: &Question, _ctx: &Context) {
+        self.0.borrow_mut().questions.push(question.clone());
+    }
+    fn answer(&mut self) -> Option<Answer> {
+        self.0.borrow_mut().answer.take()
+    }
+    fn read(&self, path: &str) -> Result<Vec<u8>, Diagnostic> {
+        Desktop::default().read(path)
+    }
+    fn write(&mut self, path: &str, bytes: &[u8]) -> Result<String, Diagnostic> {
+        Desktop::default().write(path, bytes)
+    }
+    fn draw(&mut self, _: StageFigure<'_>) -> Result<Vec<u8>, Diagnostic> {
+        Ok(b"a figure".to_vec())
+    }
+}
+
+fn bench() -> (Bench, Asked) {
+    let asked = Asked::default();
+    let app = App::new(Course::default(), Settings::default()).with_platform(asked.clone());
+    (Bench::with(app, SIZE), asked)
+}
+
+impl Asked {
+    fn answers(&self, bench: &mut Bench, answer: Answer) {
+        self.0.borrow_mut().answer = Some(answer);
+        bench.settle();
+    }
+
+    fn n_questions(&self) -> usize {
+        self.0.borrow().questions.len()
+    }
+}
+
+#[test]
+fn the_system_is_asked_where_to_save_and_what_to_open() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("mine.toml").display().to_string();
+    std::fs::write(&path, "another's").expect("writable");
+    let (mut bench, asked) = bench();
+    bench.press(Key::S, ctrl());
+    assert_eq!(asked.n_questions(), 1);
+    assert_eq!(bench.app.shown.dialog, None, "the window asks nothing");
+    bench.key(Key::ArrowRight);
+    assert_eq!(bench.app.position(), 1, "and goes on");
+    // The system has asked whether the file is to be replaced.
+    asked.answers(&mut bench, Answer::Chosen(path.clone()));
+    assert_eq!(bench.app.shown.dialog, None);
+    assert_eq!(bench.app.file.as_deref(), Some(&*path));
+
+    let saved = bench.app.scene().clone();
+    bench.command(Command::Undo);
+    bench.key(Key::Insert);
+    assert_ne!(*bench.app.scene(), saved);
+    bench.press(Key::O, ctrl());
+    assert!(asked.0.borrow().questions[1].opens);
+    asked.answers(&mut bench, Answer::Chosen(path));
+    assert_eq!((bench.app.scene(), bench.app.position()), (&saved, 1));
+}
+
+#[test]
+fn a_dialog_that_is_closed_does_nothing() {
+    let (mut bench, asked) = bench();
+    for key in [Key::S, Key::O] {
+        bench.press(key, ctrl());
+        asked.answers(&mut bench, Answer::Cancelled);
+        assert_eq!(bench.app.shown.dialog, None);
+        assert!(bench.app.notices.is_empty());
+    }
+    // What was chosen of a figure is still there.
+    bench.press(Key::E, ctrl());
+    let chosen = bench.app.shown.dialog.clone();
+    bench.command(Command::Browse);
+    assert_eq!(bench.app.shown.dialog, None);
+    asked.answers(&mut bench, Answer::Cancelled);
+    assert_eq!(bench.app.shown.dialog, chosen);
+}
+
+#[test]
+fn a_path_is_typed_where_no_dialog_answers() {
+    let (mut bench, asked) = bench();
+    let is_typed = |bench: &Bench| matches!(bench.app.shown.dialog, Some(Dialog::Save(_)));
+    bench.press(Key::S, ctrl());
+    asked.answers(&mut bench, Answer::NoDialog);
+    assert!(is_typed(&bench), "there is none");
+    bench.key(Key::Escape);
+    bench.press(Key::S, ctrl());
+    assert!(!is_typed(&bench));
+    bench.press(Key::S, ctrl());
+    assert!(is_typed(&bench), "the one that was asked is silent");
+    assert_eq!(asked.n_questions(), 2);
+    asked.answers(&mut bench, Answer::Chosen("/nowhere/late.toml".to_owned()));
+    assert!(is_typed(&bench), "it is heard no more");
+    bench.key(Key::Escape);
+    asked.0.borrow_mut().is_missing = true;
+    bench.press(Key::S, ctrl());
+    assert!(is_typed(&bench));
+    assert_eq!(asked.n_questions(), 2);
+}
+
+#[test]
+fn a_path_that_cannot_be_read_is_there_to_be_mended() {
+    let (mut bench, asked) = bench();
+    let before = bench.app.scene().clone();
+    bench.press(Key::O, ctrl());
+    asked.answers(
+        &mut bench,
+        Answer::Chosen("/nowhere/at-all.toml".to_owned()),
+    );
+    assert!(matches!(bench.app.shown.dialog, Some(Dialog::Open(_))));
+    assert!(bench.app.notices.shown()[0].is_problem);
+    assert_eq!(*bench.app.scene(), before);
+}
+
+#[test]
+fn the_name_is_selected_when_the_path_is_to_be_typed() {
+    let (mut bench, asked) = bench();
+    asked.0.borrow_mut().is_missing = true;
+    bench.press(Key::S, ctrl());
+    bench.settle();
+    bench.frame(0.1, vec![Event::Text("mine".to_owned())]);
+    bench.settle();
+    let target = bench.app.shown.dialog.as_ref().and_then(Dialog::target);
+    let path = target.map(|target| &*target.path);
+    assert_eq!(path, Some("/nowhere/mine.toml"));
+}
