@@ -27,8 +27,12 @@ impl App {
                 self.edit(Edit::Remove(self.stage.chosen()), None, now);
                 self.stage.selected = None;
             }
-            Command::Type(handle) => self.start_typing(handle),
-            Command::TypeChosen => self.start_typing(self.stage.chosen()),
+            Command::Type(handle) => self.start_typing(handle, None),
+            Command::TypeAt(handle, at) => self.start_typing(Some(handle), Some(at)),
+            Command::TypeChosen => self.start_typing(self.stage.chosen(), None),
+            Command::CloseOutline if self.stage.sketch.is_none() => {
+                self.start_typing(self.stage.focused, None);
+            }
             Command::Typed => self.apply_typed(now),
             Command::Select(handle) => self.stage.selected = Some(handle),
             Command::DrawNth(nth) => {

@@ -1,6 +1,6 @@
 //! Everything that can be done, and the keys that do it.
 
-use egui::{Key, Modifiers};
+use egui::{Key, Modifiers, Pos2};
 
 use crate::{
     figure::ViewId,
@@ -58,6 +58,8 @@ pub enum Command {
     Select(Handle),
     /// Opens the field in which the place of a handle is typed, or closes it.
     Type(Option<Handle>),
+    /// The same where its place is shown.
+    TypeAt(Handle, Pos2),
     /// The same of the handle that has the focus, or was taken hold of last.
     TypeChosen,
     /// What was typed is to be done.

@@ -3,17 +3,17 @@
 use egui::{Align, Button, Id, Layout, RichText, Role, ScrollArea, Ui, UiBuilder, WidgetInfo};
 
 use crate::{
-    figure::unseen,
+    figure::{Frame, Link, Run, Watch, unseen},
     labs::MethodCard,
     lesson::CodeView,
     paint::theme,
     widgets::{
-        CodeStep, CodeText, Cost, Pseudocode, code_view_switch, cost, most_of_a_kind, rule,
-        section, watch,
+        CodeStep, CodeText, Cost, Pseudocode, WatchTable, code_view_switch, cost, most_of_a_kind,
+        rule, section, watch,
     },
 };
 
-use super::{Command, bars::step_text, model::Model, stage_state::StageState};
+use super::{Command, bars::step_text, model::Model, stage_state::StageState, typing::told_of};
 
 /// Of the panel's height the pseudocode takes more than this in smaller text, and this many points at least.
 const CODE_PART: f32 = 0.42;
@@ -31,8 +31,30 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
     });
 }
 
-/// All that the panel holds, in a room of this height where that can be: of the method that was clicked last, where two
-/// stand side by side.
+/// What the panel is about: the method that was clicked last, where two stand side by side.
+#[derive(Clone, Copy)]
+struct Inspected<'a> {
+    column: usize,
+    run: &'a dyn Run,
+    frame: &'a Frame,
+    /// The number of the step.
+    moment: usize,
+}
+
+impl<'a> Inspected<'a> {
+    fn of(model: &Model<'a>, clicked: usize) -> Option<Self> {
+        let frames = model.playback.frames();
+        let column = clicked.min(frames.len().saturating_sub(1));
+        Some(Self {
+            column,
+            run: model.playback.runs().nth(column)?,
+            frame: frames.get(column)?,
+            moment: model.playback.steps().get(column)?[0],
+        })
+    }
+}
+
+/// All that the panel holds, in a room of this height where that can be.
 pub fn content(
     model: &Model<'_>,
     ui: &mut Ui,
@@ -40,61 +62,127 @@ pub fn content(
     room: f32,
     commands: &mut Vec<Command>,
 ) {
-    let frames = model.playback.frames();
-    let column = state.inspected.min(frames.len().saturating_sub(1));
-    let (Some(frame), Some(run)) = (frames.get(column), model.playback.runs().nth(column)) else {
+    let Some(inspected) = Inspected::of(model, state.inspected) else {
         return;
     };
+    let Inspected {
+        column, run, frame, ..
+    } = inspected;
     let look = model.look;
     let top = ui.cursor().top();
-    if frames.len() > 1 {
+    if model.playback.frames().len() > 1 {
         methods(model, ui, column, &mut state.inspected);
     }
     code_heading(model, ui, commands);
     let scalars = unseen(&frame.watch);
-    let watch_room = state.watch.of(model, ui, (column, run), &scalars);
+    let table = state.watch.of(model, ui, (column, run), &scalars).height();
     let lines = lines(model, column);
     let code = Pseudocode::new(ui, look, (&lines, model.code), CODE_PART * room);
     // What stands below keeps its place: rows that are too many are scrolled by themselves.
     let id = Id::unique("inspector without its rows");
     let fixed: f32 = ui.data(|data| data.get_temp(id)).unwrap_or_default();
-    let [code_most, watch_most] = shares(room - fixed, [code.height(), watch_room.height()]);
-    let moment = model.playback.steps()[column][0];
-    let step = CodeStep {
-        line: frame.code_line,
-        moment,
-        is_lit: state
-            .lit
-            .is_some_and(|lit| frame.focus().any(|link| link == lit)),
-    };
-    let mut pointed = None;
-    if code.show(ui, &step, code_most) {
-        pointed = frame.focus().next();
-    }
-    if model.code == CodeView::Hidden {
-        ui.label(RichText::new(look.say("pseudocode-hidden-note")).color(look.theme.soft));
-    }
-    if watch_room.height() > 0.0 {
-        rule(ui, look);
-        section(ui, look, &look.say("panel-watch"));
-        if frame.watch.iter().all(|section| section.rows.is_empty()) {
-            let nothing = RichText::new(look.say("watch-empty")).color(look.theme.soft);
-            let inner = UiBuilder::new().max_rect(ui.available_rect_before_wrap());
-            ui.new_child(inner).label(nothing);
-        }
-        let table = (watch_room, watch_most);
-        let shown = ui.scope(|ui| watch(ui, look, &scalars, table, moment, state.lit));
-        pointed = shown.inner.or(pointed);
-    }
+    let [code_most, watch_most] = shares(room - fixed, [code.height(), table]);
+    let in_code = pseudocode(model, ui, state, (&code, code_most), inspected);
+    let in_table = watched(
+        model,
+        ui,
+        state,
+        (&scalars, watch_most),
+        inspected,
+        commands,
+    );
     rule(ui, look);
     costs(model, ui, column, commands);
-    let scrolled = code.height().min(code_most) + watch_room.height().min(watch_most);
+    let scrolled = code.height().min(code_most) + table.min(watch_most);
     let now = ui.cursor().top() - top - scrolled;
     if (now - fixed).abs() > 0.5 {
         ui.data_mut(|data| data.insert_temp(id, now));
         ui.ctx().request_repaint();
     }
-    state.pointed_in_inspector = pointed;
+    state.pointed_in_inspector = in_table.or(in_code);
+}
+
+/// The lines, as many as have room in `most`; what the one under the pointer is about: at this step, or whenever it was
+/// reached last.
+fn pseudocode(
+    model: &Model<'_>,
+    ui: &mut Ui,
+    state: &mut StageState,
+    (code, most): (&Pseudocode<'_>, f32),
+    inspected: Inspected<'_>,
+) -> Option<Link> {
+    let Inspected {
+        column,
+        run,
+        frame,
+        moment,
+    } = inspected;
+    let is_now = |link| frame.focus().any(|about| about == link);
+    let mut lit = match state.lit {
+        Some(link) => state.code_links.of(model, ui, (column, run)).lines(link),
+        None => Vec::new(),
+    };
+    lit.extend(frame.code_line.filter(|_| state.lit.is_some_and(is_now)));
+    let step = CodeStep {
+        line: frame.code_line,
+        moment,
+        lit: &lit,
+    };
+    let line = code.show(ui, &step, most);
+    if model.code == CodeView::Hidden {
+        let note = model.look.say("pseudocode-hidden-note");
+        ui.label(RichText::new(note).color(model.look.theme.soft));
+    }
+    let line = line?;
+    let now = frame.focus().next();
+    if let Some(link) = now.filter(|_| frame.code_line == Some(line)) {
+        return Some(link);
+    }
+    let links = state.code_links.of(model, ui, (column, run));
+    links.of_line(line, moment)
+}
+
+/// The table of values that stand in no view; what the row under the pointer is about.
+fn watched(
+    model: &Model<'_>,
+    ui: &mut Ui,
+    state: &mut StageState,
+    (scalars, most): (&Watch, f32),
+    inspected: Inspected<'_>,
+    commands: &mut Vec<Command>,
+) -> Option<Link> {
+    let Inspected {
+        column,
+        run,
+        frame,
+        moment,
+    } = inspected;
+    let (look, lit) = (model.look, state.lit);
+    let room = state.watch.of(model, ui, (column, run), scalars);
+    if room.height() <= 0.0 {
+        return None;
+    }
+    rule(ui, look);
+    section(ui, look, &look.say("panel-watch"));
+    if frame.watch.iter().all(|section| section.rows.is_empty()) {
+        let nothing = RichText::new(look.say("watch-empty")).color(look.theme.soft);
+        let inner = UiBuilder::new().max_rect(ui.available_rect_before_wrap());
+        ui.new_child(inner).label(nothing);
+    }
+    let table = WatchTable {
+        watch: scalars,
+        room: (room, most),
+        moment,
+        lit,
+        is_typed: &|link| told_of(model, scalars, link).is_some(),
+    };
+    let shown = ui.scope(|ui| watch(ui, look, &table)).inner;
+    if let Some((link, at)) = shown.clicked
+        && let Some(handle) = told_of(model, scalars, link)
+    {
+        commands.push(Command::TypeAt(handle, at));
+    }
+    shown.pointed
 }
 
 /// The room of the lines of code and of the rows of the table: what they want, or of what is left as much as can be.

@@ -51,8 +51,9 @@ pub fn show(
     }
     state.lit = state.pointed_on_stage.or(state.pointed_in_inspector);
     if let Some(mut typed) = state.typing.take() {
-        let at = model.scene.document().position(typed.handle);
-        if let Some(at) = at.and_then(|at| state.on_screen(at)) {
+        let place = model.scene.document().position(typed.handle);
+        let at_handle = || place.and_then(|place| state.on_screen(place));
+        if let Some(at) = typed.at.or_else(at_handle) {
             typing::show(ui.ctx(), model.look, (&mut typed, at), commands);
             state.typing = Some(typed);
         }

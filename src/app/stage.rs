@@ -1,7 +1,9 @@
 //! The stage: the drawing with its handles, and what else the figure's layout has. Two of each where two methods stand
 //! side by side.
 
-use egui::{Align2, Button, Id, Rect, RichText, Stroke, Ui, UiBuilder, pos2, vec2};
+use egui::{
+    Align2, Button, CursorIcon, Id, InputState, Rect, RichText, Stroke, Ui, UiBuilder, pos2, vec2,
+};
 
 use crate::{
     figure::{Caption, ColumnLayout, Frame, Layout, Lens, Mark, Role, Sheet, ViewId},
@@ -15,7 +17,10 @@ use crate::{
     },
 };
 
-use super::{Command, clicks, model::Model, room::CoursePart, sketch, stage_state::StageState};
+use super::{
+    Command, clicks, model::Model, room::CoursePart, sketch, stage_state::StageState,
+    typing::told_of,
+};
 
 /// What can be taken hold of.
 struct Hands<'a> {
@@ -181,6 +186,13 @@ impl Column<'_> {
             indent: INDENT,
         };
         let pointed = beside_the_drawing(ui, look, self.places, &frame.views, &words, state.lit);
+        if let Some(handle) = pointed.and_then(|link| told_of(model, &frame.watch, link)) {
+            ui.set_cursor_icon(CursorIcon::Text);
+            let click = |input: &InputState| input.pointer.interact_pos();
+            let is_clicked = ui.input(|input| input.pointer.primary_clicked());
+            let at = ui.input(click).filter(|_| is_clicked);
+            commands.extend(at.map(|at| Command::TypeAt(handle, at)));
+        }
         state.pointed_on_stage = state.pointed_on_stage.or(pointed);
         shown
     }

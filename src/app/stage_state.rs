@@ -13,7 +13,11 @@ use crate::{
 };
 
 use super::{
-    Command, caption_room::CaptionRoom, model::Model, typing::Typing, watch_room::WatchRooms,
+    Command,
+    caption_room::CaptionRoom,
+    model::Model,
+    typing::Typing,
+    watch_room::{CodeLinkRooms, WatchRooms},
 };
 
 /// What the stage remembers between frames. None of it is part of the document.
@@ -49,6 +53,8 @@ pub struct StageState {
     pub captions: CaptionRoom,
     /// The room that is kept for the watch tables.
     pub watch: WatchRooms,
+    /// What lines of pseudocode are about.
+    pub code_links: CodeLinkRooms,
     /// Of two methods side by side, the one that the inspector is about.
     pub inspected: usize,
     /// The drawing that was shown last, and its lens.

@@ -1,31 +1,32 @@
 //! What was typed, done.
 
+use egui::Pos2;
+
 use crate::{
-    labs::{Edit, Handle, Lock, place_of, written},
+    labs::{Edit, Handle, place_of, written},
     text::Diagnostic,
 };
 
-use super::{App, typing::Typing};
+use super::{
+    App,
+    typing::{Typing, is_held},
+};
 
 impl App {
-    /// Opens the field for a handle, unless the lesson holds it in place; or closes it.
-    pub(super) fn start_typing(&mut self, handle: Option<Handle>) {
+    /// Opens the field for a handle, unless the lesson holds it in place; or closes it. It stands at the handle, or where
+    /// its place was clicked.
+    pub(super) fn start_typing(&mut self, handle: Option<Handle>, at: Option<Pos2>) {
         let (scene, step) = (self.history.now(), self.bookmark.step());
-        let document = scene.document();
-        let is_locked = |handle| {
-            let locks = step.map(|step| step.locks_in(scene, &document.handles()));
-            locks.is_some_and(|locks| Lock::any_holds(locks, handle))
-        };
-        self.stage.typing = handle
-            .filter(|&handle| !is_locked(handle))
-            .and_then(|handle| {
-                let at = document.position(handle)?;
-                Some(Typing {
-                    handle,
-                    text: written(handle, at, self.stage.is_flat()),
-                    problem: None,
-                })
-            });
+        let handle = handle.filter(|&handle| !is_held(step, scene, handle));
+        self.stage.typing = handle.and_then(|handle| {
+            let place = scene.document().position(handle)?;
+            Some(Typing {
+                handle,
+                at,
+                text: written(handle, place, self.stage.is_flat()),
+                problem: None,
+            })
+        });
     }
 
     /// Puts the handle where it was typed, or says why it cannot lie there.

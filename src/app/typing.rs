@@ -2,19 +2,57 @@
 
 use egui::{Area, Context, Frame, Id, Key, Order, Pos2, RichText, TextEdit, vec2};
 
-use crate::{labs::Handle, widgets::Look};
+use crate::{
+    figure::{Link, Watch},
+    labs::{Handle, Lock, Motion, Scene},
+    lesson::LessonStep,
+    text::Value,
+    widgets::Look,
+};
 
-use super::Command;
+use super::{Command, model::Model};
 
 /// A place while it is typed.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Typing {
     /// Whose.
     pub handle: Handle,
+    /// Where on the screen, if it is not at the handle.
+    pub at: Option<Pos2>,
     /// So far.
     pub text: String,
     /// Why it cannot lie there.
     pub problem: Option<String>,
+}
+
+/// Does the lesson hold it in place?
+pub fn is_held(step: Option<&LessonStep>, scene: &Scene, handle: Handle) -> bool {
+    let locks = step.map(|step| step.locks_in(scene, &scene.document().handles()));
+    locks.is_some_and(|locks| Lock::any_holds(locks, handle))
+}
+
+/// The handle of which the rows under a link tell: whose place they show, or the side that they are about. None that the
+/// lesson holds.
+pub fn told_of(model: &Model<'_>, watch: &Watch, link: Link) -> Option<Handle> {
+    let document = model.scene.document();
+    let rows = watch.iter().flat_map(|section| &section.rows);
+    let rows = rows.filter(|row| row.link == Some(link));
+    let places = rows.flat_map(|row| row.cells.iter().flatten());
+    let places: Vec<[f64; 3]> = places
+        .filter_map(|value| match *value {
+            Value::Point([x, y]) => Some([x, y, 0.0]),
+            _ => None,
+        })
+        .collect();
+    let is_told = |handle: &Handle| match handle.kind().motion {
+        Motion::Axis(_) => handle.link() == Some(link),
+        Motion::Plane | Motion::FacingEye if handle.kind().is_whole => false,
+        Motion::Plane | Motion::FacingEye => document
+            .position(*handle)
+            .is_some_and(|at| places.contains(&at)),
+    };
+    let handle = document.handles().into_iter().find(is_told)?;
+    (!is_held(model.bookmark.step(), model.scene, handle)).then_some(handle)
 }
 
 /// The field beside the handle at `at`. Enter applies it; Escape, or a click elsewhere, leaves it.

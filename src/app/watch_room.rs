@@ -1,9 +1,10 @@
-//! The room that a run's watch table takes.
+//! What a run has for the inspector at all its steps: the room that its watch table takes, and what its lines of code are
+//! about.
 
 use egui::Ui;
 
 use crate::{
-    figure::{Run, Watch, watches},
+    figure::{CodeLinks, Run, Watch, watches},
     widgets::WatchRoom,
 };
 
@@ -31,5 +32,21 @@ impl WatchRooms {
         });
         room.widen(ui, model.look, now);
         room
+    }
+}
+
+/// What the lines of each method's pseudocode are about: found when it is first asked for.
+#[derive(Default)]
+pub struct CodeLinkRooms([RunRoom<CodeLinks>; 2]);
+
+impl CodeLinkRooms {
+    /// Of the method in this column.
+    pub fn of(
+        &mut self,
+        model: &Model<'_>,
+        ui: &Ui,
+        (column, run): (usize, &dyn Run),
+    ) -> &CodeLinks {
+        self.0[column].get(model, ui, 0.0, || CodeLinks::of(run))
     }
 }

@@ -138,7 +138,7 @@ pub fn watches(run: &dyn Run) -> impl Iterator<Item = Watch> {
 }
 
 /// The steps of a run that are asked: `most` of them, and the last.
-fn asked(run: &dyn Run, most: usize) -> impl Iterator<Item = usize> + use<> {
+pub(super) fn asked(run: &dyn Run, most: usize) -> impl Iterator<Item = usize> + use<> {
     let n_steps = run.n_steps();
     let n_asked = if n_steps > LONG { 1 } else { most };
     let stride = n_steps.div_ceil(n_asked).max(1);

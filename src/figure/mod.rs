@@ -2,6 +2,7 @@
 //! colours, no pixels, no language: those are chosen when it is drawn.
 
 mod bits;
+mod code_links;
 mod extent;
 mod frame;
 mod layout;
@@ -19,6 +20,7 @@ mod watch;
 mod words;
 
 pub use bits::{BitRow, Bits};
+pub use code_links::CodeLinks;
 pub use extent::{Need, Stand, needs, sentences, watches};
 pub use frame::{Caption, Frame};
 pub use layout::{ColumnLayout, Layout, Sheet, Slot};

@@ -1,7 +1,7 @@
 //! What a person can take hold of on the stage, by mouse or by keyboard. A lab names its own handles, their groups
 //! and how each may move; whoever shows them knows none by name.
 
-use crate::text::Message;
+use crate::{figure::Link, text::Message};
 
 /// How a handle may move.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -31,6 +31,8 @@ pub struct HandleKind {
     pub is_marked: bool,
     /// What the handle of this number is, for a screen reader.
     pub name: fn([usize; 2]) -> Message,
+    /// What the scene has of this kind goes by these links wherever a step tells of it.
+    pub link: Option<fn([usize; 2]) -> Link>,
 }
 
 impl HandleKind {
@@ -48,6 +50,7 @@ impl HandleKind {
             is_whole: false,
             is_vertex: false,
             is_marked: false,
+            link: None,
             name,
         }
     }
@@ -103,5 +106,11 @@ impl Handle {
     #[must_use]
     pub fn name(self) -> Message {
         (self.kind.name)(self.idx)
+    }
+
+    /// What marks and rows about it are linked by, if they are.
+    #[must_use]
+    pub fn link(self) -> Option<Link> {
+        self.kind.link.map(|link| link(self.idx))
     }
 }

@@ -5,7 +5,10 @@ use crate::{
     text::{Message, Value},
 };
 
-use super::{Handle, HandleKind, Motion, words::edge_key};
+use super::{
+    Handle, HandleKind, Motion,
+    words::{edge_key, edge_link},
+};
 
 /// The group that all of them belong to.
 pub const GROUP: &str = "window";
@@ -13,6 +16,7 @@ pub const GROUP: &str = "window";
 static CORNER: HandleKind = HandleKind::new("corner", GROUP, |[i, _]| Message::new(CORNER_KEYS[i]));
 static SIDE: HandleKind = HandleKind {
     motion: Motion::Axis([1.0, 0.0, 0.0]),
+    link: Some(|[i, _]| edge_link(Edge::ALL[i])),
     ..HandleKind::new("side", GROUP, |[i, _]| {
         Message::new("handle-side").with("edge", Value::Term(edge_key(Edge::ALL[i])))
     })
@@ -20,6 +24,7 @@ static SIDE: HandleKind = HandleKind {
 /// The same of the lower and the upper side.
 static LEVEL_SIDE: HandleKind = HandleKind {
     motion: Motion::Axis([0.0, 1.0, 0.0]),
+    link: SIDE.link,
     ..HandleKind::new(SIDE.id, GROUP, SIDE.name)
 };
 static WINDOW: HandleKind = HandleKind {

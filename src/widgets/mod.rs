@@ -40,7 +40,7 @@ pub use timeline::Timeline;
 pub use title::column_title;
 pub use transport::{Press, speed_menu, transport_buttons, transport_width};
 pub use views::view;
-pub use watch::{WatchRoom, watch};
+pub use watch::{WatchRoom, WatchShown, WatchTable, watch};
 
 use crate::{paint::Theme, text::Catalog};
 

@@ -103,9 +103,9 @@ impl<'a> Pseudocode<'a> {
         self.heights.iter().sum()
     }
 
-    /// Draws the lines, as many as have room whole, the current one on a wash with a bar at its left, and with a rim where
-    /// what it is about is `lit`. Returns whether the pointer is on it: it is about what this step is about.
-    pub fn show(&self, ui: &mut Ui, step: &CodeStep, most: f32) -> bool {
+    /// Draws the lines, as many as have room whole, the current one on a wash with a bar at its left, each with a rim where
+    /// what it is about is lit. Returns the line under the pointer.
+    pub fn show(&self, ui: &mut Ui, step: &CodeStep<'_>, most: f32) -> Option<usize> {
         let rows = WholeRows {
             name: "pseudocode",
             heights: &self.heights,
@@ -115,10 +115,13 @@ impl<'a> Pseudocode<'a> {
         };
         rows.show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
-            let mut pointed = false;
+            let mut pointed = None;
             for (i, (line, set)) in self.lines.iter().zip(&self.set).enumerate() {
                 let is_current = step.line == Some(i);
-                pointed |= row(ui, self.look, (line, set), is_current, step.is_lit);
+                let is_lit = step.lit.contains(&i);
+                if row(ui, self.look, (line, set), is_current, is_lit) {
+                    pointed = Some(i);
+                }
             }
             pointed
         })
@@ -127,13 +130,13 @@ impl<'a> Pseudocode<'a> {
 
 /// Where a step is in the pseudocode.
 #[derive(Clone, Copy, Debug)]
-pub struct CodeStep {
+pub struct CodeStep<'a> {
     /// Its line.
     pub line: Option<usize>,
     /// Its number.
     pub moment: usize,
-    /// Does what it is about stand out elsewhere?
-    pub is_lit: bool,
+    /// The lines about what stands out elsewhere.
+    pub lit: &'a [usize],
 }
 
 /// A line as it is set.
@@ -175,14 +178,14 @@ fn row(
         ui.painter().rect_filled(wash, 0.0, theme.accent_wash);
         let bar = Rect::from_min_size(wash.min, vec2(3.0, wash.height()));
         ui.painter().rect_filled(bar, 0.0, theme.accent);
-        if is_lit || response.hovered() {
-            let rim = theme.stroke(1.0, theme.accent);
-            ui.painter().rect_stroke(rect, 0.0, rim, StrokeKind::Inside);
-        }
+    }
+    if is_lit {
+        let rim = theme.stroke(1.0, theme.accent);
+        ui.painter().rect_stroke(rect, 0.0, rim, StrokeKind::Inside);
     }
     let colour = if is_current { theme.ink } else { theme.soft };
     let at = pos2(rect.left() + set.indent, rect.center().y);
     set.text
         .paint_in(ui.painter(), at, Align2::LEFT_CENTER, colour);
-    is_current && response.hovered()
+    response.hovered()
 }

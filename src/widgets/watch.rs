@@ -2,7 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use egui::{Align2, Color32, FontId, Rect, Role, Sense, TextStyle, Ui, WidgetInfo, pos2, vec2};
+use egui::{
+    Align2, Color32, CursorIcon, FontId, Pos2, Rect, Response, Role, Sense, StrokeKind, TextStyle,
+    Ui, WidgetInfo, pos2, vec2,
+};
 
 use crate::{
     figure::{Link, Watch, WatchRow, WatchSection},
@@ -133,17 +136,40 @@ impl SectionRoom {
     }
 }
 
-/// Draws the table in room for the highest of its run, or in `most` where that is less; the link of the row under the
-/// pointer. What has changed at this `moment` is in sight.
-pub fn watch(
-    ui: &mut Ui,
-    look: Look<'_>,
-    watch: &Watch,
-    (room, most): (&WatchRoom, f32),
-    moment: usize,
-    lit: Option<Link>,
-) -> Option<Link> {
+/// A watch table to be shown.
+pub struct WatchTable<'a> {
+    /// What is in it.
+    pub watch: &'a Watch,
+    /// The room of the highest table of the run, and how much of it there is at most.
+    pub room: (&'a WatchRoom, f32),
+    /// The number of the step: what has changed at it is in sight.
+    pub moment: usize,
+    /// What stands out.
+    pub lit: Option<Link>,
+    /// Can the place be typed that a row tells of?
+    pub is_typed: &'a dyn Fn(Link) -> bool,
+}
+
+/// What was done to a watch table.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct WatchShown {
+    /// The row under the pointer.
+    pub pointed: Option<Link>,
+    /// The row that was clicked, or pressed with Enter, and where: one that can be typed.
+    pub clicked: Option<(Link, Pos2)>,
+}
+
+/// Draws the table in room for the highest of its run, or in what there is where that is less.
+pub fn watch(ui: &mut Ui, look: Look<'_>, asked: &WatchTable<'_>) -> WatchShown {
+    let WatchTable {
+        watch,
+        room: (room, most),
+        moment,
+        lit,
+        is_typed,
+    } = *asked;
     let mut table = Table::new(ui, look, lit);
+    let mut shown = WatchShown::default();
     ui.spacing_mut().item_spacing.y = 0.0;
     let top = ui.cursor().top();
     let heights = table.heights(watch);
@@ -163,10 +189,12 @@ pub fn watch(
             .map(|(i, _)| i),
         moment,
     };
-    let pointed = rows.show(ui, |ui| table.sections(ui, watch, room));
+    rows.show(ui, |ui| {
+        table.sections(ui, (watch, room), is_typed, &mut shown)
+    });
     let rest = top + room.height.min(most) - ui.cursor().top();
     ui.add_space(rest.max(0.0));
-    pointed
+    shown
 }
 
 struct Table<'a> {
@@ -200,10 +228,15 @@ impl<'a> Table<'a> {
         heights
     }
 
-    fn sections(&mut self, ui: &mut Ui, watch: &Watch, room: &WatchRoom) -> Option<Link> {
+    fn sections(
+        &mut self,
+        ui: &mut Ui,
+        (watch, room): (&Watch, &WatchRoom),
+        is_typed: &dyn Fn(Link) -> bool,
+        shown: &mut WatchShown,
+    ) {
         let natural = self.mono.size;
         let width = ui.available_width();
-        let mut pointed = None;
         ui.spacing_mut().item_spacing.y = 0.0;
         for (i, section) in watch.iter().enumerate() {
             let Some(known) = room.section_idx(section).map(|i| &room.sections[i]) else {
@@ -220,10 +253,17 @@ impl<'a> Table<'a> {
             }
             for row in &section.rows {
                 let is_table = !section.header.is_empty();
-                pointed = self.row(ui, row, &columns, is_table).or(pointed);
+                let is_typed = row.link.is_some_and(is_typed);
+                let response = self.row(ui, row, &columns, (is_table, is_typed));
+                if response.hovered() {
+                    shown.pointed = row.link.or(shown.pointed);
+                }
+                if let Some(link) = row.link.filter(|_| response.clicked()) {
+                    let at = response.interact_pointer_pos();
+                    shown.clicked = Some((link, at.unwrap_or_else(|| response.rect.center())));
+                }
             }
         }
-        pointed
     }
 
     fn set(&self, ui: &Ui, value: &Value, colour: Color32) -> Typeset {
@@ -246,14 +286,29 @@ impl<'a> Table<'a> {
         }
     }
 
-    fn row(&self, ui: &mut Ui, row: &WatchRow, columns: &[f32], is_table: bool) -> Option<Link> {
+    fn row(
+        &self,
+        ui: &mut Ui,
+        row: &WatchRow,
+        columns: &[f32],
+        (is_table, is_typed): (bool, bool),
+    ) -> Response {
         let theme = self.look.theme;
         let size = vec2(ui.available_width(), self.height);
-        let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
-        response.widget_info(|| WidgetInfo::labeled(Role::Label, true, self.spoken(row)));
+        let (sense, role) = if is_typed {
+            (Sense::click(), Role::Button)
+        } else {
+            (Sense::hover(), Role::Label)
+        };
+        let (rect, response) = ui.allocate_exact_size(size, sense);
+        response.widget_info(|| WidgetInfo::labeled(role, true, self.spoken(row)));
         if row.link.is_some() && (response.hovered() || row.link == self.lit) {
             ui.painter()
                 .rect_filled(rect.expand2(vec2(8.0, 0.0)), 0.0, theme.accent_wash);
+        }
+        if response.has_focus() {
+            let rim = theme.stroke(2.0, theme.accent);
+            ui.painter().rect_stroke(rect, 0.0, rim, StrokeKind::Inside);
         }
         let y = rect.center().y;
         if row.has_changed() {
@@ -278,7 +333,11 @@ impl<'a> Table<'a> {
         if let Some(note) = &row.note {
             self.note(ui, rect, end, note);
         }
-        row.link.filter(|_| response.hovered())
+        if is_typed {
+            response.on_hover_cursor(CursorIcon::Text)
+        } else {
+            response
+        }
     }
 
     /// At the right end of a row, where there is room; else left out, as it only explains.

@@ -1,12 +1,13 @@
 //! Handles, dragged and nudged.
 
-use egui::{Key, Modifiers, vec2};
+use egui::{CursorIcon, Event, Key, Modifiers, vec2};
 
 use super::{Bench, ROOMY, ctrl};
 use crate::{
     app::{App, Command, Settings},
     labs::{Lock, lines},
     lesson::Course,
+    text::{Catalog, Lang},
 };
 
 #[test]
@@ -139,6 +140,11 @@ fn a_handle_with_the_focus_takes_the_arrows_until_escape() {
     assert_eq!(bench.app.position(), 1);
 }
 
+fn p1_of(bench: &Bench) -> [f64; 2] {
+    let scene = bench.app.scene().get::<lines::Scene>();
+    scene.expect("the first lab").focused().p1.to_array()
+}
+
 /// What is written into the field of a place.
 fn type_into(bench: &mut Bench, text: &str) {
     bench.settle();
@@ -152,15 +158,7 @@ fn type_into(bench: &mut Bench, text: &str) {
 #[test]
 fn a_place_is_typed_where_it_lies_and_a_bad_one_says_why() {
     let mut bench = Bench::new(ROOMY);
-    let p1 = |bench: &Bench| {
-        let scene = bench
-            .app
-            .scene()
-            .get::<lines::Scene>()
-            .expect("the first lab");
-        scene.focused().p1.to_array()
-    };
-    let before = p1(&bench);
+    let before = p1_of(&bench);
     let at = bench.on_screen(before);
     for _ in 0..2 {
         bench.button(at, true);
@@ -168,23 +166,96 @@ fn a_place_is_typed_where_it_lies_and_a_bad_one_says_why() {
     }
     type_into(&mut bench, "1/4, −3/2");
     assert_eq!(
-        (p1(&bench), bench.app.stage.typing.is_some()),
+        (p1_of(&bench), bench.app.stage.typing.is_some()),
         ([0.25, -1.5], false)
     );
     bench.press(Key::Z, ctrl());
-    assert_eq!(p1(&bench), before, "one step of undo");
+    assert_eq!(p1_of(&bench), before, "one step of undo");
 
     bench.key(Key::Tab);
     bench.key(Key::F2);
     type_into(&mut bench, "1/4, up");
-    assert_eq!(p1(&bench), before);
+    assert_eq!(p1_of(&bench), before);
     assert!(bench.app.stage.typing.is_some(), "it stays to be mended");
     bench.key(Key::Escape);
     bench.settle();
     assert_eq!(
-        (p1(&bench), bench.app.stage.typing.is_some()),
+        (p1_of(&bench), bench.app.stage.typing.is_some()),
         (before, false)
     );
+}
+
+/// Clicks on the first text like this that stands right of the drawing.
+fn click_on(bench: &mut Bench, text: &str) {
+    let (_, drawing) = bench.app.stage.places[0];
+    let right = crate::widgets::rect_of(drawing).right();
+    let texts = bench.texts();
+    let mut texts = texts.iter().filter(|(_, rect)| rect.left() >= right);
+    let found = texts.find(|(known, _)| known == text);
+    let (_, rect) = found.unwrap_or_else(|| panic!("{text} is not shown"));
+    let at = rect.center();
+    bench.frame(0.02, vec![Event::PointerMoved(at)]);
+    bench.frame(0.02, Vec::new());
+    assert_eq!(bench.cursor, CursorIcon::Text, "{text} can be typed");
+    bench.button(at, true);
+    bench.button(at, false);
+}
+
+#[test]
+fn a_place_is_typed_in_the_watch_table_and_in_a_list() {
+    let mut bench = Bench::new(ROOMY);
+    let place = Catalog::of(Lang::En).value(&p1_of(&bench).into());
+    bench.command(Command::Seek(1));
+    click_on(&mut bench, &place);
+    let typing = bench.app.stage.typing.as_ref().expect("the field is open");
+    assert_eq!(typing.handle.kind().id, "p1");
+    type_into(&mut bench, "-7/4, -1/2");
+    assert_eq!(p1_of(&bench), [-1.75, -0.5]);
+
+    bench.command(Command::Lab("polygons"));
+    bench.command(Command::Seek(1));
+    let handle = bench.app.scene().document().handles()[0];
+    let at = bench.app.scene().document().position(handle);
+    let [x, y, _] = at.expect("the first vertex");
+    let place = Catalog::of(Lang::En).value(&[x, y].into());
+    click_on(&mut bench, &place);
+    type_into(&mut bench, "1/8, 3/8");
+    let now = bench.app.scene().document().position(handle);
+    assert_eq!(now, Some([0.125, 0.375, 0.0]));
+}
+
+#[test]
+fn a_row_of_the_watch_table_and_a_handle_open_the_field_with_enter() {
+    let mut bench = Bench::new(ROOMY);
+    bench.command(Command::Seek(1));
+    let p1 = bench.app.stage.handle_ids[0];
+    bench.ctx.memory_mut(|memory| memory.request_focus(p1));
+    bench.settle();
+    bench.key(Key::Enter);
+    assert!(
+        bench.app.stage.typing.is_some(),
+        "a handle that has the focus"
+    );
+    bench.key(Key::Escape);
+    bench.settle();
+    assert!(bench.app.stage.typing.is_none());
+    let place = Catalog::of(Lang::En).value(&p1_of(&bench).into());
+    let texts = bench.texts();
+    // The last is the inspector's.
+    let shown = texts.iter().rev().find(|(text, _)| *text == place);
+    let row = shown.expect("P₁ is watched").1.center();
+    let has_focus = |bench: &Bench| {
+        let focused = bench.ctx.memory(egui::Memory::focused);
+        let response = focused.and_then(|id| bench.ctx.read_response(id));
+        response.is_some_and(|response| response.rect.contains(row))
+    };
+    let is_reached = (0..80).any(|_| {
+        bench.key(Key::Tab);
+        has_focus(&bench)
+    });
+    assert!(is_reached, "Tab goes there");
+    bench.key(Key::Enter);
+    assert!(bench.app.stage.typing.is_some(), "a row that has it");
 }
 
 #[test]
@@ -200,7 +271,7 @@ fn what_the_lesson_locks_is_not_typed_either() {
     };
     let free = handles.iter().find(|h| h.group() != locked.group());
     for (handle, is_typed) in [(Some(locked), false), (free.copied(), true)] {
-        bench.app.start_typing(handle);
+        bench.app.start_typing(handle, None);
         assert_eq!(bench.app.stage.typing.is_some(), is_typed, "{handle:?}");
     }
 }

@@ -7,7 +7,7 @@ use egui::{Event, Rect, Ui, UiBuilder, Vec2, vec2};
 use super::{Bench, SIZE};
 use crate::{
     app::{App, Command, Settings, inspector},
-    figure::Link,
+    figure::{CodeLinks, Link},
     labs::Edit,
     lesson::{CodeView, Course},
     paint::ThemeKind,
@@ -181,6 +181,38 @@ fn a_mark_and_the_line_of_its_step_light_up_together() {
         n_lit += 1;
     });
     assert!(n_lit > 20, "only {n_lit}");
+}
+
+#[test]
+fn every_line_of_the_pseudocode_lights_what_it_is_about_and_is_lit_by_it() {
+    let mut bench = bench(Lang::En, ThemeKind::Light);
+    let mut n_others = 0;
+    for_each_step(&mut bench, |bench, place| {
+        let run = bench.app.playback.main();
+        let links = CodeLinks::of(run);
+        let (now, current) = (
+            bench.app.position(),
+            bench.app.playback.frames()[0].code_line,
+        );
+        let code = bench.app.scene().document().methods()[0].code;
+        bench.app.shown.code = CodeView::Full;
+        bench.settle();
+        let written = written_in_inspector(bench);
+        for (i, line) in code.iter().enumerate().filter(|(i, _)| Some(*i) != current) {
+            let Some(link) = links.of_line(i, now) else {
+                continue;
+            };
+            let text = Catalog::of(Lang::En).term(line.code);
+            let Some((_, rect)) = written.iter().find(|(known, _)| *known == text) else {
+                continue;
+            };
+            bench.frame(0.02, vec![Event::PointerMoved(rect.center())]);
+            assert_eq!(bench.app.stage.lit, Some(link), "{place}: {text}");
+            assert!(links.lines(link).contains(&i), "{place}: and back");
+            n_others += 1;
+        }
+    });
+    assert!(n_others > 60, "only {n_others}");
 }
 
 #[test]

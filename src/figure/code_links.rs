@@ -1,0 +1,52 @@
+//! Which lines of a method's pseudocode are about what: as its own run has it, line by line.
+
+use super::{Link, Run, extent::asked};
+
+/// Of a run's steps so many are asked what they are about.
+const MOST_ASKED: usize = 128;
+
+/// What the lines of a run have been about.
+#[derive(Clone, Debug, Default)]
+pub struct CodeLinks(Vec<Visit>);
+
+#[derive(Clone, Debug)]
+struct Visit {
+    step: usize,
+    line: usize,
+    links: Vec<Link>,
+}
+
+impl CodeLinks {
+    /// Of a run; of a long one some steps are asked.
+    #[must_use]
+    pub fn of(run: &dyn Run) -> Self {
+        let visit = |step| {
+            let frame = run.frame(step);
+            let links = frame.focus().collect();
+            let line = frame.code_line?;
+            Some(Visit { step, line, links })
+        };
+        Self(asked(run, MOST_ASKED).filter_map(visit).collect())
+    }
+
+    /// What a line was about when it was reached last, or else will be about first: seen from `step`.
+    #[must_use]
+    pub fn of_line(&self, line: usize, step: usize) -> Option<Link> {
+        let visits = self.0.iter();
+        let mut visits = visits.filter(|visit| visit.line == line && !visit.links.is_empty());
+        let before = visits.clone().take_while(|visit| visit.step <= step).last();
+        let visit = before.or_else(|| visits.next())?;
+        visit.links.first().copied()
+    }
+
+    /// The lines that are about this at some step.
+    #[must_use]
+    pub fn lines(&self, link: Link) -> Vec<usize> {
+        let visits = self.0.iter();
+        let about = visits.filter(|visit| visit.links.contains(&link));
+        let mut lines: Vec<usize> = about.map(|visit| visit.line).collect();
+        lines.sort_unstable();
+        lines.dedup();
+        lines
+    }
+}
