@@ -56,7 +56,7 @@ fn sheet(model: &Model<'_>, rect: Rect, title: Option<&Typeset>, caption: f32) -
         gutter: 0.0,
         title: title.map_or(0.0, |title| title.size().y + INDENT),
         name: if is_comparison {
-            NAME * theme.text_scale
+            NAME * theme.title_scale
         } else {
             0.0
         },

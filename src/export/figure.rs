@@ -229,7 +229,7 @@ impl Page<'_> {
                 .as_ref()
                 .map_or(0.0, |title| title.size().y + UNDER_TITLE_PTS),
             name: if columns.len() > 1 {
-                NAME_PTS * theme.text_scale
+                NAME_PTS * theme.title_scale
             } else {
                 0.0
             },

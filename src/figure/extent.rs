@@ -53,7 +53,7 @@ impl View {
                 )
             }
             Body::NumberLine(_) => (Stand::Under, [14.0, 6.0], [f32::MAX, 8.0]),
-            Body::Clippers(_) => (Stand::Across, [36.0, 5.6], [f32::MAX, 6.8]),
+            Body::Clippers(_) => (Stand::Across, [25.5, 5.6], [f32::MAX, 6.8]),
             Body::Bits(bits) => {
                 let columns = bits.columns.len() as f32;
                 // The result has its room before it is asked for.

@@ -15,65 +15,24 @@
 //!
 //! Everything is settled by what a whole run wants ([`super::needs`]), so that no step moves anything.
 
+mod slot;
 #[cfg(test)]
 mod tests;
 
 use super::{Need, Stand, ViewId};
 
+pub use self::slot::Slot;
+
 /// Of its column's width a drawing keeps this part at least, and of its height.
 const DRAWING: [f32; 2] = [0.45, 0.42];
 /// What is read with text of this size, in points, is worth drawing, also where a theme has larger text.
 const READABLE: f32 = 13.0;
-/// The same of its width, where there is no room otherwise.
+/// The same of its width, where there is no room otherwise, or text is larger: what is read has it first.
 const NARROW: f32 = 0.36;
+/// Of what views want at least this part is better than nothing.
+const LOW: f32 = 0.82;
 /// Between a drawing and what stands beside it, and under it; in ems.
 const GAP: [f32; 2] = [3.0, 1.0];
-
-/// A rectangle, in points; y goes down.
-#[derive(Clone, Copy, PartialEq, Debug, Default)]
-pub struct Slot {
-    /// Left and top.
-    pub min: [f32; 2],
-    /// Right and bottom.
-    pub max: [f32; 2],
-}
-
-impl Slot {
-    /// Of this size, from its corner at the left and top.
-    #[must_use]
-    pub const fn new(min: [f32; 2], size: [f32; 2]) -> Self {
-        let max = [min[0] + size[0], min[1] + size[1]];
-        Self { min, max }
-    }
-
-    /// Width and height.
-    #[must_use]
-    pub const fn size(&self) -> [f32; 2] {
-        [self.max[0] - self.min[0], self.max[1] - self.min[1]]
-    }
-
-    /// Cuts a strip of this height off the top.
-    fn take_top(&mut self, height: f32) -> Self {
-        let y = (self.min[1] + height.min(self.size()[1])).round();
-        let top = Self {
-            max: [self.max[0], y],
-            ..*self
-        };
-        self.min[1] = y;
-        top
-    }
-
-    /// Cuts a strip of this height off the bottom.
-    fn take_bottom(&mut self, height: f32) -> Self {
-        let y = (self.max[1] - height.min(self.size()[1])).round();
-        let bottom = Self {
-            min: [self.min[0], y],
-            ..*self
-        };
-        self.max[1] = y;
-        bottom
-    }
-}
 
 /// What a figure is laid out on, in points.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -142,10 +101,25 @@ enum Way {
     Under,
     /// Beside the drawing after all, which is narrow itself: the column is low, too. What measures it is wider.
     Narrow,
+    /// Under it after all, and all of them are low.
+    Low,
 }
 
 impl Way {
-    const ALL: [Self; 3] = [Self::Beside, Self::Under, Self::Narrow];
+    const ALL: [Self; 4] = [Self::Beside, Self::Under, Self::Narrow, Self::Low];
+
+    /// What views want at least, if they stand so.
+    fn wanted(self, needs: &[Need]) -> Vec<Need> {
+        let part = match self {
+            Self::Beside | Self::Under | Self::Narrow => 1.0,
+            Self::Low => LOW,
+        };
+        let lower = |need: &Need| Need {
+            least: [need.least[0], part * need.least[1]],
+            ..*need
+        };
+        needs.iter().map(lower).collect()
+    }
 }
 
 impl Sheet {
@@ -204,7 +178,7 @@ impl Sheet {
         for _ in 0..2 {
             let columns = stages.iter().zip(needs);
             views = columns
-                .map(|(&stage, needs)| self.stand(way, stage, needs, common))
+                .map(|(&stage, needs)| self.stand(way, stage, &way.wanted(needs), common))
                 .collect::<Vec<_>>();
             for (_, slot) in views.iter().filter_map(|views| views.first()) {
                 let size = slot.size();
@@ -254,19 +228,23 @@ impl Sheet {
             .partition(|need| need.stand == Stand::Under);
         match way {
             Way::Beside => {}
-            Way::Under => under.append(&mut beside),
+            Way::Under | Way::Low => under.append(&mut beside),
             Way::Narrow => across.splice(..0, under.drain(..)).for_each(drop),
         }
-        let across = self.across(&mut stage, drawing, across);
+        let across = self.across(way, &mut stage, drawing, across);
         let [width, height] = stage.size();
-        let gap_y = GAP[1] * self.em;
         let (em, least_width) = match way {
-            Way::Beside => (
-                self.em,
-                (drawing.least[0] * self.em).max(DRAWING[0] * width),
-            ),
+            Way::Beside => {
+                let part = if self.em > READABLE {
+                    NARROW
+                } else {
+                    DRAWING[0]
+                };
+                let least = drawing.least[0] * READABLE.min(self.em);
+                (self.em, least.max(part * width))
+            }
             Way::Narrow => (READABLE.min(self.em), NARROW * width),
-            Way::Under => (self.em, width),
+            Way::Under | Way::Low => (self.em, width),
         };
         let gap_x = GAP[0] * em;
         let room = width - least_width - gap_x - self.inset;
@@ -279,16 +257,13 @@ impl Sheet {
         if !beside.is_empty() {
             left.max[0] -= (side_width + gap_x + self.inset).round();
         }
-        let least_height = least_height(drawing, height);
+        let least_height = least_height(way, drawing, height);
         let strips = self.heights(&under, height - least_height - self.inset);
         // As far as they all are seen, the drawing keeps half.
         let half = self.heights(&under, 0.5 * height);
-        let strips = if half.len() == strips.len() {
-            half
-        } else {
-            strips
-        };
-        let taken: f32 = strips.iter().map(|strip| strip + gap_y).sum();
+        let is_enough = half.len() == strips.len();
+        let strips = if is_enough { half } else { strips };
+        let taken: f32 = strips.iter().map(|strip| strip + self.gap()).sum();
         let size = left.size();
         let inset = if strips.is_empty() { 0.0 } else { self.inset };
         let high = (height - taken - inset).round();
@@ -298,13 +273,13 @@ impl Sheet {
             min: [drawn.min[0] + self.inset, drawn.max[1]],
             max: [drawn.max[0] - self.inset, stage.max[1]],
         };
-        below.take_top(gap_y);
+        below.take_top(self.gap());
         slots.extend(self.stack(below, &under, &strips));
         let side = Slot {
             min: [left.max[0] + gap_x.round(), stage.min[1] + self.inset],
             max: [stage.max[0] - self.inset, stage.max[1] - self.inset],
         };
-        let mut heights = self.heights(&beside, side.size()[1] + gap_y);
+        let mut heights = self.heights(&beside, side.size()[1] + self.gap());
         // The last one may grow into what is left.
         if heights.len() == beside.len()
             && let Some(last) = heights.last_mut()
@@ -316,20 +291,29 @@ impl Sheet {
         slots
     }
 
+    /// Between views above each other; larger text has no more.
+    fn gap(&self) -> f32 {
+        GAP[1] * READABLE.min(self.em)
+    }
+
     /// Cuts the strips that go under all the rest off the bottom of a column.
     fn across(
         &self,
+        way: Way,
         stage: &mut Slot,
         drawing: &Need,
         mut needs: Vec<&Need>,
     ) -> Vec<(ViewId, Slot)> {
         let [width, height] = stage.size();
         needs.retain(|need| need.least[0] * READABLE <= width - 2.0 * self.inset);
-        let heights = self.heights(&needs, height - least_height(drawing, height) - self.inset);
+        let heights = self.heights(
+            &needs,
+            height - least_height(way, drawing, height) - self.inset,
+        );
         if heights.is_empty() {
             return Vec::new();
         }
-        let gap = GAP[1] * self.em;
+        let gap = self.gap();
         let taken: f32 = heights.iter().map(|height| height + gap).sum();
         let mut strips = stage.take_bottom(taken + self.inset);
         strips.min[0] += self.inset;
@@ -347,7 +331,7 @@ impl Sheet {
             let natural = (slot.min[0] + need.natural[0] * self.em).round();
             slot.max[0] = slot.max[0].min(natural);
             slots.push((need.id, slot));
-            rest.take_top(GAP[1] * self.em);
+            rest.take_top(self.gap());
         }
         slots
     }
@@ -357,7 +341,7 @@ impl Sheet {
     fn heights(&self, needs: &[&Need], room: f32) -> Vec<f32> {
         let least = |need: &Need| need.least[1] * READABLE.min(self.em);
         let natural = |need: &Need| need.natural[1] * self.em;
-        let gap = GAP[1] * self.em;
+        let gap = self.gap();
         let mut needs = needs.to_vec();
         let sum = |needs: &[&Need], of: &dyn Fn(&Need) -> f32| -> f32 {
             needs.iter().map(|need| of(need) + gap).sum()
@@ -371,15 +355,16 @@ impl Sheet {
         } else {
             1.0
         };
-        let height = |need: &&Need| {
-            let [low, high] = [least(need), natural(need)];
-            low + part * (high - low)
-        };
+        let height = |need: &&Need| least(need) + part * (natural(need) - least(need));
         needs.iter().map(height).collect()
     }
 }
 
 /// What a drawing keeps of a column's height.
-fn least_height(drawing: &Need, height: f32) -> f32 {
-    (drawing.least[1] * READABLE).max(DRAWING[1] * height)
+fn least_height(way: Way, drawing: &Need, height: f32) -> f32 {
+    let least = drawing.least[1] * READABLE;
+    match way {
+        Way::Beside | Way::Under | Way::Narrow => least.max(DRAWING[1] * height),
+        Way::Low => least,
+    }
 }

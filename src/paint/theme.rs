@@ -109,6 +109,8 @@ pub struct Theme {
     pub stroke_scale: f32,
     /// Factor on every text size.
     pub text_scale: f32,
+    /// The same of titles and captions: what is large already grows less, so that figures keep their room.
+    pub title_scale: f32,
 }
 
 const fn rgb(hex: u32) -> Color32 {
@@ -132,6 +134,7 @@ const LIGHT: Theme = Theme {
     discarded: rgb(0x7B_848E),
     stroke_scale: 1.0,
     text_scale: 1.0,
+    title_scale: 1.0,
 };
 
 const DARK: Theme = Theme {
@@ -151,6 +154,7 @@ const DARK: Theme = Theme {
     discarded: rgb(0x77_818C),
     stroke_scale: 1.0,
     text_scale: 1.0,
+    title_scale: 1.0,
 };
 
 /// Projectors wash greys out: those that must be seen are a step darker than in daylight.
@@ -166,6 +170,7 @@ const PROJECTOR: Theme = Theme {
     discarded: rgb(0x6F_7882),
     stroke_scale: 1.6,
     text_scale: 1.4,
+    title_scale: 1.25,
     ..LIGHT
 };
 
@@ -235,6 +240,7 @@ impl Theme {
 
     fn text_styles(&self) -> BTreeMap<TextStyle, FontId> {
         let font = |size: f32, family| FontId::new(size * self.text_scale, family);
+        let said = |family| FontId::new(14.5 * self.title_scale, family);
         [
             (TextStyle::Small, font(11.0, FontFamily::Proportional)),
             (TextStyle::Body, font(13.0, FontFamily::Proportional)),
@@ -242,8 +248,8 @@ impl Theme {
             (TextStyle::Monospace, font(12.5, FontFamily::Monospace)),
             (TextStyle::Heading, font(16.0, semibold())),
             (strong(), font(13.0, semibold())),
-            (caption(), font(14.5, FontFamily::Proportional)),
-            (caption_strong(), font(14.5, semibold())),
+            (caption(), said(FontFamily::Proportional)),
+            (caption_strong(), said(semibold())),
         ]
         .into()
     }

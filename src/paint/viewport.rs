@@ -16,13 +16,16 @@ pub struct Viewport {
 
 /// Room left around what is fitted, as a part of the shorter side: labels of the outer regions stand there.
 const MARGIN: f64 = 0.14;
+/// In points: a label has room over the outermost line, also of a small drawing, of which it is a quarter at most.
+const LEAST_MARGIN_PTS: f64 = 26.0;
 
 impl Viewport {
     /// Shows the world rectangle from `min` to `max` as large as it fits, with a margin.
     #[must_use]
     pub fn fit(rect: Rect, [min, max]: [[f64; 2]; 2]) -> Self {
         let available = [f64::from(rect.width()), f64::from(rect.height())].map(|s| s.max(1.0));
-        let margin = MARGIN * available[0].min(available[1]);
+        let shorter = available[0].min(available[1]);
+        let margin = (MARGIN * shorter).max(LEAST_MARGIN_PTS.min(0.25 * shorter));
         let fits = |i: usize| {
             // Bounds of any finite size: halves cannot overflow.
             let half = 0.5 * max[i] - 0.5 * min[i];

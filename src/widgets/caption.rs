@@ -41,7 +41,7 @@ pub fn height_for_all(
     let height = |(_, caption): (String, Caption)| {
         CaptionLayout::new(painter, look, &caption, vec2(width, f32::INFINITY)).height()
     };
-    let one = ROW_PTS * look.theme.text_scale;
+    let one = ROW_PTS * look.theme.title_scale;
     let most = longest.map(height).fold(one, f32::max);
     (2.0 * MARGIN_PTS + most).ceil()
 }
@@ -111,7 +111,7 @@ impl CaptionLayout {
     /// Where its top goes so that its first line stands in the middle of the room that a line has; higher up if it would
     /// not fit below that.
     fn top(&self, inner: Rect, theme: &Theme) -> f32 {
-        let middle = inner.top() + 0.5 * ROW_PTS * theme.text_scale;
+        let middle = inner.top() + 0.5 * ROW_PTS * theme.title_scale;
         let first = self.0.galley().rows.first().map_or(0.0, |row| row.size.y);
         let top = middle - 0.5 * first;
         top.min(inner.bottom() - self.height()).round()

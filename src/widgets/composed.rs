@@ -67,7 +67,7 @@ pub fn beside_the_drawing(
 /// The step's title, whole: on as many lines as it takes in this width.
 #[must_use]
 pub fn headline(painter: &Painter, theme: &Theme, title: &str, width: f32) -> Typeset {
-    let font = FontId::new(TITLE_PTS * theme.text_scale, semibold());
+    let font = FontId::new(TITLE_PTS * theme.title_scale, semibold());
     Typeset::wrapped(painter, &[Span::text(title, font, theme.ink)], width)
 }
 

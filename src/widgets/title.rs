@@ -29,8 +29,8 @@ pub fn column_title(
     let mut size = SIZE_PTS;
     let (name, note, is_beside) = loop {
         let [strong, plain] = [
-            FontId::new(size * theme.text_scale, semibold()),
-            FontId::proportional(size * theme.text_scale),
+            FontId::new(size * theme.title_scale, semibold()),
+            FontId::proportional(size * theme.title_scale),
         ];
         let mut spans = vec![Span::text(name, strong, theme.ink)];
         if let Some(moment) = moment {

@@ -49,6 +49,7 @@ cs-choose = The lowest bit set is the { $edge }’s: { $end } lies beyond it.
 cs-cut = Cut { $end } at { $border }.
 cs-reject = Reject: both ends are { $region }; AND = { $and }.
 cs-note-code = A 1 for each side that the point lies beyond.
+cs-note-order = In the order top, bottom, right, left it is { $other }.
 cs-note-or = OR sets a bit where either code has it.
 cs-note-and = AND keeps a bit only where both codes have it.
 code-cs-codes = code₁ ← code(P₁); code₂ ← code(P₂)

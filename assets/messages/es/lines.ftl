@@ -49,6 +49,7 @@ cs-choose = El último 1 es el del { $edge }: { $end } está más allá.
 cs-cut = { $end } se recorta en { $border }.
 cs-reject = Se rechaza: los dos extremos están { $region }; AND = { $and }.
 cs-note-code = Un 1 por cada borde más allá del cual está el punto.
+cs-note-order = En el orden superior, inferior, derecho, izquierdo es { $other }.
 cs-note-or = OR pone un 1 donde lo tiene alguno de los dos.
 cs-note-and = AND conserva un 1 solo donde lo tienen los dos.
 code-cs-codes = code₁ ← code(P₁); code₂ ← code(P₂)

@@ -49,6 +49,7 @@ cs-choose = O último bit 1 é o da { $edge }: { $end } está além dela.
 cs-cut = { $end } é cortado em { $border }.
 cs-reject = Rejeitado: os dois extremos estão { $region }; AND = { $and }.
 cs-note-code = Um 1 para cada lado além do qual o ponto está.
+cs-note-order = Na ordem superior, inferior, direita, esquerda é { $other }.
 cs-note-or = OR põe um 1 onde algum dos dois códigos o tem.
 cs-note-and = AND mantém um 1 só onde os dois códigos o têm.
 code-cs-codes = code₁ ← code(P₁); code₂ ← code(P₂)

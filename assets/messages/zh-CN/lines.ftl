@@ -49,6 +49,7 @@ cs-choose = 最低位的 1 对应{ $edge }：{ $end } 在其外侧。
 cs-cut = 在 { $border } 处截断：{ $end } 移到交点。
 cs-reject = 舍弃：两端点都在{ $region }；AND = { $and }。
 cs-note-code = 点在哪条边界外侧，哪一位就是 1。
+cs-note-order = 按上、下、右、左的顺序，则写作 { $other }。
 cs-note-or = OR：任一区域码该位为 1，结果就是 1。
 cs-note-and = AND：两个区域码该位都为 1，结果才是 1。
 code-cs-codes = code₁ ← code(P₁); code₂ ← code(P₂)

@@ -130,6 +130,8 @@ pub struct CohenSutherlandState {
     pub and: Option<Outcode>,
     /// The cut that is about to be made, or was made last.
     pub cut: Option<(End, Edge)>,
+    /// Where the segment was cut, in the order of the cuts.
+    pub cuts: [Option<Point>; 4],
     /// The answer, once known.
     pub verdict: Option<Visible>,
 }
@@ -196,6 +198,7 @@ impl Algorithm for CohenSutherland {
             or: None,
             and: None,
             cut: None,
+            cuts: [None; 4],
             verdict: None,
         }
     }
@@ -217,6 +220,9 @@ impl Algorithm for CohenSutherland {
                 state.ends[end.idx()] = to;
                 state.codes[end.idx()] = None;
                 state.cut = Some((end, edge));
+                if let Some(next) = state.cuts.iter_mut().find(|cut| cut.is_none()) {
+                    *next = Some(to);
+                }
             }
             Event::Accept { segment } => state.verdict = Some(Some(segment)),
             Event::Reject { .. } => state.verdict = Some(None),

@@ -240,6 +240,26 @@ fn nothing_on_the_stage_moves_from_one_step_of_a_run_to_the_next() {
     });
 }
 
+/// The window of a lecture hall, its panels at both sides: comparisons have the least room.
+#[test]
+fn no_step_of_the_course_loses_a_view_in_the_window() {
+    let mut lost = Vec::new();
+    for theme in [ThemeKind::Light, ThemeKind::Projector] {
+        for lang in Lang::ALL {
+            let mut bench = bench(lang, theme);
+            for_each_step(&mut bench, |bench, place| {
+                let wanted = bench.app.playback.needs().iter().flatten();
+                let places = &bench.app.stage.places;
+                if places.len() < wanted.clone().count() {
+                    let wanted: Vec<_> = wanted.map(|need| need.id).collect();
+                    lost.push(format!("{theme}, {place}: of {wanted:?} only {places:?}"));
+                }
+            });
+        }
+    }
+    assert!(lost.is_empty(), "{} steps: {lost:#?}", lost.len());
+}
+
 #[test]
 fn what_is_pointed_at_in_a_view_lights_up_on_the_stage() {
     let mut bench = bench(Lang::En, ThemeKind::Light);

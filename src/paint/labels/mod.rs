@@ -27,16 +27,24 @@ use self::{
 
 pub use self::obstacles::Obstacle;
 
+/// Of a drawing whose smaller side has so many points labels are as large as at scale 1; of larger ones larger.
+const ROOMY: f32 = 190.0;
 /// More labels than this would cover the figure, and finding places for them would take longer than a frame.
 const MOST_LABELS: usize = 160;
 /// Each label looks again this often, once the others stand.
 const ROUNDS: usize = 3;
 /// Space that two labels keep between them, in points.
 const APART: Vec2 = vec2(5.0, 2.0);
+/// By so much a plate is larger than what stands on it, in points.
+const PLATE: Vec2 = vec2(3.0, 1.0);
 /// What it costs a label to be cut off.
 const UNSEEN: f32 = 1_000.0;
 /// What it costs a label to stand where it says what is not true: more than anything else.
 const WRONG: f32 = 100_000.0;
+/// What it costs to stand nearer to another point's marker than to its own: it would seem to be that one's name.
+const AMBIGUOUS: f32 = 14.0;
+/// White space between what is no point's label and a marker, in points.
+const OFF_MARKERS: f32 = 10.0;
 /// Points nearer than this are one, and its names one label.
 const SAME_POINT: f32 = 0.5;
 
@@ -49,8 +57,12 @@ pub struct Placed {
     pub rect: Rect,
     /// A stroke or a marker runs under it: it has a halo, so that it can be read.
     pub has_halo: bool,
+    /// It stands on a picture, and on a plate of its own.
+    pub has_plate: bool,
     /// A thin line that leads from its mark to it.
     pub leader: Option<[Pos2; 2]>,
+    /// The marker of another mark is nearer to it than its own.
+    pub is_ambiguous: bool,
 }
 
 /// All labels of a stage in their places.
@@ -67,6 +79,7 @@ struct Waiting {
     text: Text,
     anchor: Anchor,
     toward: Option<Vec2>,
+    is_of_side: bool,
     rank: u8,
 }
 
@@ -82,6 +95,7 @@ impl Labels {
         let setter = Setter {
             painter,
             theme,
+            scale: scale(theme, viewport),
             catalog,
         };
         let mut waiting = waiting(setter, viewport, marks);
@@ -98,15 +112,22 @@ impl Labels {
         };
         table.fill();
         let places = waiting.into_iter().zip(table.taken);
-        // What has a place only where it would be wrong is better not said.
-        let places = places.filter(|(_, place)| place.cost < WRONG);
+        // What has a place only where it would be wrong, cut off, or over another is better not said.
+        let places = places.filter(|(_, place)| place.cost < UNSEEN);
         let (texts, placed) = places
             .map(|(label, Candidate { rect, leader, .. })| {
+                let is_point = matches!(label.anchor, Anchor::Point(..));
                 let placed = Placed {
                     text: label.text.plain.clone(),
                     rect,
                     has_halo: obstacles.iter().any(|obstacle| obstacle.covers(rect)),
+                    has_plate: obstacles
+                        .iter()
+                        .any(|it| it.is_picture() && it.covers(rect)),
                     leader,
+                    is_ambiguous: is_point
+                        && leader.is_none()
+                        && is_of_another(&label.anchor, &obstacles, rect),
                 };
                 (label.text, placed)
             })
@@ -126,14 +147,25 @@ impl Labels {
             }
         }
         let labels = || self.texts.iter().zip(&self.placed);
-        // No halo covers another label.
-        for (text, placed) in labels().filter(|(_, placed)| placed.has_halo) {
-            text.paint_halo(painter, theme, placed.rect);
+        // Neither covers another label.
+        for (text, placed) in labels() {
+            if placed.has_plate {
+                let plate = placed.rect.expand2(PLATE);
+                painter.rect_filled(plate, PLATE.x, theme.background);
+            } else if placed.has_halo {
+                text.paint_halo(painter, theme, placed.rect);
+            }
         }
         for (text, placed) in labels() {
             text.paint(painter, placed.rect);
         }
     }
+}
+
+/// How large labels are: on a small drawing not much larger than is read well, for it has to be seen beside them.
+fn scale(theme: &Theme, viewport: &Viewport) -> f32 {
+    let room = viewport.rect.size().min_elem() / ROOMY;
+    theme.text_scale.min(room.max(1.0))
 }
 
 /// The labels of all marks. Those of one point are one label: `C₁ = I₁`.
@@ -169,6 +201,7 @@ fn waiting(setter: Setter<'_>, viewport: &Viewport, marks: &[Mark]) -> Vec<Waiti
                 text,
                 anchor,
                 toward: toward(viewport, mark, label),
+                is_of_side: label.toward.is_some(),
                 rank,
             }),
         }
@@ -222,6 +255,7 @@ fn candidates(label: &Waiting, stage: Rect, obstacles: &[Obstacle]) -> Vec<Candi
     let size = label.text.size();
     let lean = Lean {
         toward: label.toward,
+        is_of_side: label.is_of_side,
         away: away(&label.anchor, obstacles),
     };
     let places = places(&label.anchor, size, stage, lean);
@@ -231,6 +265,8 @@ fn candidates(label: &Waiting, stage: Rect, obstacles: &[Obstacle]) -> Vec<Candi
         .iter()
         .filter(|obstacle| obstacle.bounds().intersects(reach))
         .collect();
+    let is_disc = |obstacle: &&&Obstacle| matches!(obstacle, Obstacle::Disc(..));
+    let discs: Vec<Obstacle> = nearby.iter().filter(is_disc).map(|&&disc| disc).collect();
     let of_place = |place: LabelPlace| {
         let rect = Rect::from_center_size(place.centre, size);
         // Whole pixels keep the text crisp.
@@ -244,11 +280,13 @@ fn candidates(label: &Waiting, stage: Rect, obstacles: &[Obstacle]) -> Vec<Candi
             Anchor::Point(..) | Anchor::Along(_) | Anchor::Within(_) => true,
         };
         let leader = place.leader.map(|from| [from, rect.clamp(from)]);
+        let is_ambiguous = leader.is_none() && is_of_another(&label.anchor, &discs, rect);
         Candidate {
             rect,
             leader,
             cost: place.dislike
                 + covered
+                + if is_ambiguous { AMBIGUOUS } else { 0.0 }
                 + if is_seen { 0.0 } else { UNSEEN }
                 + if is_inside && !place.is_wrong {
                     0.0
@@ -260,6 +298,23 @@ fn candidates(label: &Waiting, stage: Rect, obstacles: &[Obstacle]) -> Vec<Candi
     let mut candidates: Vec<Candidate> = places.into_iter().map(of_place).collect();
     candidates.sort_by(|a, b| a.cost.total_cmp(&b.cost));
     candidates
+}
+
+/// Would a label here seem to belong to another point's marker?
+fn is_of_another(anchor: &Anchor, obstacles: &[Obstacle], rect: Rect) -> bool {
+    let (own, reach) = match *anchor {
+        Anchor::Point(at, radius) => (Some(at), rect.distance_to_pos(at) - radius),
+        Anchor::Along(_) => (None, OFF_MARKERS),
+        // A region's code is its own, whatever lies in the region.
+        Anchor::Inside(_) | Anchor::Within(_) => return false,
+    };
+    obstacles.iter().any(|obstacle| match *obstacle {
+        Obstacle::Disc(at, radius) => {
+            let is_own = own.is_some_and(|own| own.distance(at) <= radius + SAME_POINT);
+            !is_own && rect.distance_to_pos(at) - radius < reach
+        }
+        Obstacle::Stroke(..) | Obstacle::Picture(_) => false,
+    })
 }
 
 /// The direction that strokes which end in a point leave free: at a corner, out of it.

@@ -61,9 +61,14 @@ impl Obstacle {
                 ..CLEAR => 8.0,
                 _ => 0.0,
             },
-            Self::Picture(corners) if meets(corners, rect) => 30.0,
+            Self::Picture(corners) if meets(corners, rect) => 45.0,
             Self::Picture(_) => 0.0,
         }
+    }
+
+    /// Is it no ground for text?
+    pub(super) const fn is_picture(&self) -> bool {
+        matches!(self, Self::Picture(_))
     }
 
     /// The rectangle that it is in.

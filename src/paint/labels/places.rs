@@ -44,8 +44,9 @@ const LED: f32 = 30.0;
 const ALONG: [f32; 15] = [
     0.12, 0.88, 0.25, 0.75, 0.5, 0.06, 0.94, 0.37, 0.63, 0.19, 0.81, 0.31, 0.69, 0.44, 0.56,
 ];
-/// White space between an edge and its label.
-const ASIDE: [f32; 3] = [5.0, 9.0, 15.0];
+/// White space between an edge and its label; what holds on all of a side may stand further off.
+const ASIDE: [f32; 6] = [5.0, 9.0, 15.0, 24.0, 36.0, 50.0];
+const ASIDE_OF_AN_EDGE: usize = 3;
 /// Places across an area, the middle first.
 const ACROSS: [f32; 9] = [0.5, 0.38, 0.62, 0.26, 0.74, 0.14, 0.86, 0.02, 0.98];
 /// Half of what it costs a corner's label to stand in the corner and not outside.
@@ -57,6 +58,8 @@ pub struct Lean {
     pub toward: Option<Vec2>,
     /// It would rather.
     pub away: Option<Vec2>,
+    /// What it says holds on all of that side, so it may stand further off.
+    pub is_of_side: bool,
 }
 
 /// Where a label of this size can stand on a stage.
@@ -67,7 +70,7 @@ pub fn places(anchor: &Anchor, size: Vec2, stage: Rect, lean: Lean) -> Vec<Label
         Anchor::Along(edges) => edges
             .iter()
             .enumerate()
-            .flat_map(|(i, &ends)| beside(ends, half, stage, lean.toward, 4.0 * i as f32))
+            .flat_map(|(i, &ends)| beside(ends, half, stage, lean, 4.0 * i as f32))
             .collect(),
         Anchor::Inside(rect) => {
             let seen = stage.shrink2((half + Vec2::splat(4.0)).min(stage.size() * 0.5));
@@ -121,21 +124,20 @@ fn around(at: Pos2, radius: f32, half: Vec2, lean: Lean) -> Vec<LabelPlace> {
     places
 }
 
-fn beside(
-    [a, b]: [Pos2; 2],
-    half: Vec2,
-    stage: Rect,
-    toward: Option<Vec2>,
-    dislike: f32,
-) -> Vec<LabelPlace> {
+fn beside([a, b]: [Pos2; 2], half: Vec2, stage: Rect, lean: Lean, dislike: f32) -> Vec<LabelPlace> {
     let normal = (b - a).normalized().rot90();
     let support = normal.x.abs() * half.x + normal.y.abs() * half.y;
     let seen = stage.shrink2((half + Vec2::splat(4.0)).min(stage.size() * 0.5));
+    let n_gaps = if lean.is_of_side {
+        ASIDE.len()
+    } else {
+        ASIDE_OF_AN_EDGE
+    };
     let mut places = Vec::new();
     for (i, t) in ALONG.into_iter().enumerate() {
         for (k, side) in [normal, -normal].into_iter().enumerate() {
-            for gap in ASIDE {
-                let is_wrong = toward.is_some_and(|toward| toward.dot(side) < 0.0);
+            for gap in &ASIDE[..n_gaps] {
+                let is_wrong = (lean.toward).is_some_and(|toward| toward.dot(side) < 0.0);
                 let at = a + (b - a) * t + side * (support + gap);
                 // Along the edge it moves into the stage, not across it.
                 let moved = seen.clamp(at) - at;

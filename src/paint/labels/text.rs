@@ -28,8 +28,10 @@ const HALO_RINGS: [(f32, usize); 2] = [(0.5, 8), (0.9, 16)];
 pub struct Setter<'a> {
     /// Lays out text.
     pub painter: &'a Painter,
-    /// Its sizes and colours.
+    /// Its colours.
     pub theme: &'a Theme,
+    /// Factor on sizes.
+    pub scale: f32,
     /// Its language.
     pub catalog: &'a Catalog,
 }
@@ -61,7 +63,7 @@ impl Setter<'_> {
 
     fn set_at(&self, part: f32, label: &Label, role: Role) -> Text {
         let plain = self.catalog.value(&label.text);
-        let (mut font, colour) = (font(label, self.theme), text_colour(self.theme, role));
+        let (mut font, colour) = (font(label, self.scale), text_colour(self.theme, role));
         font.size *= part;
         let spans = match label.lit {
             Some(lit) => self.spans_lit(&plain, lit, &font, colour),
@@ -72,7 +74,7 @@ impl Setter<'_> {
 
     /// Two names of one thing: `C₁ = I₁`.
     pub fn join(&self, first: &Text, second: &Text) -> Text {
-        let font = FontId::proportional(13.0 * self.theme.text_scale);
+        let font = FontId::proportional(13.0 * self.scale);
         let mut spans = first.spans.clone();
         spans.push(Span::text(" = ", font, self.theme.soft));
         spans.extend(second.spans.iter().cloned());
@@ -133,11 +135,11 @@ impl Text {
     }
 }
 
-fn font(label: &Label, theme: &Theme) -> FontId {
+fn font(label: &Label, scale: f32) -> FontId {
     let (size, family) = match (label.mono, label.strong) {
         (true, _) => (14.0, FontFamily::Monospace),
         (false, true) => (13.0, semibold()),
         (false, false) => (13.0, FontFamily::Proportional),
     };
-    FontId::new(size * theme.text_scale, family)
+    FontId::new(size * scale, family)
 }

@@ -28,11 +28,11 @@ pub fn codes(step: &Step<'_, CohenSutherland>) -> Bits {
     Bits {
         columns: order.written().map(|e| Value::Term(side_key(e))).to_vec(),
         rows: End::BOTH.map(|end| code_row(end, step)).to_vec(),
-        note: Some(Message::new(match combined {
-            None => "cs-note-code",
-            Some(("OR", _)) => "cs-note-or",
-            Some(_) => "cs-note-and",
-        })),
+        note: Some(match combined {
+            None => in_the_usual_order(step).unwrap_or_else(|| Message::new("cs-note-code")),
+            Some(("OR", _)) => Message::new("cs-note-or"),
+            Some(_) => Message::new("cs-note-and"),
+        }),
         result: combined.map(|(operator, code)| BitRow {
             name: name(operator),
             bits: bits(code, order),
@@ -45,6 +45,20 @@ pub fn codes(step: &Step<'_, CohenSutherland>) -> Bits {
         }),
         deciding: deciding_edge(step).and_then(column),
     }
+}
+
+/// Where codes are written in another order than most books': what the code found now is in theirs.
+fn in_the_usual_order(step: &Step<'_, CohenSutherland>) -> Option<Message> {
+    let Some(Event::Code { code, .. }) = step.event else {
+        return None;
+    };
+    let (order, usual) = (step.input.bit_order, BitOrder::default());
+    let edges: Vec<Edge> = code.edges(order).collect();
+    let message = || {
+        let other = Outcode::from_edges(&edges, usual);
+        Message::new("cs-note-order").with("other", name(other.to_string()))
+    };
+    (order != usual).then(message)
 }
 
 fn code_row(end: End, step: &Step<'_, CohenSutherland>) -> BitRow {

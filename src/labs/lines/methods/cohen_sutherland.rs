@@ -20,7 +20,7 @@ use super::shared::{
     segment_marks,
 };
 use crate::labs::crossing_formulas::upright;
-use crate::labs::words::{border_equation, edge_name, name, position_formula};
+use crate::labs::words::{border_equation, edge_name, name, position_formula, subscript};
 
 /// The view of the codes as bits.
 const CODES_VIEW: &str = "codes";
@@ -200,6 +200,7 @@ fn marks(step: &Step<'_, CohenSutherland>) -> Vec<Mark> {
     } else {
         step.state.verdict
     };
+    marks.extend(numbered_cuts(step.state));
     marks.extend(segment_marks(&segment, step.state.ends, verdict));
     match step.event {
         Some(Event::Code { end, at, .. }) => marks.push(signal_ring(end, at)),
@@ -279,6 +280,22 @@ fn regions(step: &Step<'_, CohenSutherland>, order: BitOrder) -> Vec<Mark> {
         }
     }
     marks
+}
+
+/// Several cuts have numbers, in the order in which they were made; a cross is where an end was cut off again.
+fn numbered_cuts(state: &State) -> Vec<Mark> {
+    let cuts: Vec<Point> = state.cuts.into_iter().flatten().collect();
+    if cuts.len() < 2 {
+        return Vec::new();
+    }
+    let mark = |(nth, at): (usize, Point)| {
+        let is_end = state.ends.contains(&at);
+        let shape = if is_end { Shape::Vertex } else { Shape::Cross };
+        let role = if is_end { Role::Soft } else { Role::Discarded };
+        let label = name(format!("C{}", subscript(nth + 1)));
+        Mark::new(role, shape(at.to_array())).labelled(label)
+    };
+    cuts.into_iter().enumerate().map(mark).collect()
 }
 
 fn signal_ring(end: End, at: Point) -> Mark {

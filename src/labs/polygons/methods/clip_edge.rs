@@ -204,8 +204,10 @@ impl<'a> ClipEdge<'a> {
             Some(_) => self.inside().into(),
             None => self.name(),
         };
+        // The region lies to the left of a → b.
         Mark::new(role, Shape::HalfPlane([b, a]))
             .labelled(label)
+            .toward([a[1] - b[1], b[0] - a[0]])
             .linked(self.link())
     }
 

@@ -170,6 +170,17 @@ fn crossing(slate: &mut Slate<'_>, axis: &NumberAxis, tick: &LineTick, links: &m
     let name = slate.look.catalog.value(&tick.name);
     let mut formula = Formula::default().sym(name).sym("  ");
     formula.0.extend_from_slice(&tick.value.0);
+    // It stands near P₁ or P₂ and is neither's.
+    if !axis.shows(tick.u) {
+        formula = match tick.u {
+            ..0.0 => {
+                let mut pointing = Formula::default().sym("← ");
+                pointing.0.append(&mut formula.0);
+                pointing
+            }
+            _ => formula.sym(" →"),
+        };
+    }
     let stacked = slate.formula(&formula, style);
     if !put_near(slate, axis, at, &stacked) {
         // On one line there is room for it over the names of the ends.
