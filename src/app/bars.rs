@@ -1,6 +1,6 @@
 //! The bar at the top and the transport at the bottom.
 
-use egui::{Align, Button, Layout, Popup, Rect, RichText, Ui, UiBuilder, pos2, vec2};
+use egui::{Align, Button, Label, Layout, Popup, Rect, RichText, Ui, UiBuilder, pos2, vec2};
 
 use crate::{
     labs::Lab,
@@ -10,7 +10,7 @@ use crate::{
     text::{Message, Value},
     widgets::{
         Icon, Look, Press, Timeline, caption_text, icon_button, menu_style, speed_menu,
-        transport_buttons, transport_width,
+        transport_buttons,
     },
 };
 
@@ -143,10 +143,8 @@ pub fn transport(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
                 let chosen = speed_menu(ui, model.look, speed);
                 commands.extend(chosen.map(Command::Speed));
                 ui.add_space(8.0);
-                ui.add(egui::Label::new(own_step_text(model)).extend());
-                ui.add_space(8.0);
             }
-            timeline(model, ui, commands);
+            number_and_timeline(model, ui, commands);
         });
     });
 }
@@ -165,10 +163,7 @@ pub fn small_transport(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Comman
                     .style(menu_style)
                     .show(|ui| hall(model, ui, commands));
             }
-            if ui.available_width() > 160.0 + transport_width() {
-                ui.label(own_step_text(model));
-                timeline(model, ui, commands);
-            }
+            number_and_timeline(model, ui, commands);
         });
     });
 }
@@ -200,9 +195,24 @@ fn buttons(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
     }));
 }
 
-fn own_step_text(model: &Model<'_>) -> String {
+/// From the right: the number of the step, in words where there is room for them, and the timeline, where there is any
+/// for it.
+fn number_and_timeline(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
     let transport = model.playback.transport();
-    step_text(model.look, [transport.position(), transport.n_steps()])
+    let steps = [transport.position(), transport.n_steps()];
+    let words = step_text(model.look, steps);
+    let has_words = ui.available_width() > 260.0 * model.look.theme.text_scale;
+    let [step, n_steps] = steps;
+    let text = if has_words {
+        words.clone()
+    } else {
+        format!("{step} / {n_steps}")
+    };
+    ui.add(Label::new(text).extend()).on_hover_text(words);
+    if ui.available_width() > LEAST_TIMELINE {
+        ui.add_space(if has_words { 8.0 } else { 0.0 });
+        timeline(model, ui, commands);
+    }
 }
 
 /// `step 4 of 6`.
@@ -254,6 +264,9 @@ fn timeline(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
     .show(ui);
     commands.extend(asked.map(Command::Seek));
 }
+
+/// A timeline that is shorter than this tells nothing.
+const LEAST_TIMELINE: f32 = 48.0;
 
 /// The signs of the buttons that show and hide the side panels.
 const SIDES: [(Icon, &str, Command); 2] = [

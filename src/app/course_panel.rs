@@ -2,12 +2,15 @@
 
 use egui::{
     Align, Align2, Button, CursorIcon, Frame, Id, Layout, Panel, Rect, Response, RichText, Role,
-    ScrollArea, Sense, TextStyle, Ui, Vec2, WidgetInfo, pos2, style::ScrollAnimation, vec2,
+    ScrollArea, Sense, Stroke, StrokeKind, TextFormat, TextStyle, Ui, Vec2, WidgetInfo, pos2,
+    style::ScrollAnimation,
+    text::{LayoutJob, TextWrapping},
+    vec2,
 };
 
 use crate::{
     lesson::Lesson,
-    paint::theme,
+    paint::{Theme, theme},
     widgets::{Look, lesson_text, step_title},
 };
 
@@ -15,6 +18,8 @@ use super::{Command, model::Model};
 
 /// Between the numbers of steps, in points.
 const GAP: f32 = 4.0;
+/// Radius of the dot that marks what the reader has changed.
+const CHANGED: f32 = 3.0;
 /// How strongly a text is seen that speaks of another scene than the stage's.
 const ASIDE: f32 = 0.6;
 
@@ -85,8 +90,7 @@ fn heading(model: &Model<'_>, ui: &mut Ui, lesson: &Lesson) -> Response {
     let middle = pos2(response.rect.left() + 16.0, response.rect.center().y);
     let down = if model.lists_lessons { -1.0 } else { 1.0 };
     let corners = [[-4.0, -2.0], [4.0, -2.0], [0.0, 3.0]].map(|[x, y]| middle + vec2(x, down * y));
-    let triangle =
-        egui::Shape::convex_polygon(corners.into(), look.theme.accent, egui::Stroke::NONE);
+    let triangle = egui::Shape::convex_polygon(corners.into(), look.theme.accent, Stroke::NONE);
     ui.painter().add(triangle);
     ui.add_space(12.0);
     response
@@ -178,7 +182,7 @@ fn has_changes(model: &Model<'_>, idx: usize, lesson: &Lesson) -> bool {
 }
 
 /// Is the scene of this step another than the lesson's?
-fn is_changed(model: &Model<'_>, lesson: usize, step: usize) -> bool {
+pub(super) fn is_changed(model: &Model<'_>, lesson: usize, step: usize) -> bool {
     if [lesson, step] == model.bookmark.indices() {
         return !model.is_untouched;
     }
@@ -207,69 +211,68 @@ impl<'a> Row<'a> {
     }
 }
 
+/// What it is called, and that the reader has changed a scene of it.
+fn named(look: Look<'_>, title: &str, is_changed: bool) -> String {
+    if is_changed {
+        format!("{title}: {}", look.say("lesson-has-changes"))
+    } else {
+        title.to_owned()
+    }
+}
+
 /// A lesson's number and title.
 fn row(ui: &mut Ui, look: Look<'_>, row: Row<'_>) -> Response {
-    let Row {
-        number,
-        title,
-        is_open,
-        is_changed,
-    } = row;
     let theme = look.theme;
     let height = (28.0 * theme.text_scale.sqrt()).round();
     let (rect, response) =
         ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::click());
-    let name = if is_changed {
-        format!("{title}: {}", look.say("lesson-has-changes"))
-    } else {
-        title.to_owned()
-    };
-    response.widget_info(|| WidgetInfo::selected(Role::Tab, true, is_open, &name));
+    let name = named(look, row.title, row.is_changed);
+    response.widget_info(|| WidgetInfo::selected(Role::Tab, true, row.is_open, &name));
     let plate = rect.shrink2(vec2(0.0, 1.0));
-    if is_open {
+    if row.is_open {
         ui.painter().rect_filled(plate, 6.0, theme.accent_wash);
     } else if response.hovered() {
         ui.painter().rect_filled(plate, 6.0, theme.hover);
     }
     if response.has_focus() {
-        ui.painter().rect_stroke(
-            plate,
-            6.0,
-            theme.stroke(2.0, theme.accent),
-            egui::StrokeKind::Inside,
-        );
+        let rim = theme.stroke(2.0, theme.accent);
+        ui.painter()
+            .rect_stroke(plate, 6.0, rim, StrokeKind::Inside);
     }
-    let mono = TextStyle::Small.resolve(ui.style());
-    if is_changed {
-        let at = pos2(rect.right() - 6.0, rect.center().y);
-        ui.painter().circle_filled(at, 3.0, theme.accent);
-    }
-    let colour = if is_open { theme.accent } else { theme.faint };
-    let at = pos2(rect.left() + 16.0, rect.center().y);
-    ui.painter()
-        .text(at, Align2::CENTER_CENTER, number, mono, colour);
-    let style = if is_open {
-        theme::strong()
-    } else {
-        TextStyle::Body
-    };
-    let colour = if is_open { theme.ink } else { theme.soft };
-    let left = rect.left() + 32.0;
-    let mut job = egui::text::LayoutJob::single_section(
-        title.to_owned(),
-        egui::TextFormat::simple(style.resolve(ui.style()), colour),
-    );
-    job.wrap = egui::text::TextWrapping::truncate_at_width(rect.right() - 12.0 - left);
-    let galley = ui.fonts_mut(|fonts| fonts.layout_job(job));
-    let is_cut = galley.elided;
-    let at = pos2(left, rect.center().y - 0.5 * galley.size().y);
-    ui.painter().galley(at, galley, colour);
+    let is_cut = words(ui, theme, rect, row);
     let response = response.on_hover_cursor(CursorIcon::PointingHand);
-    if is_cut || is_changed {
+    if is_cut || row.is_changed {
         response.on_hover_text(name)
     } else {
         response
     }
+}
+
+/// What is written in a row; is the title cut?
+fn words(ui: &Ui, theme: &Theme, rect: Rect, row: Row<'_>) -> bool {
+    let y = rect.center().y;
+    if row.is_changed {
+        let at = pos2(rect.right() - 6.0, y);
+        ui.painter().circle_filled(at, CHANGED, theme.accent);
+    }
+    let small = TextStyle::Small.resolve(ui.style());
+    let (style, colour, of_number) = if row.is_open {
+        (theme::strong(), theme.ink, theme.accent)
+    } else {
+        (TextStyle::Body, theme.soft, theme.faint)
+    };
+    let at = pos2(rect.left() + 16.0, y);
+    ui.painter()
+        .text(at, Align2::CENTER_CENTER, row.number, small, of_number);
+    let left = rect.left() + 32.0;
+    let format = TextFormat::simple(style.resolve(ui.style()), colour);
+    let mut job = LayoutJob::single_section(row.title.to_owned(), format);
+    job.wrap = TextWrapping::truncate_at_width(rect.right() - 12.0 - left);
+    let galley = ui.fonts_mut(|fonts| fonts.layout_job(job));
+    let is_cut = galley.elided;
+    let at = pos2(left, y - 0.5 * galley.size().y);
+    ui.painter().galley(at, galley, colour);
+    is_cut
 }
 
 /// One small disc a step, the open one filled; arrows at the right.
@@ -282,8 +285,13 @@ fn steps(model: &Model<'_>, ui: &mut Ui, lesson: &Lesson, commands: &mut Vec<Com
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = GAP;
         for i in 0..lesson.steps.len() {
-            let title = titles.get(i).map_or("", |step| &step.title);
-            if disc(ui, look, (i + 1, title), room, i == open) {
+            let disc = Disc {
+                number: i + 1,
+                title: titles.get(i).map_or("", |step| &step.title),
+                is_open: i == open,
+                is_changed: is_changed(model, lesson_idx, i),
+            };
+            if disc.show(ui, look, room) {
                 commands.push(Command::Open([lesson_idx, i]));
             }
         }
@@ -291,52 +299,53 @@ fn steps(model: &Model<'_>, ui: &mut Ui, lesson: &Lesson, commands: &mut Vec<Com
     ui.add_space(12.0);
 }
 
-/// A step's number; was it clicked?
-pub(super) fn disc(
-    ui: &mut Ui,
-    look: Look<'_>,
-    (number, title): (usize, &str),
-    room: f32,
-    is_open: bool,
-) -> bool {
-    let theme = look.theme;
-    let size = (22.0 * theme.text_scale.sqrt()).min(room).floor();
-    let (rect, response) = ui.allocate_exact_size(Vec2::splat(size), Sense::click());
-    response.widget_info(|| {
-        WidgetInfo::selected(Role::Tab, true, is_open, format!("{number}: {title}"))
-    });
-    let (fill, text) = match (is_open, response.hovered()) {
-        (true, _) => (theme.accent, theme.background),
-        (false, true) => (theme.hover, theme.ink),
-        (false, false) => (theme.panel, theme.soft),
-    };
-    let radius = 0.5 * size - 0.5;
-    ui.painter().circle(
-        rect.center(),
-        radius,
-        fill,
-        egui::Stroke::new(
-            1.0,
-            if is_open {
-                theme.accent
-            } else {
-                theme.hairline
-            },
-        ),
-    );
-    if response.has_focus() {
-        ui.painter()
-            .circle_stroke(rect.center(), radius + 2.0, theme.stroke(2.0, theme.accent));
-    }
-    let font = TextStyle::Small.resolve(ui.style());
-    ui.painter()
-        .text(rect.center(), Align2::CENTER_CENTER, number, font, text);
-    response
-        .on_hover_cursor(CursorIcon::PointingHand)
-        .on_hover_text(title)
-        .clicked()
+/// The number of a step.
+pub(super) struct Disc<'a> {
+    pub number: usize,
+    pub title: &'a str,
+    pub is_open: bool,
+    /// Has the reader changed its scene?
+    pub is_changed: bool,
 }
 
+impl Disc<'_> {
+    /// Draws it; was it clicked?
+    pub fn show(&self, ui: &mut Ui, look: Look<'_>, room: f32) -> bool {
+        let theme = look.theme;
+        let size = (22.0 * theme.text_scale.sqrt()).min(room).floor();
+        let (rect, response) = ui.allocate_exact_size(Vec2::splat(size), Sense::click());
+        let title = named(look, self.title, self.is_changed);
+        let name = format!("{}: {title}", self.number);
+        response.widget_info(|| WidgetInfo::selected(Role::Tab, true, self.is_open, &name));
+        self.draw(ui, theme, rect, &response);
+        response
+            .on_hover_cursor(CursorIcon::PointingHand)
+            .on_hover_text(title)
+            .clicked()
+    }
+
+    fn draw(&self, ui: &Ui, theme: &Theme, rect: Rect, response: &Response) {
+        let (fill, text, rim) = match (self.is_open, response.hovered()) {
+            (true, _) => (theme.accent, theme.background, theme.accent),
+            (false, true) => (theme.hover, theme.ink, theme.hairline),
+            (false, false) => (theme.panel, theme.soft, theme.hairline),
+        };
+        let (painter, centre) = (ui.painter(), rect.center());
+        let radius = 0.5 * rect.width() - 0.5;
+        painter.circle(centre, radius, fill, Stroke::new(1.0, rim));
+        if response.has_focus() {
+            painter.circle_stroke(centre, radius + 2.0, theme.stroke(2.0, theme.accent));
+        }
+        let font = TextStyle::Small.resolve(ui.style());
+        painter.text(centre, Align2::CENTER_CENTER, self.number, font, text);
+        if self.is_changed {
+            // At its upper right, ringed: seen on the open one too.
+            let at = centre + 0.8 * radius * vec2(1.0, -1.0);
+            let ring = Stroke::new(1.5, theme.panel);
+            painter.circle(at, CHANGED + 0.5, theme.accent, ring);
+        }
+    }
+}
 /// The scene is not the lesson's any more: says so, and offers the way back.
 fn changed(ui: &mut Ui, look: Look<'_>, commands: &mut Vec<Command>) {
     ui.with_layout(Layout::top_down(Align::Min), |ui| {

@@ -5,7 +5,11 @@ use egui::{Align, Layout, ScrollArea, Ui};
 
 use crate::widgets::{Icon, icon_button};
 
-use super::{Command, course_panel::disc, model::Model};
+use super::{
+    Command,
+    course_panel::{Disc, is_changed},
+    model::Model,
+};
 
 /// Draws the strip.
 pub fn show(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
@@ -24,8 +28,13 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
             let [lesson_idx, open] = model.bookmark.indices();
             let titles = &lesson.text(model.settings.lang).steps;
             for i in 0..lesson.steps.len() {
-                let title = titles.get(i).map_or("", |step| &step.title);
-                if disc(ui, look, (i + 1, title), f32::INFINITY, i == open) {
+                let disc = Disc {
+                    number: i + 1,
+                    title: titles.get(i).map_or("", |step| &step.title),
+                    is_open: i == open,
+                    is_changed: is_changed(model, lesson_idx, i),
+                };
+                if disc.show(ui, look, f32::INFINITY) {
                     commands.push(Command::Open([lesson_idx, i]));
                 }
             }

@@ -1,6 +1,8 @@
 //! The inspector: pseudocode, watch table, cost.
 
-use egui::{Align, Button, Id, Layout, RichText, Role, ScrollArea, Ui, UiBuilder, WidgetInfo};
+use egui::{
+    Align, Button, Id, Label, Layout, RichText, Role, ScrollArea, Ui, UiBuilder, WidgetInfo,
+};
 
 use crate::{
     figure::{Frame, Link, Run, Watch, unseen},
@@ -93,6 +95,10 @@ pub fn content(
     );
     rule(ui, look);
     costs(model, ui, column, commands);
+    if let Some(of_all) = state.all_costs.of(model, ui, column) {
+        let text = RichText::new(look.catalog.message(of_all)).small();
+        ui.add(Label::new(text.color(look.theme.soft)).wrap());
+    }
     let scrolled = code.height().min(code_most) + table.min(watch_most);
     let now = ui.cursor().top() - top - scrolled;
     if (now - fixed).abs() > 0.5 {

@@ -17,7 +17,7 @@ use super::{
     caption_room::CaptionRoom,
     model::Model,
     typing::Typing,
-    watch_room::{CodeLinkRooms, WatchRooms},
+    watch_room::{AllCosts, CodeLinkRooms, WatchRooms},
 };
 
 /// What the stage remembers between frames. None of it is part of the document.
@@ -55,6 +55,8 @@ pub struct StageState {
     pub watch: WatchRooms,
     /// What lines of pseudocode are about.
     pub code_links: CodeLinkRooms,
+    /// What all that a run is one of costs.
+    pub all_costs: AllCosts,
     /// Of two methods side by side, the one that the inspector is about.
     pub inspected: usize,
     /// The drawing that was shown last, and its lens.

@@ -1,10 +1,11 @@
-//! What a run has for the inspector at all its steps: the room that its watch table takes, and what its lines of code are
-//! about.
+//! What a run has for the inspector at all its steps: the room that its watch table takes, what its lines of code are about,
+//! and what all there is costs.
 
 use egui::Ui;
 
 use crate::{
     figure::{CodeLinks, Run, Watch, watches},
+    text::Message,
     widgets::WatchRoom,
 };
 
@@ -48,5 +49,17 @@ impl CodeLinkRooms {
         (column, run): (usize, &dyn Run),
     ) -> &CodeLinks {
         self.0[column].get(model, ui, 0.0, || CodeLinks::of(run))
+    }
+}
+
+/// What each method does for all that its run is one of.
+#[derive(Default)]
+pub struct AllCosts([RunRoom<Option<Message>>; 2]);
+
+impl AllCosts {
+    /// Of the method in this column, in a sentence; none where the run is of all there is.
+    pub fn of(&mut self, model: &Model<'_>, ui: &Ui, column: usize) -> Option<&Message> {
+        let of_all = || model.scene.document().cost_of_all(column);
+        self.0[column].get(model, ui, 0.0, of_all).as_ref()
     }
 }

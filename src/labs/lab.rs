@@ -5,7 +5,7 @@ use std::{any::Any, fmt, sync::Arc};
 
 use crate::{
     figure::{Mark, Run, Shape},
-    text::Diagnostic,
+    text::{Diagnostic, Message},
     trace::Counts,
 };
 
@@ -57,6 +57,10 @@ pub trait Document: Plain {
     fn record(&self) -> Vec<Box<dyn Run>>;
     /// A plainer method to compare costs with, where no other stands beside, and what it costs in all.
     fn baseline(&self) -> Option<(&'static MethodCard, Counts)> {
+        None
+    }
+    /// Where the run is that of one of many: what the method in this column does for all of them, in a sentence.
+    fn cost_of_all(&self, _column: usize) -> Option<Message> {
         None
     }
     /// Can the method of this id take the scene?

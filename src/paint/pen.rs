@@ -19,8 +19,6 @@ const CROSS_RADIUS: f32 = 6.0;
 const FEW: usize = 3;
 /// And so many can still be told apart.
 const SOME: usize = 50;
-/// Up to this number, segments out of focus can be told apart.
-const FEW_ENOUGH: usize = 2_000;
 
 /// What a mark is drawn with.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -62,9 +60,11 @@ impl Pen {
         let (width, strength) = match n {
             n if n <= FEW => (3.0, 1.0),
             n if n <= SOME => (if is_living { 2.0 } else { 1.25 }, 1.0),
-            ..=FEW_ENOUGH => (if is_living { 2.0 } else { 1.0 }, 0.35),
             // So many cover every point several times over: what lies beneath still shows.
-            n => (1.0, 0.35 * (FEW_ENOUGH as f32 / n as f32).powf(0.75)),
+            n => {
+                let strength = 0.3 * (SOME as f32 / n as f32).powf(0.35);
+                (if is_living { 1.5 } else { 1.0 }, strength)
+            }
         };
         Self {
             stroke: theme.stroke(width, pen.stroke.color.gamma_multiply(strength)),

@@ -121,6 +121,24 @@ fn few_segments_out_of_focus_are_as_strong_as_the_one_in_focus() {
     }
 }
 
+/// Of very many none is as strong as the one in focus, whose colour they have.
+#[test]
+fn many_segments_recede_the_further_the_more_there_are() {
+    for kind in ThemeKind::ALL {
+        let theme = Theme::of(kind);
+        for role in [Role::Accent, Role::Discarded] {
+            let mark = Mark::new(role, Shape::Crowd(Vec::new()));
+            let ratio = |n| {
+                let stroke = Pen::of_crowd(theme, &mark, n).stroke;
+                contrast(theme.background.blend(stroke.color), theme.background)
+            };
+            let ratios = [2, 200, 2_000, 10_000].map(ratio);
+            assert!(ratios[1] < 1.6, "{kind}, {role:?}: {ratios:?}");
+            assert!(ratios.is_sorted_by(|more, less| more > less), "{ratios:?}");
+        }
+    }
+}
+
 /// To an eye without green, green is grey: it differs in lightness and in its dashes.
 #[test]
 fn what_is_kept_differs_from_what_is_discarded_without_hue() {

@@ -198,6 +198,7 @@ batch-make = Replace all segments
 ## Costs, measured
 
 cost-measure = Measure on this machine…
+cost-of-all-segments = all { $count } segments: { $divisions } divisions, { $multiplications } multiplications, { $additions } additions, { $comparisons } comparisons
 measure-title = What a segment costs
 measure-about = Every method clips the same random segments, here and now.
 measure-start = Measure

@@ -198,6 +198,7 @@ batch-make = Reemplazar todos los segmentos
 ## Costs, measured
 
 cost-measure = Medir en este equipo…
+cost-of-all-segments = los { $count } segmentos: { $divisions } divisiones, { $multiplications } multiplicaciones, { $additions } sumas, { $comparisons } comparaciones
 measure-title = Lo que cuesta un segmento
 measure-about = Todos los métodos recortan los mismos segmentos al azar, aquí y ahora.
 measure-start = Medir

@@ -198,6 +198,7 @@ batch-make = Substituir todos os segmentos
 ## Costs, measured
 
 cost-measure = Medir neste computador…
+cost-of-all-segments = os { $count } segmentos: { $divisions } divisões, { $multiplications } multiplicações, { $additions } somas, { $comparisons } comparações
 measure-title = Quanto custa um segmento
 measure-about = Todos os métodos recortam os mesmos segmentos aleatórios, aqui e agora.
 measure-start = Medir

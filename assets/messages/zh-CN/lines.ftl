@@ -198,6 +198,7 @@ batch-make = 替换所有线段
 ## Costs, measured
 
 cost-measure = 在本机上测量…
+cost-of-all-segments = 全部 { $count } 条线段：除法 { $divisions } 次，乘法 { $multiplications } 次，加减 { $additions } 次，比较 { $comparisons } 次
 measure-title = 裁剪一条线段的代价
 measure-about = 每种方法都在本机上当场裁剪同一批随机线段。
 measure-start = 测量

@@ -1,11 +1,16 @@
-//! Polygons with more vertices than can all have a handle.
+//! Very many: vertices that cannot all have a handle, segments of which one is in focus.
 
 use egui::{Event, Key, vec2};
 
-use super::{Bench, ctrl};
+use super::{Bench, SIZE, ctrl};
 use crate::{
     app::Command,
-    labs::polygons::{PolygonsChange, SceneVertex},
+    labs::{
+        Edit, Scene, lines,
+        polygons::{PolygonsChange, SceneVertex},
+    },
+    text::{Catalog, Lang, Value},
+    trace::Counts,
 };
 
 #[test]
@@ -65,4 +70,35 @@ fn a_long_run_keeps_its_place_without_being_searched() {
     let part = now.position() as f64 / now.n_steps() as f64;
     assert!((part - 1.0 / 3.0).abs() < 0.02, "{part}");
     assert_eq!(bench.app.playback.main().tick(now.position()), tick);
+}
+
+#[test]
+fn the_cost_of_all_segments_stands_under_that_of_the_one() {
+    let mut bench = Bench::new(SIZE);
+    let said = |bench: &mut Bench| {
+        let texts = bench.texts().into_iter().map(|(text, _)| text);
+        texts
+            .filter(|text| text.starts_with("all "))
+            .collect::<Vec<_>>()
+    };
+    assert!(said(&mut bench).is_empty(), "the one is all there is");
+    let scene = bench.app.scene().get::<lines::Scene>();
+    let scene = scene.expect("the first lab");
+    let segments = lines::random_segments(&scene.window, 200, 5);
+    let scene = lines::Scene::new(scene.method, scene.window, segments.clone());
+    let scene = scene.expect("segments");
+    let of_one = |&segment| {
+        let alone = lines::Scene::new(scene.method, scene.window, vec![segment]);
+        Scene::from(alone.expect("a segment")).document().record()
+    };
+    let sum: Counts = segments
+        .iter()
+        .map(|segment| of_one(segment)[0].counts_at(usize::MAX))
+        .sum();
+    bench.command(Command::Edit(Edit::Replace(scene.into()), None));
+    let said = said(&mut bench).join(" ");
+    for n in [200, sum.div, sum.mul, sum.add, sum.cmp] {
+        let n = Catalog::of(Lang::En).value(&Value::Count(n as usize));
+        assert!(said.contains(&n), "{n} is not in {said:?}");
+    }
 }

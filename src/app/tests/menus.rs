@@ -4,14 +4,14 @@ use egui::{Event, Pos2, Rect, vec2};
 
 use super::{Bench, SIZE};
 use crate::{
-    app::{App, Settings},
+    app::{App, Command, Settings},
     labs::lines,
     lesson::Course,
 };
 
 impl Bench {
     /// Everything with a name in the last frames: what a screen reader would hear, and where it lies.
-    fn named(&mut self) -> Vec<(String, Rect)> {
+    pub(super) fn named(&mut self) -> Vec<(String, Rect)> {
         self.ctx.enable_accesskit();
         self.frame(0.1, Vec::new());
         self.names.clone()
@@ -89,5 +89,23 @@ fn what_has_no_room_in_the_bar_is_in_a_menu() {
         let all = bench.named();
         let n = all.iter().filter(|(name, _)| name == "Compare with…");
         assert_eq!(n.count(), 1, "{size}: once, in the bar: {in_the_bar}");
+    }
+}
+
+#[test]
+fn the_number_of_the_step_is_there_however_narrow_the_window() {
+    for width in [320.0, 420.0, 640.0, 1280.0] {
+        for is_presenting in [false, true] {
+            let mut bench = Bench::new(vec2(width, 480.0));
+            if is_presenting {
+                bench.command(Command::Present);
+            }
+            bench.command(Command::Seek(2));
+            let n_steps = bench.app.playback.transport().n_steps();
+            let said = [format!("step 2 of {n_steps}"), format!("2 / {n_steps}")];
+            let texts = bench.texts();
+            let is_said = texts.iter().any(|(text, _)| said.contains(text));
+            assert!(is_said, "{width}, {is_presenting}: {texts:?}");
+        }
     }
 }

@@ -7,6 +7,7 @@ use crate::{
     app::{App, Command, Settings},
     labs::{Edit, Scene},
     lesson::Course,
+    text::{Catalog, Lang},
 };
 
 fn bench() -> Bench {
@@ -131,5 +132,27 @@ polygon = [[1, 1], [5, 5], [5, 1], [1, 5]]
     for id in ways {
         bench.app.apply(&ctx, Command::Edit(Edit::Method(id), None));
         assert!(!bench.app.playback.main().is_refused(), "{id}");
+    }
+}
+
+#[test]
+fn the_number_of_a_step_that_was_changed_is_marked_and_no_other() {
+    // Beside the stage, and where the course is a strip.
+    for size in [SIZE, egui::vec2(1024.0, 768.0)] {
+        let mut bench = Bench::with(App::new(Course::embedded(), Settings::default()), size);
+        bench.command(Command::Open([0, 1]));
+        change(&mut bench);
+        bench.command(Command::Open([0, 2]));
+        let names = bench.named();
+        let mark = Catalog::of(Lang::En).term("lesson-has-changes");
+        let step = |n: usize| format!("{n}: ");
+        let of_steps = names.iter().filter(|(name, _)| {
+            (1..9).any(|n| name.starts_with(&step(n))) && name.ends_with(&mark)
+        });
+        let of_steps: Vec<&String> = of_steps.map(|(name, _)| name).collect();
+        assert!(
+            matches!(&of_steps[..], [one] if one.starts_with("2: ")),
+            "{size}: {of_steps:?}"
+        );
     }
 }

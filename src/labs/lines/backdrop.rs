@@ -18,8 +18,8 @@ pub fn backdrop(scene: &Scene, method: Method, at_end: bool) -> Vec<Mark> {
     marks
 }
 
-/// Up to this many segments, a view shows all of them at first; of more, the one in focus.
-const MAX_FITTED: usize = 20;
+/// Up to this many segments are looked at one by one: a view shows all of them at first. Of more, the one in focus.
+pub const MAX_FITTED: usize = 20;
 
 /// The world rectangle that holds the clip region and the segments that matter: what a view shows at first.
 #[must_use]

@@ -6,13 +6,13 @@ use crate::{
     figure::{Mark, Run, Shape},
     geom::Point,
     labs::{Click, Document, Handle, Lab, MethodCard, Own},
-    text::Diagnostic,
+    text::{Diagnostic, Message},
     trace::Counts,
 };
 
 use super::{
     LAB, Method, Scene,
-    backdrop::{backdrop, bounds},
+    backdrop::{MAX_FITTED, backdrop, bounds},
     change::{beside, clicked, other_under},
 };
 
@@ -53,6 +53,24 @@ impl Document for Scene {
         let plainest = Method::all().next();
         let method = plainest.filter(|&method| method != self.method)?;
         Some((method.card(), method.info().cost(self, self.focused()).1))
+    }
+
+    fn cost_of_all(&self, column: usize) -> Option<Message> {
+        let (n, method) = (self.segments().len(), self.on_stage().nth(column)?);
+        if n <= MAX_FITTED {
+            return None;
+        }
+        let segments = self.segments().iter();
+        let cost: Counts = segments.map(|&s| method.info().cost(self, s).1).sum();
+        let message = Message::new("cost-of-all-segments").with("count", n);
+        let kinds = [
+            ("divisions", cost.div),
+            ("multiplications", cost.mul),
+            ("additions", cost.add),
+            ("comparisons", cost.cmp),
+        ];
+        let with = |message: Message, (kind, n)| message.with(kind, n as usize);
+        Some(kinds.into_iter().fold(message, with))
     }
 
     fn backdrop(&self, column: usize, at_end: bool) -> Vec<Mark> {
