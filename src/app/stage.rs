@@ -63,6 +63,7 @@ fn sheet(model: &Model<'_>, rect: Rect, title: Option<&Typeset>, caption: f32) -
         over_caption: 0.0,
         caption,
         cost: 0.0,
+        is_fixed: true,
     }
 }
 

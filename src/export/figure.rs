@@ -238,6 +238,7 @@ impl Page<'_> {
             cost: bars
                 .first()
                 .map_or(0.0, |bars| bars.height() + OVER_COST_PTS),
+            is_fixed: false,
         };
         let layout = sheet.lay_out(&self.recorded.needs);
         if let Some(title) = title {

@@ -57,6 +57,8 @@ pub struct Sheet {
     pub caption: f32,
     /// Height of the row with the cost.
     pub cost: f32,
+    /// It cannot be enlarged: where nothing else has room, all views are low.
+    pub is_fixed: bool,
 }
 
 /// Where everything stands.
@@ -106,7 +108,7 @@ enum Way {
 }
 
 impl Way {
-    const ALL: [Self; 4] = [Self::Beside, Self::Under, Self::Narrow, Self::Low];
+    const ROOMY: [Self; 3] = [Self::Beside, Self::Under, Self::Narrow];
 
     /// What views want at least, if they stand so.
     fn wanted(self, needs: &[Need]) -> Vec<Need> {
@@ -159,7 +161,10 @@ impl Sheet {
         let count = |views: &[Vec<(ViewId, Slot)>]| views.iter().map(Vec::len).sum::<usize>();
         let n_wanted: usize = needs.iter().map(Vec::len).sum();
         let mut best = Vec::new();
-        for way in Way::ALL {
+        for way in Way::ROOMY
+            .into_iter()
+            .chain(self.is_fixed.then_some(Way::Low))
+        {
             let views = self.views_in(way, stages, needs);
             if best.is_empty() || count(&views) > count(&best) {
                 best = views;

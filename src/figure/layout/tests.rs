@@ -24,6 +24,7 @@ fn sheet(size: [f32; 2], em: f32) -> Sheet {
         over_caption: 18.0,
         caption: 60.0,
         cost: 0.0,
+        is_fixed: false,
     }
 }
 
