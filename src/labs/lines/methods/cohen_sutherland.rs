@@ -292,7 +292,7 @@ fn numbered_cuts(state: &State) -> Vec<Mark> {
         let is_end = state.ends.contains(&at);
         let shape = if is_end { Shape::Vertex } else { Shape::Cross };
         let role = if is_end { Role::Soft } else { Role::Discarded };
-        let label = name(format!("C{}", subscript(nth + 1)));
+        let label = name(format!("I{}", subscript(nth + 1)));
         Mark::new(role, shape(at.to_array())).labelled(label)
     };
     cuts.into_iter().enumerate().map(mark).collect()
