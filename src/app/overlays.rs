@@ -82,6 +82,10 @@ fn notices(ctx: &Context, look: Look<'_>, notices: &[Notice], commands: &mut Vec
                             for notice in notices {
                                 text(ui, look, notice);
                             }
+                            if ui.min_rect().width() > room {
+                                // The bar at the bottom takes its room from what lies above it.
+                                ui.add_space(ui.spacing().scroll.allocated_width());
+                            }
                         });
                     });
                 if icon_button(ui, look, Icon::Close, &look.say("action-close"), true).clicked() {

@@ -22,7 +22,9 @@ const NAME_WIDTH: f32 = 60.0;
 /// Between columns, at least.
 const GAP: f32 = 12.0;
 /// Height of a row in sizes of its text: room for a stacked quotient, so that nothing moves when one comes.
-const ROW_SIZE: f32 = 2.0;
+const ROW_SIZE: f32 = 2.2;
+/// The same in large type, which leaves the pseudocode little room.
+const LARGE_ROW_SIZE: f32 = 2.0;
 /// How far a table that is too wide is drawn smaller.
 const SMALLEST: f32 = 0.7;
 
@@ -208,11 +210,16 @@ struct Table<'a> {
 impl<'a> Table<'a> {
     fn new(ui: &Ui, look: Look<'a>, lit: Option<Link>) -> Self {
         let mono = TextStyle::Monospace.resolve(ui.style());
+        let row_size = if look.theme.text_scale > 1.0 {
+            LARGE_ROW_SIZE
+        } else {
+            ROW_SIZE
+        };
         Self {
             look,
             lit,
             small: TextStyle::Small.resolve(ui.style()),
-            height: (mono.size * ROW_SIZE).round(),
+            height: (mono.size * row_size).round(),
             mono,
         }
     }

@@ -281,3 +281,15 @@ fn an_error_that_is_too_long_scrolls_in_sight() {
         "{area:?}"
     );
 }
+
+#[test]
+fn the_last_line_of_a_listing_is_whole_where_its_lines_are_too_long() {
+    let mut bench = Bench::with(App::new(Course::embedded(), Settings::default()), SIZE);
+    let long = "a = ".to_owned() + &"[".repeat(400);
+    let text = format!("{long}\nthe last line");
+    let notice = crate::app::notice::Notice::problem(text.clone());
+    bench.app.notices.push(notice);
+    bench.settle();
+    let (rect, clip) = bench.clipped(&text);
+    assert!(clip.bottom() >= rect.bottom(), "{rect} in {clip}");
+}

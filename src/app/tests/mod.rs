@@ -98,6 +98,22 @@ impl Bench {
 
     /// All that is written in the window and is not cut, and where.
     fn texts(&mut self) -> Vec<(String, Rect)> {
+        // What is scrolled out of sight is not written.
+        let all = self.written().into_iter();
+        all.filter(|(_, rect, clip)| clip.contains_rect(*rect))
+            .map(|(text, rect, _)| (text, rect))
+            .collect()
+    }
+
+    /// Where a text stands, and what of the window it may be seen in.
+    fn clipped(&mut self, text: &str) -> (Rect, Rect) {
+        let found = self.written().into_iter().find(|(known, ..)| known == text);
+        let (_, rect, clip) = found.unwrap_or_else(|| panic!("{text} is not written"));
+        (rect, clip)
+    }
+
+    /// All that is written: each text, where, and within what it is cut.
+    fn written(&mut self) -> Vec<(String, Rect, Rect)> {
         let input = RawInput {
             screen_rect: Some(Rect::from_min_size(Pos2::ZERO, self.size)),
             time: Some(self.time),
@@ -105,15 +121,14 @@ impl Bench {
         };
         let mut output = self.ctx.run_ui(input, |ui| self.app.ui(ui));
         drop(output.textures_delta.set.drain());
-        let mut texts = Vec::new();
+        let mut all = Vec::new();
         for clipped in &output.shapes {
-            let first = texts.len();
+            let mut texts = Vec::new();
             written(&clipped.shape, &mut texts);
-            // What is scrolled out of sight is not written.
-            let of_shape = texts.split_off(first).into_iter();
-            texts.extend(of_shape.filter(|(_, rect)| clipped.clip_rect.contains_rect(*rect)));
+            let clip = clipped.clip_rect;
+            all.extend(texts.into_iter().map(|(text, rect)| (text, rect, clip)));
         }
-        texts
+        all
     }
 
     /// Frames without input, until nothing moves any more.
