@@ -128,10 +128,11 @@ impl Recorded {
     /// Each method, at the step that stands beside this one of the first.
     fn columns(&self, step: usize) -> Vec<Column> {
         let methods = self.scene.document().methods().into_iter();
-        let columns = methods.zip(&self.runs).enumerate();
-        let column = |(i, (method, run)): (usize, (_, &Box<dyn Run>))| match i {
-            0 => Column::new(method, &**run, step),
-            _ => Column::new(method, &**run, run.beside(&*self.runs[0], step)),
+        let runs = self.runs.iter().map(|run| &**run);
+        let columns = methods.zip(runs).enumerate();
+        let column = |(i, (method, run)): (usize, (_, &dyn Run))| match i {
+            0 => Column::new(method, run, step),
+            _ => Column::new(method, run, run.beside(&*self.runs[0], step)),
         };
         columns.map(column).collect()
     }

@@ -192,7 +192,7 @@ pub fn watch(ui: &mut Ui, look: Look<'_>, asked: &WatchTable<'_>) -> WatchShown 
         moment,
     };
     rows.show(ui, |ui| {
-        table.sections(ui, (watch, room), is_typed, &mut shown)
+        table.sections(ui, (watch, room), is_typed, &mut shown);
     });
     let rest = top + room.height.min(most) - ui.cursor().top();
     ui.add_space(rest.max(0.0));
