@@ -1,32 +1,47 @@
 //! Validated primitives: types that cannot hold nonsense, so that the algorithms need no checks.
 //!
 //! Conventions: y is up; every window is closed (on the border is inside); every half-plane's normal
-//! points inside; a front-facing outline runs counter-clockwise. Coordinates are `f64` in world units.
+//! points inside; a front-facing outline runs counter-clockwise. Coordinates are `f64` in world units. Space is
+//! right-handed; a camera looks down −z of its own axes.
 
+mod aligned_box;
+mod camera;
 mod convex_polygon;
 mod distance;
 mod error;
 mod exact;
 mod half_plane;
+mod matrix;
 mod orbit;
 mod orientation;
+mod plane;
 mod point;
 mod polygon;
 mod region;
 mod rings;
 mod simple_polygon;
+mod space_error;
+mod sphere;
 mod sweep;
+mod view_volume;
 mod window;
 
+pub use aligned_box::AlignedBox;
+pub use camera::Camera;
 pub use convex_polygon::ConvexPolygon;
 pub use distance::distance_to_segment;
 pub use error::{Axis, GeomError};
 pub use half_plane::HalfPlane;
+pub use matrix::Matrix;
 pub use orbit::Orbit;
 pub use orientation::{is_certain, lexicographic, orientation, winding};
+pub use plane::Plane;
 pub use point::{Point, Segment, extent};
 pub use polygon::Polygon;
 pub use region::Region;
 pub use rings::{Location, Rings, locate};
 pub use simple_polygon::SimplePolygon;
+pub use space_error::SpaceError;
+pub use sphere::Sphere;
+pub use view_volume::{Sight, ViewVolume, VolumeSide, planes_from_matrix};
 pub use window::{Edge, Window};

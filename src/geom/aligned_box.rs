@@ -1,0 +1,77 @@
+//! A box along the axes.
+
+use super::{SpaceError, space_error::finite};
+
+/// All points between two corners, both included. It may be flat, an edge or a point.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct AlignedBox {
+    min: [f64; 3],
+    max: [f64; 3],
+}
+
+impl AlignedBox {
+    /// `[xmin, ymin, zmin, xmax, ymax, zmax]`.
+    ///
+    /// # Errors
+    /// [`SpaceError::NotFinite`]; [`SpaceError::EmptyBox`] where a minimum is above its maximum.
+    pub fn new(bounds: [f64; 6]) -> Result<Self, SpaceError> {
+        finite(&bounds)?;
+        let [x, y, z, right, top, front] = bounds;
+        let (min, max) = ([x, y, z], [right, top, front]);
+        match (0..3).find(|&axis| min[axis] > max[axis]) {
+            Some(axis) => Err(SpaceError::EmptyBox {
+                axis,
+                min: min[axis],
+                max: max[axis],
+            }),
+            None => Ok(Self { min, max }),
+        }
+    }
+
+    /// The smallest one around some points.
+    ///
+    /// # Errors
+    /// [`SpaceError::NotFinite`]; [`SpaceError::NoVertices`].
+    pub fn around(points: impl IntoIterator<Item = [f64; 3]>) -> Result<Self, SpaceError> {
+        let mut bounds: Option<Self> = None;
+        for (i, at) in points.into_iter().enumerate() {
+            if let Some(axis) = at.iter().position(|x| !x.is_finite()) {
+                let (index, value) = (3 * i + axis, at[axis]);
+                return Err(SpaceError::NotFinite { index, value });
+            }
+            let bounds = bounds.get_or_insert(Self { min: at, max: at });
+            for axis in 0..3 {
+                bounds.min[axis] = bounds.min[axis].min(at[axis]);
+                bounds.max[axis] = bounds.max[axis].max(at[axis]);
+            }
+        }
+        bounds.ok_or(SpaceError::NoVertices)
+    }
+
+    /// The lowest corner.
+    #[must_use]
+    pub const fn min(&self) -> [f64; 3] {
+        self.min
+    }
+
+    /// The highest corner.
+    #[must_use]
+    pub const fn max(&self) -> [f64; 3] {
+        self.max
+    }
+
+    /// All eight: bit 0 of a corner's number says right rather than left, bit 1 top, bit 2 the higher z.
+    #[must_use]
+    pub fn corners(&self) -> [[f64; 3]; 8] {
+        std::array::from_fn(|i| {
+            std::array::from_fn(|axis| {
+                let side = if i >> axis & 1 == 1 {
+                    self.max
+                } else {
+                    self.min
+                };
+                side[axis]
+            })
+        })
+    }
+}

@@ -1,0 +1,71 @@
+//! Why numbers make nothing in space.
+
+use std::fmt;
+
+/// Why a plane, a box, a sphere, a matrix or a camera was refused. `Display` is for logs; people read the sentence of
+/// [`Diagnostic`](crate::text::Diagnostic).
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum SpaceError {
+    /// A number is NaN or infinite; `index` counts the numbers in the order in which they were given.
+    NotFinite {
+        /// Position of the number in the flat list.
+        index: usize,
+        /// The number itself.
+        value: f64,
+    },
+    /// A box whose minimum is above its maximum.
+    EmptyBox {
+        /// 0 is x, 1 is y, 2 is z.
+        axis: usize,
+        /// Given minimum.
+        min: f64,
+        /// Given maximum.
+        max: f64,
+    },
+    /// A plane without a direction.
+    ZeroNormal,
+    /// A sphere of this radius.
+    NegativeRadius(f64),
+    /// A mesh without a vertex has no bounding volume.
+    NoVertices,
+    /// A camera that looks at where it stands.
+    TargetAtPosition,
+    /// The way up is zero, or the way that the camera looks.
+    UpAlongView,
+    /// A field of view, in degrees, that is not between 0 and 180.
+    FieldOfView(f64),
+    /// A parallel volume of no height.
+    Height(f64),
+    /// A width over height that is not above 0.
+    Aspect(f64),
+    /// A near plane that is not before the eye.
+    Near(f64),
+    /// A far plane that is not behind the near one.
+    Far {
+        /// Given near distance.
+        near: f64,
+        /// Given far distance.
+        far: f64,
+    },
+    /// The last row of an affine matrix is not 0 0 0 1.
+    NotAffine,
+}
+
+impl fmt::Display for SpaceError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{self:?}")
+    }
+}
+
+impl std::error::Error for SpaceError {}
+
+/// Refuses the first number that is not finite.
+pub(super) fn finite(numbers: &[f64]) -> Result<(), SpaceError> {
+    match numbers.iter().position(|x| !x.is_finite()) {
+        Some(index) => Err(SpaceError::NotFinite {
+            index,
+            value: numbers[index],
+        }),
+        None => Ok(()),
+    }
+}
