@@ -3,6 +3,8 @@
 //! Nothing here draws, says or formats anything: an algorithm takes validated input, returns its answer,
 //! and reports small events on the way (see [`crate::trace`]).
 
+pub mod cull;
 pub mod line;
 pub mod parameter;
 pub mod polygon;
+pub mod volume;

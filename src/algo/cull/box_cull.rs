@@ -1,0 +1,177 @@
+//! A bounding box against the planes of a volume, and why that is not the whole truth.
+//!
+//! ```text
+//!         ╲   in   ╱
+//!          ╲      ╱   ┌──────┐      the box straddles the right plane far out and the far plane beside:
+//!           ╲    ╱    │      │      no plane has all eight corners outside, and yet nothing of the box
+//!            ╲  ╱     └──────┘      lies inside: it is kept in vain
+//! ```
+//!
+//! 1. Each plane in turn: all eight corners outside (n·p + d < 0) culls the box; all inside of every plane keeps it.
+//! 2. Of a box that is kept by straddling: has it a point inside all planes? Where not, drawing it is in vain
+//!    ([`BoxCullOutput::false_positive`]). Exact: [`meets`].
+//!
+//! *Conventions*: planes in the order in which they are given; all is closed. Only signs count, so that no distance is
+//! divided by |n|. *Bound*: one event a plane, the second test, the end. *Cost*: of the planes; the second test is not
+//! counted, no renderer runs it.
+//!
+//! *Source*: U. Assarsson and T. Möller, "Optimized view frustum culling algorithms for bounding boxes", Journal of Graphics
+//! Tools 5, 2000, pp. 9–22; the false positives: I. Quílez, "Frustum culling correctly", 2013.
+//!
+//! ```
+//! use clipscope::{
+//!     algo::cull::{BoxCull, BoxCullInput, Containment},
+//!     geom::{AlignedBox, ViewVolume},
+//!     trace::silent,
+//! };
+//! let planes = ViewVolume::perspective(90.0, 1.0, 1.0, 10.0)?.planes().to_vec();
+//! let bounds = AlignedBox::new([10.5, -1.0, -11.0, 40.0, 1.0, 20.0])?;
+//! let output = silent::<BoxCull>(&BoxCullInput { planes, bounds });
+//! assert_eq!((output.class, output.false_positive), (Containment::Straddles, true));
+//! # Ok::<(), clipscope::geom::SpaceError>(())
+//! ```
+
+use serde::Serialize;
+
+use crate::{
+    algo::volume::weighted_sum,
+    geom::{AlignedBox, Plane, meets},
+    trace::{Algorithm, Real},
+};
+
+use super::Containment;
+
+/// The algorithm; see the module.
+#[derive(Clone, Copy, Debug)]
+pub struct BoxCull;
+
+/// What to cull, and by what.
+#[derive(Clone, PartialEq, Debug)]
+pub struct BoxCullInput {
+    /// Inside is what all of them have inside.
+    pub planes: Vec<Plane>,
+    /// Around what may be left out, in the planes' space.
+    pub bounds: AlignedBox,
+}
+
+/// What happens, in order.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
+#[serde(tag = "event", rename_all = "kebab-case")]
+pub enum BoxCullEvent {
+    /// One plane is asked about all eight corners.
+    Plane {
+        /// As they were given.
+        plane_idx: usize,
+        /// n·p + d of each corner, numbered as [`AlignedBox::corners`] has them.
+        sums: [f64; 8],
+        /// How many of them are below 0.
+        n_outside: usize,
+        /// What this plane says of the box.
+        class: Containment,
+    },
+    /// A box that no plane rejects, and that not all accept, is asked whether anything of it is inside.
+    Meets {
+        /// Has it a point inside all planes?
+        meets: bool,
+    },
+    /// The end.
+    Done {
+        /// What all planes say.
+        class: Containment,
+    },
+}
+
+/// The answer.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
+pub struct BoxCullOutput {
+    /// Where the planes say that it lies.
+    pub class: Containment,
+    /// Do they keep it although nothing of it is inside?
+    pub false_positive: bool,
+}
+
+/// What the picture of a step needs.
+#[derive(Clone, PartialEq, Debug)]
+pub struct BoxCullState {
+    /// What each plane says: the eight sums, and the box's side.
+    pub asked: Vec<([f64; 8], Containment)>,
+    /// Has it a point inside, once that is known?
+    pub meets: Option<bool>,
+    /// The answer, once known.
+    pub class: Option<Containment>,
+}
+
+impl Algorithm for BoxCull {
+    type Input = BoxCullInput;
+    type Output = BoxCullOutput;
+    type Event = BoxCullEvent;
+    type State = BoxCullState;
+
+    fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Self::Output {
+        let corners = input.bounds.corners();
+        let zero = R::new(0.0);
+        let mut all = Containment::Inside;
+        for (plane_idx, plane) in input.planes.iter().enumerate() {
+            let sums = corners.map(|corner| weighted_sum::<R>(plane, corner));
+            let n_outside = sums.iter().filter(|&&sum| sum < zero).count();
+            let class = match n_outside {
+                0 => Containment::Inside,
+                8 => Containment::Outside,
+                _ => Containment::Straddles,
+            };
+            emit(BoxCullEvent::Plane {
+                plane_idx,
+                sums: sums.map(R::get),
+                n_outside,
+                class,
+            });
+            match class {
+                Containment::Inside => {}
+                Containment::Straddles => all = class,
+                Containment::Outside => {
+                    all = class;
+                    break;
+                }
+            }
+        }
+        let mut false_positive = false;
+        if all == Containment::Straddles {
+            let meets = meets(&input.bounds, &input.planes);
+            emit(BoxCullEvent::Meets { meets });
+            false_positive = !meets;
+        }
+        emit(BoxCullEvent::Done { class: all });
+        BoxCullOutput {
+            class: all,
+            false_positive,
+        }
+    }
+
+    fn start(_: &Self::Input) -> Self::State {
+        BoxCullState {
+            asked: Vec::new(),
+            meets: None,
+            class: None,
+        }
+    }
+
+    fn apply(state: &mut Self::State, event: Self::Event) {
+        match event {
+            BoxCullEvent::Plane { sums, class, .. } => state.asked.push((sums, class)),
+            BoxCullEvent::Meets { meets } => state.meets = Some(meets),
+            BoxCullEvent::Done { class } => state.class = Some(class),
+        }
+    }
+
+    fn finish(state: &Self::State) -> Self::Output {
+        BoxCullOutput {
+            class: state.class.unwrap_or(Containment::Straddles),
+            false_positive: state.meets == Some(false),
+        }
+    }
+
+    /// One a plane, the second test, the end.
+    fn max_events(input: &Self::Input) -> usize {
+        input.planes.len() + 2
+    }
+}

@@ -1,0 +1,29 @@
+//! Culling: what can be left out whole, before anything of it is clipped or drawn.
+//!
+//! A test of a bounding volume may keep what is not to be seen, and never leaves out what is: it is conservative.
+
+mod back_face;
+mod box_cull;
+mod sphere_cull;
+
+use serde::Serialize;
+
+pub use back_face::{
+    BackFace, BackFaceEvent, BackFaceInput, BackFaceOutput, BackFaceState, Viewer,
+};
+pub use box_cull::{BoxCull, BoxCullEvent, BoxCullInput, BoxCullOutput, BoxCullState};
+pub use sphere_cull::{
+    SphereCull, SphereCullEvent, SphereCullInput, SphereCullOutput, SphereCullState,
+};
+
+/// Where something lies, as seen from one plane or from a volume.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Containment {
+    /// All of it is inside: nothing of it need be asked again.
+    Inside,
+    /// All of it is outside: culled.
+    Outside,
+    /// It lies on both sides, or this test cannot tell: what it is made of is asked in turn.
+    Straddles,
+}

@@ -1,0 +1,163 @@
+//! A bounding sphere against the planes of a volume.
+//!
+//! ```text
+//!        plane                 d = n·c + d₀ over |n|, the distance of the centre
+//!    out  ┊  in
+//!   ◯     ┊         d < −r     outside: culled whole, and no other plane is asked
+//!       ◯ ┊ ◯       |d| < r    straddles: its triangles will be asked
+//!         ┊     ◯   d ≥ r      inside this plane: of all of them it is inside the volume
+//! ```
+//!
+//! A sphere that straddles planes and lies outside every corner is kept in vain: conservative, never wrong.
+//!
+//! *Conventions*: planes in the order in which they are given; normals point inside; both a plane and the sphere are
+//! closed, so d = −r touches and is kept. *Bound*: one event a plane, and the end. *Cost*: three multiplications and three
+//! additions a plane, a division where the normal is not of length 1, one or two comparisons.
+//!
+//! *Source*: J. H. Clark, "Hierarchical geometric models for visible surface algorithms", Communications of the ACM 19,
+//! 1976, pp. 547–554.
+//!
+//! ```
+//! use clipscope::{
+//!     algo::cull::{Containment, SphereCull, SphereCullInput},
+//!     geom::{Sphere, ViewVolume},
+//!     trace::silent,
+//! };
+//! let planes = ViewVolume::perspective(90.0, 1.0, 1.0, 10.0)?.planes().to_vec();
+//! let sphere = Sphere::new([0.0, 0.0, -11.5, 1.0])?;
+//! let output = silent::<SphereCull>(&SphereCullInput { planes, sphere });
+//! assert_eq!((output.class, output.distances), (Containment::Outside, vec![10.5, -1.5]));
+//! # Ok::<(), clipscope::geom::SpaceError>(())
+//! ```
+
+use serde::Serialize;
+
+use crate::{
+    algo::volume::signed_distance,
+    geom::{Plane, Sphere},
+    trace::{Algorithm, Real},
+};
+
+use super::Containment;
+
+/// The algorithm; see the module.
+#[derive(Clone, Copy, Debug)]
+pub struct SphereCull;
+
+/// What to cull, and by what.
+#[derive(Clone, PartialEq, Debug)]
+pub struct SphereCullInput {
+    /// Inside is what all of them have inside.
+    pub planes: Vec<Plane>,
+    /// Around what may be left out.
+    pub sphere: Sphere,
+}
+
+/// What happens, in order.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
+#[serde(tag = "event", rename_all = "kebab-case")]
+pub enum SphereCullEvent {
+    /// One plane is asked.
+    Plane {
+        /// As they were given.
+        plane_idx: usize,
+        /// d, of the centre.
+        distance: f64,
+        /// What this plane says of the sphere.
+        class: Containment,
+    },
+    /// One plane has rejected it, or none is left.
+    Done {
+        /// What all planes say.
+        class: Containment,
+    },
+}
+
+/// The answer.
+#[derive(Clone, PartialEq, Debug, Serialize)]
+pub struct SphereCullOutput {
+    /// Where it lies.
+    pub class: Containment,
+    /// Of the centre from each plane that was asked: the last one is that which rejects, if one does.
+    pub distances: Vec<f64>,
+}
+
+/// What the picture of a step needs.
+#[derive(Clone, PartialEq, Debug)]
+pub struct SphereCullState {
+    /// Each asked plane's distance, and what it says.
+    pub asked: Vec<(f64, Containment)>,
+    /// The answer, once known.
+    pub class: Option<Containment>,
+}
+
+impl Algorithm for SphereCull {
+    type Input = SphereCullInput;
+    type Output = SphereCullOutput;
+    type Event = SphereCullEvent;
+    type State = SphereCullState;
+
+    fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Self::Output {
+        let SphereCullInput { planes, sphere } = input;
+        let radius = R::new(sphere.radius());
+        let mut distances = Vec::with_capacity(planes.len());
+        let mut all = Containment::Inside;
+        for (plane_idx, plane) in planes.iter().enumerate() {
+            let distance = signed_distance::<R>(plane, sphere.center());
+            let class = if distance < -radius {
+                Containment::Outside
+            } else if distance < radius {
+                Containment::Straddles
+            } else {
+                Containment::Inside
+            };
+            distances.push(distance.get());
+            emit(SphereCullEvent::Plane {
+                plane_idx,
+                distance: distance.get(),
+                class,
+            });
+            match class {
+                Containment::Inside => {}
+                Containment::Straddles => all = class,
+                Containment::Outside => {
+                    all = class;
+                    break;
+                }
+            }
+        }
+        emit(SphereCullEvent::Done { class: all });
+        SphereCullOutput {
+            class: all,
+            distances,
+        }
+    }
+
+    fn start(_: &Self::Input) -> Self::State {
+        SphereCullState {
+            asked: Vec::new(),
+            class: None,
+        }
+    }
+
+    fn apply(state: &mut Self::State, event: Self::Event) {
+        match event {
+            SphereCullEvent::Plane {
+                distance, class, ..
+            } => state.asked.push((distance, class)),
+            SphereCullEvent::Done { class } => state.class = Some(class),
+        }
+    }
+
+    fn finish(state: &Self::State) -> Self::Output {
+        SphereCullOutput {
+            class: state.class.unwrap_or(Containment::Straddles),
+            distances: state.asked.iter().map(|&(distance, _)| distance).collect(),
+        }
+    }
+
+    /// One a plane, and the end.
+    fn max_events(input: &Self::Input) -> usize {
+        input.planes.len() + 1
+    }
+}
