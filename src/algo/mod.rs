@@ -7,4 +7,5 @@ pub mod cull;
 pub mod line;
 pub mod parameter;
 pub mod polygon;
+pub mod ring;
 pub mod volume;

@@ -8,6 +8,7 @@ use std::cmp::Ordering;
 use super::expansion::Expansion;
 
 /// Of three rows.
+#[must_use]
 pub fn sign_of_three([a, b, c]: [[f64; 3]; 3]) -> Ordering {
     let minors = [[1, 2], [2, 0], [0, 1]];
     let (mut sum, mut size) = (0.0, 0.0);

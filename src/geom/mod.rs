@@ -32,7 +32,7 @@ mod window;
 pub use aligned_box::AlignedBox;
 pub use camera::Camera;
 pub use convex_polygon::ConvexPolygon;
-pub use determinant::sign_of_four;
+pub use determinant::{sign_of_four, sign_of_three};
 pub use distance::distance_to_segment;
 pub use error::{Axis, GeomError};
 pub use half_plane::HalfPlane;

@@ -27,10 +27,16 @@ impl Plane {
     /// [`SpaceError::NotFinite`]; [`SpaceError::ZeroNormal`].
     pub fn new([x, y, z, d]: [f64; 4]) -> Result<Self, SpaceError> {
         finite(&[x, y, z, d])?;
-        let length = libm::hypot(libm::hypot(x, y), z);
-        if length == 0.0 {
+        if [x, y, z] == [0.0; 3] {
             return Err(SpaceError::ZeroNormal);
         }
+        // The plain root is exact wherever the squares' sum is a square.
+        let squared = x * x + y * y + z * z;
+        let length = if (1e-200..1e200).contains(&squared) {
+            squared.sqrt()
+        } else {
+            libm::hypot(libm::hypot(x, y), z)
+        };
         let normal = [x, y, z];
         Ok(Self { normal, d, length })
     }

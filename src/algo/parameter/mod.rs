@@ -4,12 +4,14 @@
 mod interval;
 mod mean;
 mod order;
+mod share;
 
 use serde::Serialize;
 
 pub use interval::Interval;
 pub use mean::{Ratio, clamp_between, weighted_mean};
 pub use order::{Param, compare_products};
+pub use share::Share;
 
 /// One of a segment's two ends.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, Serialize)]

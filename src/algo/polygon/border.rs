@@ -23,12 +23,14 @@ use crate::{
 
 use super::{
     super::line::{
-        Ratio,
         convex_border::{plane_distances, scaled_distances},
         crossing::{join, split},
     },
-    ClipRegion, Share, Vertex,
-    rules::Rules,
+    super::{
+        parameter::Share,
+        ring::{Crossing, Limit, Rules},
+    },
+    ClipRegion, Vertex,
 };
 
 /// A clip edge: the line that it runs along, and its inside.
@@ -240,15 +242,6 @@ fn moderate(mut normal: [f64; 2]) -> [f64; 2] {
     normal
 }
 
-/// Where an edge crosses a border.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct BorderCrossing<V> {
-    /// On the border.
-    pub at: V,
-    /// The parameter, from the edge's first end to its second.
-    pub t: Ratio,
-}
-
 /// All borders of a region, in the order in which they clip.
 #[derive(Clone, Debug)]
 pub(super) struct Borders {
@@ -297,7 +290,7 @@ impl Borders {
         idx: usize,
         ends: [&V; 2],
         distances: [R; 2],
-    ) -> Option<BorderCrossing<V>> {
+    ) -> Option<Crossing<V>> {
         let border = &self.all[idx];
         let is_leaving = distances[0].get() > 0.0;
         let ([inside, outside], along) = if is_leaving {
@@ -323,7 +316,7 @@ impl Borders {
             self.settle(idx, at, p1)
         };
         let t = share.ratio(is_leaving);
-        (at != p1).then(|| BorderCrossing {
+        (at != p1).then(|| Crossing {
             at: inside.crossing(outside, at, &share),
             t,
         })
@@ -360,27 +353,33 @@ fn middle(borders: &[Border]) -> Point {
     Point::from_finite(mean(0), mean(1))
 }
 
-impl<R: Real> Share<R> {
-    /// The parameter of the crossing, as the two numbers of its quotient, from the end that is inside if
-    /// `is_leaving`, else from the other.
-    fn ratio(&self, is_leaving: bool) -> Ratio {
-        let [w1, w2] = self.weights.map(R::get);
-        let (w1, w2, whole) = if self.whole.get().is_finite() {
-            (w1, w2, self.whole.get())
-        } else {
-            let [a1, a2, c] = self.raw.map(|x| 0.5 * x);
-            (c - a1, a2 - c, a2 - a1)
-        };
-        if is_leaving {
-            Ratio {
-                num: w1,
-                den: whole,
-            }
-        } else {
-            Ratio {
-                num: -w2,
-                den: -whole,
-            }
-        }
+/// Border `idx` of some, as what a clipper works against.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct NthBorder<'a> {
+    pub borders: &'a Borders,
+    pub idx: usize,
+}
+
+impl NthBorder<'_> {
+    #[inline]
+    fn border(&self) -> &Border {
+        &self.borders.all[self.idx]
+    }
+}
+
+impl<V: Vertex> Limit<V> for NthBorder<'_> {
+    #[inline]
+    fn distance<R: Real>(&self, vertex: &V) -> R {
+        self.border().distance(vertex.at())
+    }
+
+    #[inline]
+    fn crossing<R: Real>(&self, ends: [&V; 2], distances: [R; 2]) -> Option<Crossing<V>> {
+        self.borders.crossing(self.idx, ends, distances)
+    }
+
+    #[inline]
+    fn run(&self, vertices: &[V], inside: bool) -> usize {
+        self.border().run(vertices, inside)
     }
 }

@@ -37,11 +37,10 @@ use crate::geom::{Axis, Point};
 #[cfg(doc)]
 use super::SutherlandHodgman;
 use super::{
+    super::ring::{Clip, Happening, Right},
     ClipRegion, Vertex,
-    border::{Border, BorderLine, Borders},
-    ring,
-    rules::Right,
-    step::{Clip, Happening},
+    border::{Border, BorderLine, Borders, NthBorder},
+    clipped_ring,
 };
 
 /// Clips polygons against one region.
@@ -76,7 +75,7 @@ impl<'a, V: Vertex> Clipped<'a, V> {
     /// Is there anything to fill? One more look at every vertex.
     #[must_use]
     pub fn has_area(&self) -> bool {
-        ring::has_area(self.vertices())
+        clipped_ring::has_area(self.vertices())
     }
 }
 
@@ -157,7 +156,8 @@ fn pass<V: Vertex>(borders: &Borders, idx: usize, input: &[V], output: &mut Vec<
         return;
     };
     output.clear();
-    let mut clip = Clip::<V, f64>::begin::<Right>(borders, idx, first, &mut put_in(output));
+    let mut clip =
+        Clip::<_, V, f64>::begin::<Right>(NthBorder { borders, idx }, first, &mut put_in(output));
     loop {
         let is_inside = clip.is_inside();
         let (run, behind) = following.split_at(clip.run(following));

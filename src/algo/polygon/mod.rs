@@ -1,28 +1,24 @@
 //! Clipping a polygon against a window or another polygon: what is left is one polygon, several, or none.
 
 mod border;
+mod clipped_ring;
 mod clipper;
 mod ear_clipping;
 pub mod faulty;
 mod pipeline;
 mod region;
-mod ring;
-mod rules;
-mod step;
 mod sutherland_hodgman;
 mod triangulate_and_clip;
 mod vertex;
 pub mod weiler_atherton;
 
+pub use clipped_ring::{ClippedRing, RingOutcome};
 pub use clipper::{Clipped, Clipper};
 pub use ear_clipping::{
     Corner, EarClipping, EarClippingEvent, EarClippingState, Ring, Triangle, Triangulation,
 };
 pub use pipeline::{Pipeline, PipelineEvent, PipelineStage, PipelineState};
 pub use region::ClipRegion;
-pub use ring::{ClippedRing, RingOutcome};
-pub use rules::{Right, Rules};
-pub use step::Rule;
 pub use sutherland_hodgman::{
     EdgeTest, SutherlandHodgman, SutherlandHodgmanEvent, SutherlandHodgmanInput,
     SutherlandHodgmanState,
@@ -31,4 +27,9 @@ pub use triangulate_and_clip::{
     EachTriangleEvent, Pieces, TriangulateAndClip, TriangulateAndClipEvent,
     TriangulateAndClipInput, TriangulateAndClipState,
 };
-pub use vertex::{Share, Textured, Vertex};
+pub use vertex::{Textured, Vertex};
+
+pub use super::{
+    parameter::Share,
+    ring::{Right, Rule, Rules},
+};

@@ -44,10 +44,9 @@ use crate::{
 use super::SutherlandHodgman;
 use super::{
     super::line::Ratio,
+    super::ring::{Clip, Crossing, Happening, Right},
     ClippedRing, RingOutcome, Rule, SutherlandHodgmanInput, Vertex,
-    border::{BorderCrossing, Borders},
-    rules::Right,
-    step::{Clip, Happening},
+    border::{Borders, NthBorder},
 };
 
 /// The algorithm, on vertices of kind `V`; see the module.
@@ -223,7 +222,7 @@ impl<V: Vertex> Algorithm for Pipeline<V> {
 struct AssemblyLine<'a, V, R> {
     borders: &'a Borders,
     /// None where no vertex has come yet.
-    stages: Vec<Option<Clip<'a, V, R>>>,
+    stages: Vec<Option<Clip<NthBorder<'a>, V, R>>>,
     /// Vertices with the clipper they go to. The last one is the next to move: a clipper's crossing flows
     /// through to the end before the vertex behind it does.
     waiting: Vec<(usize, V)>,
@@ -247,7 +246,16 @@ impl<V: Vertex, R: Real> AssemblyLine<'_, V, R> {
         let mut tell = |happening| tell(stage_idx, happening, &mut self.waiting, emit);
         match &mut self.stages[stage_idx] {
             Some(stage) => stage.vertex::<Right>(at, &mut tell),
-            empty => *empty = Some(Clip::begin::<Right>(self.borders, stage_idx, at, &mut tell)),
+            empty => {
+                *empty = Some(Clip::begin::<Right>(
+                    NthBorder {
+                        borders: self.borders,
+                        idx: stage_idx,
+                    },
+                    at,
+                    &mut tell,
+                ))
+            }
         }
         self.waiting[n_waiting..].reverse();
     }
@@ -302,7 +310,7 @@ fn tell<V>(
             distances,
             rule,
         }),
-        Happening::Cross(BorderCrossing { at, t }) => emit(Event::Cross { stage_idx, at, t }),
+        Happening::Cross(Crossing { at, t }) => emit(Event::Cross { stage_idx, at, t }),
         Happening::Output(at) => waiting.push((stage_idx + 1, at)),
     }
 }

@@ -55,10 +55,9 @@ use crate::{
 
 use super::{
     super::line::Ratio,
+    super::ring::{Clip, Crossing, Happening, Right, Rules},
     ClipRegion, ClippedRing, RingOutcome, Rule, Vertex,
-    border::{BorderCrossing, Borders},
-    rules::{Right, Rules},
-    step::{Clip, Happening},
+    border::{Borders, NthBorder},
 };
 
 /// The algorithm, on vertices of kind `V` and by the rules of `L`; see the module.
@@ -285,15 +284,16 @@ fn clip_edge<L: Rules, V: Vertex, R: Real>(
             distances,
             rule,
         }),
-        Happening::Cross(BorderCrossing { at, t }) => emit(Event::Cross { at, t }),
+        Happening::Cross(Crossing { at, t }) => emit(Event::Cross { at, t }),
         Happening::Output(at) => {
             output.push(at);
             emit(Event::Output { at });
         }
     };
-    let mut clip = Clip::<V, R>::begin::<L>(borders, idx, first, &mut |happening| {
-        tell([0, 0], happening);
-    });
+    let mut clip =
+        Clip::<_, V, R>::begin::<L>(NthBorder { borders, idx }, first, &mut |happening| {
+            tell([0, 0], happening);
+        });
     for (i, &vertex) in following.iter().enumerate() {
         clip.vertex::<L>(vertex, &mut |happening| tell([i, i + 1], happening));
     }

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{geom::Point, trace::Real};
 
-use super::super::parameter::{clamp_between, weighted_mean};
+use super::super::parameter::Share;
 
 /// A corner of a polygon that can be cut: a position, and attributes that a crossing interpolates.
 pub trait Vertex: Copy + PartialEq {
@@ -48,27 +48,5 @@ impl Vertex for Textured {
     fn crossing<R: Real>(&self, outside: &Self, at: Point, share: &Share<R>) -> Self {
         let [u, v] = [0, 1].map(|i| share.mean(self.uv[i], outside.uv[i]));
         Self { at, uv: [u, v] }
-    }
-}
-
-/// How much each end of an edge has in its crossing with a border, as the distances that it follows from:
-/// the crossing is the mean of both ends, each weighted by the *other* end's distance.
-#[derive(Clone, Copy, Debug)]
-pub struct Share<R> {
-    /// Distances of inside and outside end along the edge's direction, and their sum.
-    pub(super) weights: [R; 2],
-    pub(super) whole: R,
-    /// Three numbers whose differences these are, in case they overflow.
-    pub(super) raw: [f64; 3],
-}
-
-impl<R: Real> Share<R> {
-    /// The value at the crossing of what is `inside` at the inside end and `outside` at the other, and
-    /// between the two, whatever rounding does.
-    #[inline]
-    pub fn mean(&self, inside: f64, outside: f64) -> f64 {
-        let ends = [inside, outside].map(R::new);
-        let mean = weighted_mean(ends, self.weights, self.whole, self.raw);
-        clamp_between(mean, ends[0], ends[1]).get()
     }
 }

@@ -1,6 +1,6 @@
 //! The choices that a clipper makes, and that are easily got wrong.
 
-/// What may be got wrong. The values given here are right; [`super::faulty`] has the others. Known at compile
+/// What may be got wrong. The values given here are right; [`super::super::polygon::faulty`] has the others. Known at compile
 /// time, so that the right clipper pays nothing for them.
 pub trait Rules: Copy {
     /// Is a vertex on the border inside?

@@ -18,13 +18,34 @@
 
 use serde::Serialize;
 
-use crate::trace::Real;
+use crate::{algo::parameter::Ratio, trace::Real};
 
-use super::{
-    Vertex,
-    border::{Border, BorderCrossing, Borders},
-    rules::{Right, Rules},
-};
+use super::rules::{Right, Rules};
+
+/// What a ring is clipped against: the paper's limiting plane.
+pub trait Limit<V>: Copy {
+    /// Signed distance of a vertex: not below 0 inside.
+    fn distance<R: Real>(&self, vertex: &V) -> R;
+
+    /// Where the edge from `ends[0]` to `ends[1]`, one of them strictly inside and the other outside, crosses; `None` where
+    /// rounding puts the crossing on the inside end itself.
+    fn crossing<R: Real>(&self, ends: [&V; 2], distances: [R; 2]) -> Option<Crossing<V>>;
+
+    /// How many vertices from the first are inside, if `inside`; else how many are not.
+    fn run(&self, vertices: &[V], inside: bool) -> usize {
+        let turns = |v: &V| (self.distance::<f64>(v) >= 0.0) != inside;
+        vertices.iter().position(turns).unwrap_or(vertices.len())
+    }
+}
+
+/// Where an edge crosses a limit.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Crossing<V> {
+    /// On the border.
+    pub at: V,
+    /// The parameter, from the edge's first end to its second.
+    pub t: Ratio,
+}
 
 /// What becomes of the edge from S to P.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, Serialize)]
@@ -70,7 +91,7 @@ impl Rule {
 
 /// What a clipper does, in order.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Happening<V> {
+pub enum Happening<V> {
     First {
         at: V,
         distance: f64,
@@ -81,7 +102,7 @@ pub(super) enum Happening<V> {
         distances: [f64; 2],
         rule: Rule,
     },
-    Cross(BorderCrossing<V>),
+    Cross(Crossing<V>),
     Output(V),
 }
 
@@ -93,10 +114,10 @@ struct Known<V, R> {
     inside: bool,
 }
 
-impl<V: Vertex, R: Real> Known<V, R> {
+impl<V: Copy, R: Real> Known<V, R> {
     #[inline]
-    fn find<L: Rules>(border: &Border, vertex: V) -> Self {
-        let distance = border.distance::<R>(vertex.at());
+    fn find<L: Rules>(limit: &impl Limit<V>, vertex: V) -> Self {
+        let distance = limit.distance::<R>(&vertex);
         let zero = R::new(0.0);
         let inside = if L::BORDER_IS_INSIDE {
             distance >= zero
@@ -111,25 +132,19 @@ impl<V: Vertex, R: Real> Known<V, R> {
     }
 }
 
-/// A clipper against border `idx`, with what it remembers.
+/// A clipper against one limit, with what it remembers.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Clip<'a, V, R> {
-    borders: &'a Borders,
-    idx: usize,
+pub struct Clip<B, V, R> {
+    limit: B,
     first: Known<V, R>,
     previous: Known<V, R>,
 }
 
-impl<'a, V: Vertex, R: Real> Clip<'a, V, R> {
+impl<B: Limit<V>, V: Copy, R: Real> Clip<B, V, R> {
     /// Takes the first vertex.
     #[inline]
-    pub fn begin<L: Rules>(
-        borders: &'a Borders,
-        idx: usize,
-        vertex: V,
-        tell: &mut impl FnMut(Happening<V>),
-    ) -> Self {
-        let first = Known::<V, R>::find::<L>(&borders.all()[idx], vertex);
+    pub fn begin<L: Rules>(limit: B, vertex: V, tell: &mut impl FnMut(Happening<V>)) -> Self {
+        let first = Known::<V, R>::find::<L>(&limit, vertex);
         tell(Happening::First {
             at: vertex,
             distance: first.distance.get(),
@@ -139,8 +154,7 @@ impl<'a, V: Vertex, R: Real> Clip<'a, V, R> {
             tell(Happening::Output(vertex));
         }
         Self {
-            borders,
-            idx,
+            limit,
             first,
             previous: first,
         }
@@ -149,7 +163,7 @@ impl<'a, V: Vertex, R: Real> Clip<'a, V, R> {
     /// Takes the next vertex.
     #[inline]
     pub fn vertex<L: Rules>(&mut self, vertex: V, tell: &mut impl FnMut(Happening<V>)) {
-        let p = Known::find::<L>(&self.borders.all()[self.idx], vertex);
+        let p = Known::find::<L>(&self.limit, vertex);
         let (rule, crossing) = self.edge([self.previous, p], tell);
         let end = rule.ends_inside().then_some(vertex);
         if L::END_FIRST {
@@ -166,9 +180,9 @@ impl<'a, V: Vertex, R: Real> Clip<'a, V, R> {
     /// same rule, in → in or out → out. By the right rules only.
     #[inline]
     pub fn run(&mut self, vertices: &[V]) -> usize {
-        let n = self.borders.all()[self.idx].run(vertices, self.previous.inside);
+        let n = self.limit.run(vertices, self.previous.inside);
         if let Some(i) = n.checked_sub(1) {
-            self.previous = Known::find::<Right>(&self.borders.all()[self.idx], vertices[i]);
+            self.previous = Known::find::<Right>(&self.limit, vertices[i]);
         }
         n
     }
@@ -204,7 +218,7 @@ impl<'a, V: Vertex, R: Real> Clip<'a, V, R> {
         });
         let crossing = if rule.changes_side() && crosses(distances) {
             let ends = [&s.vertex, &p.vertex];
-            self.borders.crossing(self.idx, ends, distances)
+            self.limit.crossing(ends, distances)
         } else {
             None
         };

@@ -1,0 +1,76 @@
+//! What is left of a triangle in the clip volume: a convex polygon without a heap.
+
+use crate::geom::sign_of_three;
+
+use super::clip_vertex::ClipVertex;
+
+/// At most nine vertices in clip space: three, and one more for each of six sides.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct ClipPolygon<A = ()> {
+    /// Beyond `len` copies of the triangle's first: a value that means nothing, and is the same in equal polygons.
+    vertices: [ClipVertex<A>; 9],
+    len: usize,
+    padding: ClipVertex<A>,
+}
+
+impl<A: Copy> ClipPolygon<A> {
+    /// A side that cuts a convex polygon takes one vertex or more and adds two.
+    pub const MAX_VERTICES: usize = 9;
+
+    /// A triangle.
+    pub(super) const fn of(&[a, b, c]: &[ClipVertex<A>; 3]) -> Self {
+        Self {
+            vertices: [a, b, c, a, a, a, a, a, a],
+            len: 3,
+            padding: a,
+        }
+    }
+
+    /// The same triangle's, without a vertex.
+    pub(super) const fn emptied(&self) -> Self {
+        Self {
+            vertices: [self.padding; 9],
+            len: 0,
+            padding: self.padding,
+        }
+    }
+
+    /// Appends a vertex. A tenth, which only rounding could make of a polygon as thin as rounding, or a clipper that is
+    /// wrong on purpose, is left out.
+    #[inline]
+    pub(super) fn push(&mut self, vertex: ClipVertex<A>) {
+        if let Some(place) = self.vertices.get_mut(self.len) {
+            *place = vertex;
+            self.len += 1;
+        }
+    }
+
+    /// In order.
+    #[inline]
+    #[must_use]
+    pub fn vertices(&self) -> &[ClipVertex<A>] {
+        &self.vertices[..self.len]
+    }
+
+    /// The fan from the first vertex: none where there is nothing to fill.
+    pub fn triangles(&self) -> impl Iterator<Item = [ClipVertex<A>; 3]> + '_ {
+        let vertices = self.vertices();
+        let n = if self.has_area() { self.len } else { 0 };
+        (2..n).map(|i| [vertices[0], vertices[i - 1], vertices[i]])
+    }
+
+    /// Does it go around anything? Exact: not where all vertices lie on one line of space, that is, where every three of the
+    /// four rows that their coordinates make are dependent.
+    #[must_use]
+    pub fn has_area(&self) -> bool {
+        const MINORS: [[usize; 3]; 4] = [[0, 1, 3], [0, 1, 2], [0, 2, 3], [1, 2, 3]];
+        let vertices = self.vertices();
+        (2..self.len).any(|i| {
+            let corners = [vertices[0], vertices[i - 1], vertices[i]];
+            MINORS.iter().any(|minor| {
+                let rows = corners.map(|v| minor.map(|axis| v.at[axis]));
+                sign_of_three(rows).is_ne()
+            })
+        })
+    }
+}

@@ -1,0 +1,127 @@
+//! What is clipped before the divide: a point in clip space, and whatever travels with it.
+
+use serde::Serialize;
+
+use crate::{
+    algo::{
+        parameter::Share,
+        ring::{Crossing, Limit},
+    },
+    geom::VolumeSide,
+    trace::Real,
+};
+
+/// What a crossing interpolates besides its position: texture coordinates, a colour, a normal.
+pub trait Attributes: Copy + PartialEq {
+    /// Those where an edge from `self`, at the inside end, to `outside` is cut; both ends share as `share` says.
+    #[must_use]
+    fn crossing<R: Real>(&self, outside: &Self, share: &Share<R>) -> Self;
+}
+
+impl Attributes for () {
+    #[inline]
+    fn crossing<R: Real>(&self, _: &Self, _: &Share<R>) -> Self {}
+}
+
+impl<const N: usize> Attributes for [f64; N] {
+    #[inline]
+    fn crossing<R: Real>(&self, outside: &Self, share: &Share<R>) -> Self {
+        std::array::from_fn(|i| share.mean(self[i], outside[i]))
+    }
+}
+
+impl<const N: usize> Attributes for [f32; N] {
+    #[inline]
+    fn crossing<R: Real>(&self, outside: &Self, share: &Share<R>) -> Self {
+        std::array::from_fn(|i| share.mean(self[i].into(), outside[i].into()) as f32)
+    }
+}
+
+/// A vertex in clip space.
+#[derive(Clone, Copy, PartialEq, Debug, Default, Serialize)]
+pub struct ClipVertex<A = ()> {
+    /// x, y, z, w, all finite.
+    pub at: [f64; 4],
+    /// What travels with it.
+    pub attributes: A,
+}
+
+/// w + x for the left side, w − x for the right: not below 0 inside. The sign is exact.
+#[inline]
+fn distance<R: Real>(side: VolumeSide, at: [f64; 4]) -> R {
+    let [along, w] = [at[side.axis()], at[3]].map(R::new);
+    if side.is_high() { w - along } else { w + along }
+}
+
+impl VolumeSide {
+    /// Is a point inside the side across from this one?
+    fn has_across(self, at: [f64; 4]) -> bool {
+        let (along, w) = (at[self.axis()], at[3]);
+        if self.is_high() {
+            -w <= along
+        } else {
+            along <= w
+        }
+    }
+
+    /// By the ends' distances; by those of half of everything where a difference is too large for f64.
+    #[inline]
+    fn share<R: Real>(self, ends: [[f64; 4]; 2], [d1, d2]: [R; 2]) -> Share<R> {
+        let whole = d1 - d2;
+        if !whole.get().is_finite() {
+            let quarter = ends.map(|at| distance::<R>(self, at.map(|x| 0.25 * x)));
+            return self.share(ends.map(|at| at.map(|x| 0.25 * x)), quarter);
+        }
+        Share {
+            weights: [d1, -d2],
+            whole,
+            raw: [-d1.get(), -d2.get(), 0.0],
+        }
+    }
+}
+
+impl<A: Attributes> Limit<ClipVertex<A>> for VolumeSide {
+    #[inline]
+    fn distance<R: Real>(&self, vertex: &ClipVertex<A>) -> R {
+        distance(*self, vertex.at)
+    }
+
+    /// From the inside end to the outside one, whichever way the edge is walked: two triangles that share it get the same
+    /// bits. Every coordinate is a mean by the same weights, so that what holds of both ends (x ≤ w) holds of it; the one
+    /// that is clipped is assigned.
+    #[inline]
+    fn crossing<R: Real>(
+        &self,
+        ends: [&ClipVertex<A>; 2],
+        distances: [R; 2],
+    ) -> Option<Crossing<ClipVertex<A>>> {
+        let is_leaving = distances[0].get() > 0.0;
+        let ([inside, outside], [d1, d2]) = if is_leaving {
+            (ends, distances)
+        } else {
+            ([ends[1], ends[0]], [distances[1], distances[0]])
+        };
+        let share = self.share([inside, outside].map(|end| end.at), [d1, d2]);
+        let mut w = share.mean(inside.at[3], outside.at[3]);
+        if w < 0.0 && [inside, outside].iter().all(|end| self.has_across(end.at)) {
+            // What has −w ≤ x and x = w has no w below 0: but for rounding.
+            w = 0.0;
+        }
+        let mut at = [w; 4];
+        for (axis, x) in at.iter_mut().enumerate().take(3) {
+            *x = if axis != self.axis() {
+                share.mean(inside.at[axis], outside.at[axis])
+            } else if self.is_high() {
+                w
+            } else {
+                -w
+            };
+        }
+        let attributes = inside.attributes.crossing(&outside.attributes, &share);
+        let t = share.ratio(is_leaving);
+        (at != inside.at).then_some(Crossing {
+            at: ClipVertex { at, attributes },
+            t,
+        })
+    }
+}

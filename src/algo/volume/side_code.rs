@@ -1,0 +1,102 @@
+//! Outcodes in space: one bit for each side of the clip volume that a point lies beyond.
+
+use serde::{Serialize, Serializer};
+
+use crate::{geom::VolumeSide, trace::Real};
+
+/// Six bits, written far, near, top, bottom, right, left: the last four are those of the plane.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct SideCode(u8);
+
+impl SideCode {
+    /// As they are written, from the first digit to the last.
+    pub const WRITTEN: [VolumeSide; 6] = [
+        VolumeSide::Far,
+        VolumeSide::Near,
+        VolumeSide::Top,
+        VolumeSide::Bottom,
+        VolumeSide::Right,
+        VolumeSide::Left,
+    ];
+
+    const fn bit(side: VolumeSide) -> u8 {
+        match side {
+            VolumeSide::Left => 1,
+            VolumeSide::Right => 2,
+            VolumeSide::Bottom => 4,
+            VolumeSide::Top => 8,
+            VolumeSide::Near => 16,
+            VolumeSide::Far => 32,
+        }
+    }
+
+    /// Of a point in clip space: beyond a side where −w ≤ x, y, z ≤ w fails. Six comparisons and no branch.
+    #[inline]
+    #[must_use]
+    pub fn of<R: Real>([x, y, z, w]: [R; 4]) -> Self {
+        let beyond = |low: bool, high: bool| u8::from(low) | u8::from(high) << 1;
+        let [across, up, deep] = [x, y, z].map(|a| beyond(a < -w, a > w));
+        Self(across | up << 2 | deep << 4)
+    }
+
+    /// Bitwise OR.
+    #[inline]
+    #[must_use]
+    pub const fn or(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
+    /// Bitwise AND.
+    #[inline]
+    #[must_use]
+    pub const fn and(self, other: Self) -> Self {
+        Self(self.0 & other.0)
+    }
+
+    /// 000000: inside every side.
+    #[inline]
+    #[must_use]
+    pub const fn is_inside(self) -> bool {
+        self.0 == 0
+    }
+
+    /// Is the point beyond this side?
+    #[inline]
+    #[must_use]
+    pub const fn has(self, side: VolumeSide) -> bool {
+        self.0 & Self::bit(side) != 0
+    }
+}
+
+impl std::fmt::Display for SideCode {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{:06b}", self.0)
+    }
+}
+
+impl Serialize for SideCode {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn digits_from_far_to_left() {
+        let of = |at: [f64; 4]| SideCode::of(at).to_string();
+        assert_eq!(of([0.0, 0.0, 0.0, 1.0]), "000000");
+        assert_eq!(of([-2.0, 0.0, 0.0, 1.0]), "000001");
+        assert_eq!(of([2.0, 3.0, 0.0, 1.0]), "001010");
+        assert_eq!(of([0.0, -1.5, 4.0, 1.0]), "100100");
+        assert_eq!(of([1.0, 1.0, -1.0, 1.0]), "000000", "closed");
+        assert_eq!(
+            of([0.0, 0.0, 0.0, -1.0]),
+            "111111",
+            "behind the eye: beyond every side"
+        );
+        assert_eq!(of([0.0; 4]), "000000");
+    }
+}

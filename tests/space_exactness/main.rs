@@ -1,0 +1,5 @@
+//! Culling and clipping in space against exact arithmetic of another kind: whole numbers.
+
+mod culling;
+mod homogeneous;
+mod whole;
