@@ -8,4 +8,5 @@ pub mod line;
 pub mod parameter;
 pub mod polygon;
 pub mod ring;
+pub mod surface;
 pub mod volume;

@@ -2,4 +2,5 @@
 
 mod culling;
 mod homogeneous;
+mod pixels;
 mod whole;
