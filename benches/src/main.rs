@@ -22,6 +22,7 @@ mod line;
 mod paint;
 mod plot;
 mod polygon;
+mod space;
 mod weiler_atherton;
 
 use std::process::ExitCode;
@@ -33,6 +34,7 @@ const BENCHMARKS: &[Benchmark] = &[
     ("line", line::run),
     ("polygon", polygon::run),
     ("weiler-atherton", weiler_atherton::run),
+    ("space", space::run),
     #[cfg(feature = "gui")]
     ("frame", frame::run),
     #[cfg(feature = "gui")]

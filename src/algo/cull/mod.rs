@@ -3,6 +3,7 @@
 //! A test of a bounding volume may keep what is not to be seen, and never leaves out what is: it is conservative.
 
 mod back_face;
+mod batch;
 mod box_cull;
 mod sphere_cull;
 
@@ -11,6 +12,7 @@ use serde::Serialize;
 pub use back_face::{
     BackFace, BackFaceEvent, BackFaceInput, BackFaceOutput, BackFaceState, Viewer,
 };
+pub use batch::SphereBatch;
 pub use box_cull::{BoxCull, BoxCullEvent, BoxCullInput, BoxCullOutput, BoxCullState};
 pub use sphere_cull::{
     SphereCull, SphereCullEvent, SphereCullInput, SphereCullOutput, SphereCullState,

@@ -37,7 +37,10 @@ pub fn draw_rows<const N: usize>(
     }
 }
 
-/// The pixels of one row.
+/// As many pixels are worked out at once.
+const LANES: usize = 8;
+
+/// The pixels of one row, some at once: where none is nearer than what is there, nothing more is worked out.
 #[inline]
 fn fill<const N: usize>(
     triangle: &ScreenTriangle<N>,
@@ -46,24 +49,36 @@ fn fill<const N: usize>(
     span: &mut [f32],
     put: &mut impl FnMut(usize, u32, [f32; N]),
 ) {
-    let mut depth = triangle.depth.of(column, row) as f32;
-    let by_column = triangle.depth.by_column as f32;
-    let first = triangle.attributes.map(|linear| linear.of(column, row));
+    let along = |first: f32, step: f32, done: usize| -> [f32; LANES] {
+        std::array::from_fn(|lane| first + step * (done + lane) as f32)
+    };
+    let depth = triangle.depth.of(column, row) as f32;
+    let depth_step = triangle.depth.by_column as f32;
     let inverse_w = triangle.inverse_w.of(column, row);
-    for (i, stored) in span.iter_mut().enumerate() {
-        if depth < *stored {
-            *stored = depth;
-            let attributes = if N == 0 {
-                first
-            } else {
-                let w = 1.0 / (inverse_w + triangle.inverse_w.by_column * i as f32);
-                std::array::from_fn(|n| {
-                    (first[n] + triangle.attributes[n].by_column * i as f32) * w
-                })
-            };
-            put(start + i, triangle.id, attributes);
+    let first = triangle.attributes.map(|linear| linear.of(column, row));
+    for (chunk_idx, stored) in span.chunks_mut(LANES).enumerate() {
+        let done = chunk_idx * LANES;
+        let depths = along(depth, depth_step, done);
+        let is_nearer = stored.iter().zip(depths).any(|(stored, depth)| depth < *stored);
+        if !is_nearer {
+            continue;
         }
-        depth += by_column;
+        let mut attributes = [[0.0; LANES]; N];
+        if N > 0 {
+            let w = along(inverse_w, triangle.inverse_w.by_column, done).map(|x| 1.0 / x);
+            for (n, values) in attributes.iter_mut().enumerate() {
+                *values = along(first[n], triangle.attributes[n].by_column, done);
+                for (value, w) in values.iter_mut().zip(w) {
+                    *value *= w;
+                }
+            }
+        }
+        for (lane, stored) in stored.iter_mut().enumerate() {
+            if depths[lane] < *stored {
+                *stored = depths[lane];
+                put(start + done + lane, triangle.id, attributes.each_ref().map(|values| values[lane]));
+            }
+        }
     }
 }
 
