@@ -77,7 +77,12 @@ mod tests {
     #[test]
     fn many_at_once_are_kept_as_one_is() {
         let volume = ViewVolume::perspective(60.0, 1.5, 0.5, 20.0).unwrap();
-        let camera = Camera::new([9.0, -4.0, 700.0], [0.0, 0.0, 690.0], [0.0, 1.0, 0.1], volume);
+        let camera = Camera::new(
+            [9.0, -4.0, 700.0],
+            [0.0, 0.0, 690.0],
+            [0.0, 1.0, 0.1],
+            volume,
+        );
         let planes = camera.unwrap().planes_in_world();
         let mut state = 5_u64;
         let mut next = || {

@@ -38,7 +38,7 @@ pub fn draw_rows<const N: usize>(
 }
 
 /// As many pixels are worked out at once.
-const LANES: usize = 8;
+const LANES: usize = 4;
 
 /// The pixels of one row, some at once: where none is nearer than what is there, nothing more is worked out.
 #[inline]
@@ -59,7 +59,10 @@ fn fill<const N: usize>(
     for (chunk_idx, stored) in span.chunks_mut(LANES).enumerate() {
         let done = chunk_idx * LANES;
         let depths = along(depth, depth_step, done);
-        let is_nearer = stored.iter().zip(depths).any(|(stored, depth)| depth < *stored);
+        let is_nearer = stored
+            .iter()
+            .zip(depths)
+            .any(|(stored, depth)| depth < *stored);
         if !is_nearer {
             continue;
         }
@@ -76,7 +79,11 @@ fn fill<const N: usize>(
         for (lane, stored) in stored.iter_mut().enumerate() {
             if depths[lane] < *stored {
                 *stored = depths[lane];
-                put(start + done + lane, triangle.id, attributes.each_ref().map(|values| values[lane]));
+                put(
+                    start + done + lane,
+                    triangle.id,
+                    attributes.each_ref().map(|values| values[lane]),
+                );
             }
         }
     }
