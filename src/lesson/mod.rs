@@ -18,6 +18,7 @@ mod folder;
 mod lesson_file;
 mod load;
 mod markdown;
+mod mesh_file;
 mod nearest;
 mod problem;
 mod scene_file;
@@ -37,6 +38,7 @@ pub use files::{FileError, Files, MAX_FILE_BYTES, MAX_LESSONS};
 pub use folder::Folder;
 pub use load::Loaded;
 pub use markdown::{Block, BlockMarker, Inline};
+pub use mesh_file::{ObjFile, read_mtl, read_obj};
 pub use problem::{Place, Problem, Severity};
 #[cfg(all(test, feature = "gui"))]
 pub(crate) use scene_file::SceneFormat;

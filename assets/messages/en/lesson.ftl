@@ -117,3 +117,15 @@ type-boolean = true or false
 type-date = a date or time
 type-list = a list
 type-table = a table of fields
+
+## Mesh files
+
+problem-no-number = “{ $word }” is not a finite number.
+problem-too-few-numbers = Only { $count } numbers stand here, of { $needed }.
+problem-no-such-vertex = There is no vertex { $index }: the file has { $count }.
+problem-no-such-uv = There are no texture coordinates { $index }: the file has { $count }. The face is drawn without.
+problem-face-too-short = This face has only { $count } corners: it is left out.
+problem-face-too-long = This face has { $count } corners, more than { $limit }: it is left out.
+problem-face-not-simple = This face meets itself or has no area: it is left out.
+problem-no-faces = The file has no face that could be drawn.
+expect-obj-index = Expected: 1 for the first vertex of the file, 2 for the next; −1 for the one before this line.

@@ -117,3 +117,15 @@ type-boolean = verdadero o falso
 type-date = una fecha u hora
 type-list = una lista
 type-table = una tabla de campos
+
+## Archivos de malla
+
+problem-no-number = «{ $word }» no es un número finito.
+problem-too-few-numbers = Aquí hay solo { $count } números, de { $needed }.
+problem-no-such-vertex = No existe el vértice { $index }: el archivo tiene { $count }.
+problem-no-such-uv = No existen las coordenadas de textura { $index }: el archivo tiene { $count }. La cara se dibuja sin ellas.
+problem-face-too-short = Esta cara tiene solo { $count } vértices: se omite.
+problem-face-too-long = Esta cara tiene { $count } vértices, más de { $limit }: se omite.
+problem-face-not-simple = Esta cara se corta a sí misma o no tiene área: se omite.
+problem-no-faces = El archivo no tiene ninguna cara que se pueda dibujar.
+expect-obj-index = Se espera: 1 para el primer vértice del archivo, 2 para el siguiente; −1 para el anterior a esta línea.

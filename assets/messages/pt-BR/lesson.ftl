@@ -117,3 +117,15 @@ type-boolean = verdadeiro ou falso
 type-date = uma data ou hora
 type-list = uma lista
 type-table = uma tabela de campos
+
+## Arquivos de malha
+
+problem-no-number = “{ $word }” não é um número finito.
+problem-too-few-numbers = Há aqui só { $count } números, de { $needed }.
+problem-no-such-vertex = Não existe o vértice { $index }: o arquivo tem { $count }.
+problem-no-such-uv = Não existem as coordenadas de textura { $index }: o arquivo tem { $count }. A face é desenhada sem elas.
+problem-face-too-short = Esta face tem só { $count } vértices: fica de fora.
+problem-face-too-long = Esta face tem { $count } vértices, mais que { $limit }: fica de fora.
+problem-face-not-simple = Esta face cruza a si mesma ou não tem área: fica de fora.
+problem-no-faces = O arquivo não tem nenhuma face que possa ser desenhada.
+expect-obj-index = Espera-se: 1 para o primeiro vértice do arquivo, 2 para o seguinte; −1 para o anterior a esta linha.

@@ -109,3 +109,15 @@ type-boolean = 真假值
 type-date = 日期或时间
 type-list = 列表
 type-table = 由字段组成的表
+
+## 网格文件
+
+problem-no-number = “{ $word }”不是有限的数。
+problem-too-few-numbers = 这里只有 { $count } 个数，需要 { $needed } 个。
+problem-no-such-vertex = 没有编号为 { $index } 的顶点：文件中共有 { $count } 个。
+problem-no-such-uv = 没有编号为 { $index } 的纹理坐标：文件中共有 { $count } 组。该面不带纹理绘制。
+problem-face-too-short = 这个面只有 { $count } 个顶点，略去。
+problem-face-too-long = 这个面有 { $count } 个顶点，超过 { $limit } 个，略去。
+problem-face-not-simple = 这个面自相交或没有面积，略去。
+problem-no-faces = 文件中没有可以绘制的面。
+expect-obj-index = 应为：1 表示文件的第一个顶点，2 表示下一个；−1 表示本行之前最近的一个。

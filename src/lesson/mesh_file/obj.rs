@@ -1,0 +1,373 @@
+//! Reading an OBJ file, and the MTL file beside it.
+
+use std::{collections::HashMap, ops::Range};
+
+use crate::{
+    geom::{Mesh, MeshError},
+    lesson::{problem::Problem, sink::Sink, source::Source},
+    text::Message,
+};
+
+use super::{
+    faces::triangles,
+    statements::{Statement, statements},
+};
+
+/// A face of more corners is left out: no surface needs it, and to cut it takes long.
+const MAX_CORNERS: usize = 1000;
+
+/// What an OBJ file holds.
+#[derive(Clone, PartialEq, Debug)]
+pub struct ObjFile {
+    /// Its triangles.
+    pub mesh: Mesh,
+    /// The material file that it names, and the material of its first face.
+    pub material: Option<[String; 2]>,
+    /// What was left out of it.
+    pub warnings: Vec<Problem>,
+}
+
+/// Reads an OBJ file; `file` is how its problems name it.
+///
+/// # Errors
+/// Every mistake in it, from the top to the end, as far as it keeps the mesh from being drawn.
+pub fn read_obj(file: &str, bytes: &[u8]) -> Result<ObjFile, Vec<Problem>> {
+    let source = Source::new(file.to_owned(), bytes);
+    let mut sink = Sink::new(&source);
+    let mut reader = Reader::default();
+    // Faces may name vertices that come later.
+    let mut faces = Vec::new();
+    for statement in statements(&source.text) {
+        match statement.keyword() {
+            "v" => reader
+                .positions
+                .extend(numbers::<3>(&statement, 3, &mut sink)),
+            "vt" => reader.uvs.extend(numbers::<2>(&statement, 1, &mut sink)),
+            "f" => faces.push((statement, [reader.positions.len(), reader.uvs.len()])),
+            "mtllib" => reader.library = statement.rest().map(str::to_owned),
+            "usemtl" if reader.material.is_none() => {
+                reader.material = statement.rest().map(str::to_owned);
+            }
+            _ => {}
+        }
+    }
+    if sink.n_errors() == 0 {
+        for (statement, so_far) in &faces {
+            reader.face(statement, *so_far, &mut sink);
+        }
+    }
+    reader.finish(sink)
+}
+
+/// The picture that a material of an MTL file is painted with, by its file's name.
+#[must_use]
+pub fn read_mtl(bytes: &[u8], material: &str) -> Option<String> {
+    let text = String::from_utf8_lossy(bytes);
+    let mut is_wanted = false;
+    let mut found = None;
+    for statement in statements(&text) {
+        match statement.keyword() {
+            "newmtl" => is_wanted = statement.rest() == Some(material),
+            "map_Kd" if is_wanted => found = statement.rest().map(str::to_owned),
+            _ => {}
+        }
+    }
+    found
+}
+
+#[derive(Default)]
+struct Reader {
+    positions: Vec<[f32; 3]>,
+    uvs: Vec<[f32; 2]>,
+    library: Option<String>,
+    material: Option<String>,
+    /// Vertices of the mesh, by what a corner names.
+    known: HashMap<[Option<usize>; 2], u32>,
+    vertices: Vec<[Option<usize>; 2]>,
+    faces: Vec<[u32; 3]>,
+}
+
+impl Reader {
+    fn face(&mut self, statement: &Statement<'_>, so_far: [usize; 2], sink: &mut Sink<'_>) {
+        let corners: Option<Vec<_>> = statement
+            .values()
+            .map(|(word, span)| self.corner(word, span, so_far, sink))
+            .collect();
+        let Some(corners) = corners else {
+            return;
+        };
+        let odd = match corners.len() {
+            0..3 => Some(Message::new("problem-face-too-short")),
+            3..=MAX_CORNERS => None,
+            _ => Some(Message::new("problem-face-too-long").with("limit", MAX_CORNERS)),
+        };
+        if let Some(message) = odd {
+            sink.warning(statement.span(), message.with("count", corners.len()), []);
+            return;
+        }
+        let positions: Vec<[f32; 3]> = corners
+            .iter()
+            .filter_map(|[position, _]| self.positions.get((*position)?).copied())
+            .collect();
+        let Some(cut) = triangles(&positions) else {
+            sink.warning(
+                statement.span(),
+                Message::new("problem-face-not-simple"),
+                [],
+            );
+            return;
+        };
+        let vertices: Vec<u32> = corners
+            .into_iter()
+            .map(|corner| self.vertex(corner))
+            .collect();
+        self.faces.extend(
+            cut.into_iter()
+                .map(|triangle| triangle.map(|i| vertices[i])),
+        );
+    }
+
+    /// `position`, `position/uv`, `position//normal` or `position/uv/normal`: indices of position and texture coordinates.
+    fn corner(
+        &self,
+        word: &str,
+        span: Range<usize>,
+        so_far: [usize; 2],
+        sink: &mut Sink<'_>,
+    ) -> Option<[Option<usize>; 2]> {
+        let mut parts = word.split('/');
+        let counts = [self.positions.len(), self.uvs.len()];
+        let position = parts.next().unwrap_or_default();
+        let Some(position) = index(position, so_far[0], counts[0]) else {
+            let message = Message::new("problem-no-such-vertex")
+                .with("index", short(position))
+                .with("count", counts[0]);
+            sink.error(span, message, [Message::new("expect-obj-index")]);
+            return None;
+        };
+        let uv = parts.next().unwrap_or_default();
+        let found = index(uv, so_far[1], counts[1]);
+        if found.is_none() && !uv.is_empty() {
+            let message = Message::new("problem-no-such-uv")
+                .with("index", short(uv))
+                .with("count", counts[1]);
+            sink.warning(span, message, []);
+        }
+        Some([Some(position), found])
+    }
+
+    fn vertex(&mut self, corner: [Option<usize>; 2]) -> u32 {
+        let Self {
+            known, vertices, ..
+        } = self;
+        *known.entry(corner).or_insert_with(|| {
+            vertices.push(corner);
+            vertices.len() as u32 - 1
+        })
+    }
+
+    fn finish(self, mut sink: Sink<'_>) -> Result<ObjFile, Vec<Problem>> {
+        if sink.n_errors() > 0 {
+            return Err(sink.into_problems());
+        }
+        let positions = self
+            .vertices
+            .iter()
+            .filter_map(|[position, _]| self.positions.get((*position)?).copied());
+        let has_uv = self.vertices.iter().any(|[_, uv]| uv.is_some());
+        let uv = |[_, uv]: &[Option<usize>; 2]| {
+            uv.and_then(|i| self.uvs.get(i).copied())
+                .unwrap_or_default()
+        };
+        let uvs = self.vertices.iter().filter(|_| has_uv).map(uv);
+        match Mesh::new(positions.collect(), uvs.collect(), self.faces) {
+            Ok(mesh) => Ok(ObjFile {
+                mesh,
+                material: self
+                    .library
+                    .zip(self.material)
+                    .map(|(library, name)| [library, name]),
+                warnings: sink.into_problems(),
+            }),
+            Err(
+                MeshError::NoFaces
+                | MeshError::NotFinite { .. }
+                | MeshError::NoSuchVertex { .. }
+                | MeshError::UvLength { .. },
+            ) => {
+                sink.error(0..0, Message::new("problem-no-faces"), []);
+                Err(sink.into_problems())
+            }
+        }
+    }
+}
+
+/// What an index names, from 1 or, negative, back from the last; `None` where that is nothing.
+fn index(word: &str, so_far: usize, count: usize) -> Option<usize> {
+    let index: i64 = word.parse().ok()?;
+    let from_start = match index {
+        1.. => index - 1,
+        0 => return None,
+        ..0 => so_far as i64 + index,
+    };
+    usize::try_from(from_start).ok().filter(|&i| i < count)
+}
+
+/// The first numbers of a statement, of which `needed` must be there.
+fn numbers<const N: usize>(
+    statement: &Statement<'_>,
+    needed: usize,
+    sink: &mut Sink<'_>,
+) -> Option<[f32; N]> {
+    let mut found = [0.0; N];
+    if statement.values().len() < needed {
+        let message = Message::new("problem-too-few-numbers")
+            .with("count", statement.values().len())
+            .with("needed", needed);
+        sink.error(statement.span(), message, []);
+        return None;
+    }
+    for ((word, span), number) in statement.values().zip(&mut found) {
+        match word.parse::<f32>() {
+            Ok(x) if x.is_finite() => *number = x,
+            Ok(_) | Err(_) => {
+                let message = Message::new("problem-no-number").with("word", short(word));
+                sink.error(span, message, []);
+                return None;
+            }
+        }
+    }
+    Some(found)
+}
+
+/// A word that may be as long as a file.
+fn short(word: &str) -> String {
+    const MOST: usize = 24;
+    let mut shown: String = word.chars().take(MOST).collect();
+    if word.chars().nth(MOST).is_some() {
+        shown.push('…');
+    }
+    shown
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::text::{Catalog, Lang};
+
+    fn problems(text: &str) -> Vec<String> {
+        let found = match read_obj("a.obj", text.as_bytes()) {
+            Ok(read) => read.warnings,
+            Err(problems) => problems,
+        };
+        let catalog = Catalog::of(Lang::En);
+        let first_line =
+            |problem: &Problem| problem.render(catalog).lines().next().map(str::to_owned);
+        found.iter().filter_map(first_line).collect()
+    }
+
+    #[test]
+    fn a_cube_of_quads_with_a_seam() {
+        let text = "mtllib cube.mtl\nusemtl wood\n\
+            v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n\
+            vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n\
+            f 1/1 2/2 3/3\nf 1/1 3/3 4/4\nf -4/2 -1/1 -2/4\nf -4/2 -2/4 -3/3\r\n";
+        let read = read_obj("cube.obj", text.as_bytes()).unwrap();
+        assert_eq!(read.mesh.faces().len(), 4);
+        assert_eq!(
+            read.mesh.positions().len(),
+            8,
+            "each corner has two places in the texture"
+        );
+        assert!(
+            read.mesh.is_closed(),
+            "and the faces share their edges all the same"
+        );
+        let expected = ["cube.mtl", "wood"].map(str::to_owned);
+        assert_eq!(read.material, Some(expected));
+        assert_eq!(read.warnings, []);
+        let mtl = b"newmtl other\nmap_Kd no.png\nnewmtl wood\nKd 1 1 1\nmap_Kd my wood.png\n";
+        assert_eq!(read_mtl(mtl, "wood").as_deref(), Some("my wood.png"));
+    }
+
+    #[test]
+    fn every_complaint_names_its_line() {
+        let triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+        let cases = [
+            (
+                "f 1 2 4",
+                "a.obj:4:7: error: There is no vertex 4: the file has 3.",
+            ),
+            (
+                "f 0 1 2",
+                "a.obj:4:3: error: There is no vertex 0: the file has 3.",
+            ),
+            (
+                "f 1 2 -4",
+                "a.obj:4:7: error: There is no vertex -4: the file has 3.",
+            ),
+            ("v 1 x 3", "a.obj:4:5: error: “x” is not a finite number."),
+            (
+                "v 1 NaN 3",
+                "a.obj:4:5: error: “NaN” is not a finite number.",
+            ),
+            (
+                "v 1 2",
+                "a.obj:4:1: error: Only 2 numbers stand here, of 3.",
+            ),
+            (
+                "",
+                "a.obj:1:1: error: The file has no face that could be drawn.",
+            ),
+        ];
+        for (line, expected) in cases {
+            let found = problems(&format!("{triangle}{line}\n"));
+            assert_eq!(found.first().map(String::as_str), Some(expected), "{line}");
+        }
+        let drawn = "f 1 2 3\n";
+        let left_out = [
+            (
+                "f 1 2",
+                "a.obj:5:1: warning: This face has only 2 corners: it is left out.",
+            ),
+            (
+                "f 1 2 1 3",
+                "a.obj:5:1: warning: This face meets itself or has no area: it is left out.",
+            ),
+            (
+                "f 1/7 2 3",
+                "a.obj:5:3: warning: There are no texture coordinates 7: the file has 0. The face is drawn without.",
+            ),
+        ];
+        for (line, expected) in left_out {
+            let found = problems(&format!("{triangle}{drawn}{line}\n"));
+            assert_eq!(found, [expected], "{line}");
+        }
+    }
+
+    #[test]
+    fn spot_is_read_whole() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/meshes/spot/spot.obj");
+        let read = read_obj("spot.obj", &std::fs::read(path).unwrap()).unwrap();
+        let mesh = read.mesh;
+        assert_eq!((mesh.faces().len(), read.warnings), (5856, Vec::new()));
+        assert!(mesh.is_closed());
+        // A sphere without handles, by Euler, its seams joined.
+        let mut ends: Vec<u32> = mesh.edges().iter().flat_map(|edge| edge.ends).collect();
+        ends.sort_unstable();
+        ends.dedup();
+        assert_eq!(ends.len() + mesh.faces().len(), mesh.edges().len() + 2);
+        assert_eq!(mesh.uvs().len(), mesh.positions().len());
+    }
+
+    #[test]
+    fn a_line_as_long_as_a_book_is_no_trouble() {
+        let text = format!(
+            "v 0 0 0\nv 1 0 0\nv 0 1 0\nf {}\n",
+            "1 2 3 ".repeat(200_000)
+        );
+        assert_eq!(problems(&text).len(), 2);
+        let text = format!("v {} 0 0\n", "9".repeat(1_000_000));
+        assert_eq!(problems(&text).len(), 1);
+    }
+}
