@@ -25,9 +25,8 @@ pub fn run() {
         let (secs, mut studio) = timed(|| Studio::new(ThemeKind::Light));
         new.push(secs);
         for step in &steps {
-            let (secs, image) = timed(|| {
-                studio.draw(&picture(&step.scene, step.position().unwrap_or_default()))
-            });
+            let (secs, image) =
+                timed(|| studio.draw(&picture(&step.scene, step.position().unwrap_or_default())));
             drawn.push(secs);
             let (secs, png) = timed(|| image.to_png());
             packed.push(secs);

@@ -36,7 +36,8 @@ pub fn run() {
 
 fn spheres() {
     let volume = ViewVolume::perspective(60.0, 16.0 / 9.0, 0.1, 100.0).expect("a volume");
-    let camera = Camera::new([0.0, 2.0, 10.0], [0.0; 3], [0.0, 1.0, 0.0], volume).expect("a camera");
+    let camera =
+        Camera::new([0.0, 2.0, 10.0], [0.0; 3], [0.0, 1.0, 0.0], volume).expect("a camera");
     let mut lot = Lot(1);
     let (mut batch, mut theirs) = (SphereBatch::default(), Vec::with_capacity(N_SPHERES));
     for _ in 0..N_SPHERES {
@@ -57,7 +58,9 @@ fn spheres() {
         .iter()
         .filter(|sphere| sphere.test_against_frustum(&frustum, 0) != u8::MAX)
         .count();
-    println!("## Spheres\n\n{N_SPHERES} bounding spheres against six planes; kept: {n_kept}, by treeculler, which asks the frustum's corners too, {n_theirs}.\n");
+    println!(
+        "## Spheres\n\n{N_SPHERES} bounding spheres against six planes; kept: {n_kept}, by treeculler, which asks the frustum's corners too, {n_theirs}.\n"
+    );
     let mut seen = vec![false; N_SPHERES];
     let results = race(
         N_ROUNDS,
@@ -70,22 +73,39 @@ fn spheres() {
             }),
         ],
     );
-    table(&results, &["clipscope", "treeculler"], "treeculler", &[("clipscope", Target::AtMost(0.12))]);
+    table(
+        &results,
+        &["clipscope", "treeculler"],
+        "treeculler",
+        &[("clipscope", Target::AtMost(0.12))],
+    );
 }
 
-fn table(results: &crate::harness::Results, names: &[&str], base: &str, targets: &[(&str, Target)]) {
+fn table(
+    results: &crate::harness::Results,
+    names: &[&str],
+    base: &str,
+    targets: &[(&str, Target)],
+) {
     println!("| | ms | over {base} | target | |\n|---|---|---|---|---|");
     for name in names {
         let ratio = results.ratio(name, base);
         let target = targets.iter().find(|(wanted, _)| wanted == name);
         let target = target.map_or(Target::None, |&(_, target)| target);
-        println!("| {name} | {:.3} | {ratio:.3} | {} |", 1e3 * results.secs(name), target.cells(ratio));
+        println!(
+            "| {name} | {:.3} | {ratio:.3} | {} |",
+            1e3 * results.secs(name),
+            target.cells(ratio)
+        );
     }
     println!();
 }
 
+/// Positions, colours, faces.
+type Waves = (Vec<[f32; 3]>, Vec<[f32; 3]>, Vec<[u32; 3]>);
+
 /// A sphere of triangles with waves on it, in view; about as many triangles as asked for.
-fn waves(n_triangles: usize) -> (Vec<[f32; 3]>, Vec<[f32; 3]>, Vec<[u32; 3]>) {
+fn waves(n_triangles: usize) -> Waves {
     let rows = ((n_triangles as f64 / 4.0).sqrt()) as u32;
     let columns = 2 * rows;
     let (mut positions, mut colours, mut faces) = (Vec::new(), Vec::new(), Vec::new());
@@ -96,7 +116,11 @@ fn waves(n_triangles: usize) -> (Vec<[f32; 3]>, Vec<[f32; 3]>, Vec<[u32; 3]>) {
                 std::f32::consts::TAU * j as f32 / columns as f32,
             );
             let r = 1.0 + 0.1 * (6.0 * theta).sin() * (5.0 * phi).cos();
-            let at = [r * theta.sin() * phi.cos(), r * theta.cos(), r * theta.sin() * phi.sin()];
+            let at = [
+                r * theta.sin() * phi.cos(),
+                r * theta.cos(),
+                r * theta.sin() * phi.sin(),
+            ];
             positions.push(at);
             colours.push(at.map(|x| 0.5 + 0.4 * x));
             if i < rows {
@@ -139,10 +163,22 @@ fn fill(positions: &[[f32; 3]], colours: &[[f32; 3]], faces: &[[u32; 3]]) {
             faces,
             first_id: 0,
         };
-        assemble(&mesh, black_box(&clip_from_world), &viewport, Cull::Clockwise, &mut triangles);
-        draw_rows(&triangles, &viewport, 0..SIZE[1], &mut depths, |place, _, colour| {
-            pixels[place] = packed(colour);
-        });
+        assemble(
+            &mesh,
+            black_box(&clip_from_world),
+            &viewport,
+            Cull::Clockwise,
+            &mut triangles,
+        );
+        draw_rows(
+            &triangles,
+            &viewport,
+            0..SIZE[1],
+            &mut depths,
+            |place, _, colour| {
+                pixels[place] = packed(colour);
+            },
+        );
         n_drawn = pixels.iter().filter(|&&pixel| pixel != 0).count();
     };
     ours();
@@ -166,8 +202,18 @@ fn fill(positions: &[[f32; 3]], colours: &[[f32; 3]], faces: &[[u32; 3]]) {
         faces.len()
     );
     let names = ["clipscope", "retrofire-core", "euc"];
-    table(&results, &names, "retrofire-core", &[("clipscope", Target::AtMost(0.6))]);
-    table(&results, &names, "euc", &[("clipscope", Target::AtMost(0.28))]);
+    table(
+        &results,
+        &names,
+        "retrofire-core",
+        &[("clipscope", Target::AtMost(0.6))],
+    );
+    table(
+        &results,
+        &names,
+        "euc",
+        &[("clipscope", Target::AtMost(0.28))],
+    );
 }
 
 fn packed(colour: [f32; 3]) -> u32 {
@@ -212,7 +258,10 @@ mod retrofire {
                 vertices: vertices
                     .map(|(&[x, y, z], &[r, g, b])| vertex(pt3(x, y, z), rgb(r, g, b)))
                     .collect(),
-                faces: faces.iter().map(|face| Tri(face.map(|i| i as usize))).collect(),
+                faces: faces
+                    .iter()
+                    .map(|face| Tri(face.map(|i| i as usize)))
+                    .collect(),
                 clip_from_world: ProjMat3::new(narrow(clip_from_world)),
                 pixels: Buf2::new(dims),
                 depths: Buf2::new(dims),
@@ -245,7 +294,11 @@ mod retrofire {
         }
 
         pub fn n_drawn(&self) -> usize {
-            self.pixels.data().iter().filter(|&&pixel| pixel != 0).count()
+            self.pixels
+                .data()
+                .iter()
+                .filter(|&&pixel| pixel != 0)
+                .count()
         }
     }
 }
@@ -257,13 +310,13 @@ mod euc_peer {
 
     use super::{SIZE, narrow, packed};
 
-    struct Colours<'a> {
+    struct Painting<'a> {
         clip_from_world: Mat4<f32>,
         positions: &'a [[f32; 3]],
         colours: &'a [[f32; 3]],
     }
 
-    impl Pipeline for Colours<'_> {
+    impl Pipeline for Painting<'_> {
         type Vertex = u32;
         type VsOut = Vec3<f32>;
         type Pixel = u32;
@@ -281,7 +334,7 @@ mod euc_peer {
     }
 
     pub struct Peer<'a> {
-        pipeline: Colours<'a>,
+        pipeline: Painting<'a>,
         corners: Vec<u32>,
         pixels: Buffer2d<u32>,
         depths: Buffer2d<f32>,
@@ -296,7 +349,7 @@ mod euc_peer {
         ) -> Self {
             let size = SIZE.map(|side| side as usize);
             Self {
-                pipeline: Colours {
+                pipeline: Painting {
                     clip_from_world: Mat4::from_row_arrays(narrow(clip_from_world)),
                     positions,
                     colours,
@@ -312,11 +365,16 @@ mod euc_peer {
             self.pixels.clear(0);
             self.depths.clear(1.0);
             let depths = Some(&mut self.depths);
-            self.pipeline.draw::<Triangles<_>, _>(&self.corners, &mut self.pixels, depths);
+            self.pipeline
+                .draw::<Triangles<_>, _>(&self.corners, &mut self.pixels, depths);
         }
 
         pub fn n_drawn(&self) -> usize {
-            self.pixels.as_ref().iter().filter(|&&pixel| pixel != 0).count()
+            self.pixels
+                .as_ref()
+                .iter()
+                .filter(|&&pixel| pixel != 0)
+                .count()
         }
     }
 }

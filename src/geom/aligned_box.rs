@@ -40,9 +40,9 @@ impl AlignedBox {
                 return Err(SpaceError::NotFinite { index, value });
             }
             let bounds = bounds.get_or_insert(Self { min: at, max: at });
-            for axis in 0..3 {
-                bounds.min[axis] = bounds.min[axis].min(at[axis]);
-                bounds.max[axis] = bounds.max[axis].max(at[axis]);
+            for (axis, x) in at.into_iter().enumerate() {
+                bounds.min[axis] = bounds.min[axis].min(x);
+                bounds.max[axis] = bounds.max[axis].max(x);
             }
         }
         bounds.ok_or(SpaceError::NoVertices)

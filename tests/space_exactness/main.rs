@@ -1,6 +1,7 @@
 //! Culling and clipping in space against exact arithmetic of another kind: whole numbers.
 
 mod culling;
+mod funnel;
 mod homogeneous;
 mod pixels;
 mod whole;

@@ -148,7 +148,7 @@ proptest! {
 #[expect(clippy::option_option, reason = "unknown, nothing, a triangle")]
 fn nearest(camera: &Camera, triangles: &[[[f32; 3]; 3]], place: usize) -> Option<Option<u32>> {
     let [width, height] = SIZE.map(f64::from);
-    let column = (place as u32 % SIZE[0]) as f64 + 0.5;
+    let column = f64::from(place as u32 % SIZE[0]) + 0.5;
     let row = f64::from(place as u32 / SIZE[0]) + 0.5;
     let volume = camera.volume();
     let [half_x, half_y] = volume.half_size();

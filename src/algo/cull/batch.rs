@@ -54,10 +54,11 @@ impl SphereBatch {
         let radius = &self.radius[..n];
         kept.clear();
         kept.extend((0..n).map(|i| {
-            planes.iter().fold(true, |is_kept, &[a, b, c, d]| {
-                let distance = a * x[i] + b * y[i] + c * z[i] + d;
-                is_kept & (distance >= -radius[i])
-            })
+            let n_inside: u8 = planes
+                .iter()
+                .map(|&[a, b, c, d]| u8::from(a * x[i] + b * y[i] + c * z[i] + d >= -radius[i]))
+                .sum();
+            n_inside == 6
         }));
     }
 }

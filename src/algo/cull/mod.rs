@@ -5,6 +5,8 @@
 mod back_face;
 mod batch;
 mod box_cull;
+mod funnel;
+mod funnel_levels;
 mod sphere_cull;
 
 use serde::Serialize;
@@ -14,6 +16,8 @@ pub use back_face::{
 };
 pub use batch::SphereBatch;
 pub use box_cull::{BoxCull, BoxCullEvent, BoxCullInput, BoxCullOutput, BoxCullState};
+pub use funnel::{Funnel, FunnelEvent, FunnelInput, FunnelObject, FunnelState, TriangleFate};
+pub use funnel_levels::{FunnelLevels, Level};
 pub use sphere_cull::{
     SphereCull, SphereCullEvent, SphereCullInput, SphereCullOutput, SphereCullState,
 };

@@ -83,7 +83,7 @@ pub struct SphereCullOutput {
 }
 
 /// What the picture of a step needs.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug, Default)]
 pub struct SphereCullState {
     /// Each asked plane's distance, and what it says.
     pub asked: Vec<(f64, Containment)>,
@@ -134,10 +134,7 @@ impl Algorithm for SphereCull {
     }
 
     fn start(_: &Self::Input) -> Self::State {
-        SphereCullState {
-            asked: Vec::new(),
-            class: None,
-        }
+        SphereCullState::default()
     }
 
     fn apply(state: &mut Self::State, event: Self::Event) {

@@ -254,7 +254,7 @@ impl<V: Vertex, R: Real> AssemblyLine<'_, V, R> {
                     },
                     at,
                     &mut tell,
-                ))
+                ));
             }
         }
         self.waiting[n_waiting..].reverse();

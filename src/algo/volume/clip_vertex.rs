@@ -20,7 +20,7 @@ pub trait Attributes: Copy + PartialEq {
 
 impl Attributes for () {
     #[inline]
-    fn crossing<R: Real>(&self, _: &Self, _: &Share<R>) -> Self {}
+    fn crossing<R: Real>(&self, (): &Self, _: &Share<R>) -> Self {}
 }
 
 impl<const N: usize> Attributes for [f64; N] {

@@ -58,7 +58,7 @@ pub(super) fn statements(text: &str) -> impl Iterator<Item = Statement<'_>> {
                 break;
             }
         }
-        (!words.is_empty()).then(|| Statement { text, words })
+        (!words.is_empty()).then_some(Statement { text, words })
     })
 }
 

@@ -1,0 +1,385 @@
+//! A scene on its way to the screen: what can be left out is left out whole, the largest first.
+//!
+//! ```text
+//!   scene       all objects            ████████████████████████████
+//!   objects     a bounding sphere      ██████████████████              outside one plane: culled with all its triangles
+//!   triangles   their vertices         ████████████████                all beyond one plane: culled
+//!   cut         what straddles         █████████████████               may become more
+//!   faces       seen from the back     █████████                       culled
+//! ```
+//!
+//! 1. Each object's sphere is asked of every plane ([`SphereCull`]). Outside: it is culled. Inside: its triangles need not
+//!    be asked.
+//! 2. Of an object that straddles each triangle's vertices get their codes: all beyond one side: it is culled. None beyond
+//!    any: it is kept whole. Else it is clipped ([`HomogeneousTriangle`]): it may come to several triangles, or none.
+//! 3. Every triangle that is left is asked whether it shows its front ([`BackFace`]).
+//!
+//! *Conventions*: as in the three. *Bound*: for each object its turn, those of its sphere, and its fate; for each
+//! triangle its cut and its face; the end. *Cost*: of the tests that are asked; the clipper is not counted here.
+//!
+//! *Source*: J. H. Clark, "Hierarchical geometric models for visible surface algorithms", Communications of the ACM 19,
+//! 1976, pp. 547–554.
+//!
+//! ```
+//! use clipscope::{
+//!     algo::cull::{Funnel, FunnelInput, FunnelObject},
+//!     geom::{Camera, Matrix, Solid, ViewVolume},
+//!     trace::silent,
+//! };
+//! let volume = ViewVolume::perspective(60.0, 1.0, 1.0, 20.0)?;
+//! let camera = Camera::new([0.0, 0.0, 5.0], [0.0; 3], [0.0, 1.0, 0.0], volume)?;
+//! let cube = |x| FunnelObject::new(&Solid::Cube.mesh(), &Matrix::translation([x, 0.0, 0.0]));
+//! let levels = silent::<Funnel>(&FunnelInput { camera, objects: vec![cube(0.0)?, cube(90.0)?] });
+//! assert_eq!([levels.scene, levels.spheres, levels.facing].map(|level| level.triangles), [24, 12, 2]);
+//! # Ok::<(), clipscope::geom::SpaceError>(())
+//! ```
+
+use std::sync::Arc;
+
+use serde::Serialize;
+
+use crate::{
+    algo::volume::{ClipVertex, HomogeneousTriangle, SideCode},
+    geom::{Camera, Matrix, Mesh, Plane, Sight, SpaceError, Sphere},
+    trace::{Algorithm, Real, silent},
+};
+
+use super::{
+    BackFace, BackFaceInput, BackFaceOutput, Containment, SphereCull, SphereCullEvent,
+    SphereCullInput, SphereCullState, Viewer, funnel_levels::FunnelLevels,
+};
+
+/// The algorithm; see the module.
+#[derive(Clone, Copy, Debug)]
+pub struct Funnel;
+
+/// What is to be drawn, and by whom it is seen.
+#[derive(Clone, PartialEq, Debug)]
+pub struct FunnelInput {
+    /// Who culls.
+    pub camera: Camera,
+    /// In the order in which they are asked.
+    pub objects: Vec<FunnelObject>,
+}
+
+/// An object in the world.
+#[derive(Clone, PartialEq, Debug)]
+pub struct FunnelObject {
+    /// Around all of it.
+    pub sphere: Sphere,
+    /// Its faces, counter-clockwise as seen from outside.
+    pub triangles: Arc<[[[f64; 3]; 3]]>,
+}
+
+impl FunnelObject {
+    /// A mesh, moved into the world, in the sphere around the centroid of its vertices.
+    ///
+    /// # Errors
+    /// [`SpaceError::NotFinite`] where it is moved beyond all numbers.
+    pub fn new(mesh: &Mesh, world_from_model: &Matrix) -> Result<Self, SpaceError> {
+        let placed = |p: [f64; 3]| world_from_model.point(p);
+        let points: Vec<[f64; 3]> = mesh
+            .positions()
+            .iter()
+            .map(|p| placed(p.map(f64::from)))
+            .collect();
+        let triangles = mesh
+            .faces()
+            .iter()
+            .map(|&face| mesh.corners(face).map(placed));
+        Ok(Self {
+            sphere: Sphere::around_centroid(&points)?,
+            triangles: triangles.collect(),
+        })
+    }
+}
+
+/// What becomes of a triangle of an object that straddles.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum TriangleFate {
+    /// All its vertices lie beyond one side.
+    Outside,
+    /// None lies beyond any.
+    Inside,
+    /// It is clipped, to so many triangles; to none where it only seemed to straddle.
+    Cut(usize),
+}
+
+/// What happens, in order.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
+#[serde(tag = "event", rename_all = "kebab-case")]
+pub enum FunnelEvent {
+    /// The next object's turn.
+    Object {
+        /// Which.
+        object_idx: usize,
+        /// How many triangles it has.
+        n_triangles: usize,
+        /// With what it adds to the scene.
+        levels: FunnelLevels,
+    },
+    /// A plane is asked about its sphere, or all have been.
+    Sphere {
+        /// As [`SphereCull`] tells it.
+        #[serde(flatten)]
+        told: SphereCullEvent,
+        /// How much is left now.
+        levels: FunnelLevels,
+    },
+    /// A triangle of an object that straddles.
+    Triangle {
+        /// Which of the object's.
+        triangle_idx: usize,
+        /// The codes of its vertices.
+        codes: [SideCode; 3],
+        /// What becomes of it.
+        fate: TriangleFate,
+        /// How much is left now.
+        levels: FunnelLevels,
+    },
+    /// A triangle that is left is asked for its side; of one that was cut all pieces together.
+    Face {
+        /// Which of the object's.
+        triangle_idx: usize,
+        /// How many triangles it comes to.
+        n_pieces: usize,
+        /// n·e
+        dot: f64,
+        /// Does it show its front?
+        front: bool,
+        /// How much is left now.
+        levels: FunnelLevels,
+    },
+    /// Everything has been asked.
+    Done,
+}
+
+/// What the picture of a step needs.
+#[derive(Clone, PartialEq, Debug)]
+pub struct FunnelState {
+    /// How much is left, as far as it is known.
+    pub levels: FunnelLevels,
+    /// The object whose turn it is.
+    pub object_idx: Option<usize>,
+    /// How far its sphere's test has come.
+    pub sphere: SphereCullState,
+    /// What the spheres said of each object so far.
+    pub classes: Vec<Containment>,
+    /// The triangles of this object so far, with their fates.
+    pub triangles: Vec<(usize, TriangleFate)>,
+    /// The faces of this object so far, and whether they show their front.
+    pub faces: Vec<(usize, bool)>,
+    /// Is nothing left to be asked?
+    pub is_done: bool,
+}
+
+impl Algorithm for Funnel {
+    type Input = FunnelInput;
+    type Output = FunnelLevels;
+    type Event = FunnelEvent;
+    type State = FunnelState;
+
+    fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Self::Output {
+        let asking = Asking {
+            planes: input.camera.planes_in_world().to_vec(),
+            clip_from_world: input.camera.clip_from_world(),
+            viewer: viewer(&input.camera),
+        };
+        let mut levels = FunnelLevels::default();
+        for (object_idx, object) in input.objects.iter().enumerate() {
+            let n_triangles = object.triangles.len();
+            levels.scene.add(1, n_triangles);
+            emit(FunnelEvent::Object {
+                object_idx,
+                n_triangles,
+                levels,
+            });
+            asking.object::<R>(object, &mut levels, &mut emit);
+        }
+        emit(FunnelEvent::Done);
+        levels
+    }
+
+    fn start(_: &Self::Input) -> Self::State {
+        FunnelState {
+            levels: FunnelLevels::default(),
+            object_idx: None,
+            sphere: SphereCullState::default(),
+            classes: Vec::new(),
+            triangles: Vec::new(),
+            faces: Vec::new(),
+            is_done: false,
+        }
+    }
+
+    fn apply(state: &mut Self::State, event: Self::Event) {
+        state.apply(event);
+    }
+
+    fn finish(state: &Self::State) -> Self::Output {
+        state.levels
+    }
+
+    /// For each object its turn, its sphere's planes and their end; for each triangle its fate and its face; the end.
+    fn max_events(input: &Self::Input) -> usize {
+        let of = |object: &FunnelObject| 8 + 2 * object.triangles.len();
+        input.objects.iter().map(of).sum::<usize>() + 1
+    }
+}
+
+/// What all objects are asked by.
+struct Asking {
+    planes: Vec<Plane>,
+    clip_from_world: Matrix,
+    viewer: Viewer,
+}
+
+impl Asking {
+    fn object<R: Real>(
+        &self,
+        object: &FunnelObject,
+        levels: &mut FunnelLevels,
+        emit: &mut impl FnMut(FunnelEvent),
+    ) {
+        let input = SphereCullInput {
+            planes: self.planes.clone(),
+            sphere: object.sphere,
+        };
+        let n_triangles = object.triangles.len();
+        let class = SphereCull::run::<R>(&input, |told| {
+            if let SphereCullEvent::Done { class } = told {
+                levels.spheres_done(class, n_triangles);
+            }
+            let levels = *levels;
+            emit(FunnelEvent::Sphere { told, levels });
+        })
+        .class;
+        if class == Containment::Outside {
+            return;
+        }
+        // Whether anything of it was left before its triangles were asked.
+        let before = *levels;
+        for (triangle_idx, triangle) in object.triangles.iter().enumerate() {
+            let n_pieces = if class == Containment::Inside {
+                1
+            } else {
+                self.triangle::<R>(triangle_idx, triangle, levels, &before, emit)
+            };
+            if n_pieces > 0 {
+                let input = BackFaceInput {
+                    triangle: *triangle,
+                    viewer: self.viewer,
+                };
+                let BackFaceOutput { dot, front, .. } = BackFace::run::<R>(&input, |_| {});
+                if front {
+                    levels.facing.triangles += n_pieces;
+                    levels.facing.objects = before.facing.objects + 1;
+                }
+                emit(FunnelEvent::Face {
+                    triangle_idx,
+                    n_pieces,
+                    dot,
+                    front,
+                    levels: *levels,
+                });
+            }
+        }
+    }
+
+    /// To how many triangles it comes.
+    fn triangle<R: Real>(
+        &self,
+        triangle_idx: usize,
+        triangle: &[[f64; 3]; 3],
+        levels: &mut FunnelLevels,
+        before: &FunnelLevels,
+        emit: &mut impl FnMut(FunnelEvent),
+    ) -> usize {
+        let corners = triangle.map(|[x, y, z]| ClipVertex {
+            at: self.clip_from_world.times([x, y, z, 1.0]),
+            attributes: (),
+        });
+        let codes = corners.map(|corner| SideCode::of(corner.at.map(R::new)));
+        let [a, b, c] = codes;
+        let (fate, n_pieces) = if !a.and(b).and(c).is_inside() {
+            (TriangleFate::Outside, 0)
+        } else if a.or(b).or(c).is_inside() {
+            (TriangleFate::Inside, 1)
+        } else {
+            let n = silent::<HomogeneousTriangle>(&corners).triangles().count();
+            (TriangleFate::Cut(n), n)
+        };
+        if fate != TriangleFate::Outside {
+            levels.vertices.triangles += 1;
+            levels.vertices.objects = before.vertices.objects + 1;
+        }
+        if n_pieces > 0 {
+            levels.cuts.triangles += n_pieces;
+            levels.cuts.objects = before.cuts.objects + 1;
+        }
+        emit(FunnelEvent::Triangle {
+            triangle_idx,
+            codes,
+            fate,
+            levels: *levels,
+        });
+        n_pieces
+    }
+}
+
+/// Who looks through a camera.
+fn viewer(camera: &Camera) -> Viewer {
+    match camera.volume().sight() {
+        Sight::Perspective => Viewer::Eye(camera.position()),
+        Sight::Parallel => {
+            let [_, _, back] = camera.axes();
+            Viewer::Direction(back.map(|x| -x))
+        }
+    }
+}
+
+impl FunnelState {
+    fn apply(&mut self, event: FunnelEvent) {
+        match event {
+            FunnelEvent::Object {
+                object_idx, levels, ..
+            } => {
+                self.object_idx = Some(object_idx);
+                self.sphere = SphereCullState::default();
+                self.triangles.clear();
+                self.faces.clear();
+                self.levels = levels;
+            }
+            FunnelEvent::Sphere { told, levels } => {
+                SphereCull::apply(&mut self.sphere, told);
+                if let SphereCullEvent::Done { class } = told {
+                    self.classes.push(class);
+                }
+                self.levels = levels;
+            }
+            FunnelEvent::Triangle {
+                triangle_idx,
+                fate,
+                levels,
+                ..
+            } => {
+                self.triangles.push((triangle_idx, fate));
+                self.levels = levels;
+            }
+            FunnelEvent::Face {
+                triangle_idx,
+                front,
+                levels,
+                ..
+            } => {
+                self.faces.push((triangle_idx, front));
+                self.levels = levels;
+            }
+            FunnelEvent::Done => {
+                self.object_idx = None;
+                self.is_done = true;
+            }
+        }
+    }
+}
