@@ -50,7 +50,7 @@ fn has_a_pixel(mesh: &Mesh, world_from_model: &Matrix, camera: &Camera) -> bool 
     let mut depths = vec![f32::INFINITY; (SIZE[0] * SIZE[1]) as usize];
     let mut is_seen = false;
     draw_rows(&triangles, &viewport, 0..SIZE[1], &mut depths, |_, _, _| {
-        is_seen = true
+        is_seen = true;
     });
     is_seen
 }
