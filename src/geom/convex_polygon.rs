@@ -166,7 +166,7 @@ mod tests {
     fn refused_with_the_vertex_at_fault() {
         use GeomError::{Degenerate, NotConvex, SelfIntersecting, TooFewVertices};
         let tip = |i: usize| {
-            let (sin, cos) = (std::f64::consts::TAU * (i * 2 % 5) as f64 / 5.0).sin_cos();
+            let (sin, cos) = libm::sincos(std::f64::consts::TAU * (i * 2 % 5) as f64 / 5.0);
             [cos, sin]
         };
         let pentagram: Vec<[f64; 2]> = (0..5).map(tip).collect();

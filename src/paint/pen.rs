@@ -62,7 +62,7 @@ impl Pen {
             n if n <= SOME => (if is_living { 2.0 } else { 1.25 }, 1.0),
             // So many cover every point several times over: what lies beneath still shows.
             n => {
-                let strength = 0.3 * (SOME as f32 / n as f32).powf(0.35);
+                let strength = 0.3 * libm::powf(SOME as f32 / n as f32, 0.35);
                 (if is_living { 1.5 } else { 1.0 }, strength)
             }
         };

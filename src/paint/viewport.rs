@@ -65,7 +65,7 @@ impl Viewport {
     #[must_use]
     pub fn grid_step(&self, min_pts: f64) -> f64 {
         let wanted = min_pts / self.scale;
-        let power = 10f64.powf(wanted.log10().floor());
+        let power = libm::pow(10.0, libm::log10(wanted).floor());
         [1.0, 2.0, 5.0, 10.0]
             .map(|m| m * power)
             .into_iter()

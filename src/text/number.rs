@@ -225,7 +225,7 @@ fn significant_digits(x: f64) -> usize {
 
 /// Four significant digits, or more where the integer part has more.
 fn rounded(magnitude: f64) -> String {
-    let exponent = magnitude.log10().floor() as i32;
+    let exponent = libm::log10(magnitude).floor() as i32;
     let decimals = (DIGITS as i32 - 1 - exponent).max(0) as usize;
     without_trailing_zeros(&format!("{magnitude:.decimals$}")).to_owned()
 }

@@ -120,4 +120,4 @@ problem-face-too-short = 这个面只有 { $count } 个顶点，略去。
 problem-face-too-long = 这个面有 { $count } 个顶点，超过 { $limit } 个，略去。
 problem-face-not-simple = 这个面自相交或没有面积，略去。
 problem-no-faces = 文件中没有可以绘制的面。
-expect-obj-index = 应为：1 表示文件的第一个顶点，2 表示下一个；−1 表示本行之前最近的一个。
+expect-obj-index = 应为：1 表示文件的第一个顶点，2 表示下一个；−1 表示本行之前的那一个。

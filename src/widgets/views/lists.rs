@@ -170,7 +170,7 @@ fn loops(slate: &mut Slate<'_>, list: &ListColumn, column: &Column, plan: &Plan)
         let turn = |from: f32, to: f32| {
             // A quarter of a circle, as a polyline.
             let at = |nth: usize| {
-                let (sin, cos) = (std::f32::consts::FRAC_PI_8 * nth as f32).sin_cos();
+                let (sin, cos) = libm::sincosf(std::f32::consts::FRAC_PI_8 * nth as f32);
                 pos2(
                     lane - out * corner * (1.0 - sin),
                     from + (to - from) * (1.0 - cos),
