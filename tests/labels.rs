@@ -49,8 +49,13 @@ fn no_label_covers_another_or_stands_on_a_stroke_without_a_halo() {
                 let Some(figure) = &step.figure else { continue };
                 for marks in drawings(&step.scene, step.position().expect("its moment comes")) {
                     for size in STAGES {
-                        let (placed, obstacles) =
-                            place(&mut table, size, step.scene.document().bounds(), &marks);
+                        let (placed, obstacles) = place(
+                            &mut table,
+                            size,
+                            step.scene.document().bounds(),
+                            &marks,
+                            &[],
+                        );
                         let whole = Rect::from_min_size(Pos2::ZERO, size);
                         let place = format!("{figure}, {theme}, {} wide", size.x);
                         n_labels += placed.len();
@@ -82,13 +87,14 @@ fn place(
     size: Vec2,
     bounds: [[f64; 2]; 2],
     marks: &[Mark],
+    before: &[Placed],
 ) -> (Vec<Placed>, Vec<Obstacle>) {
     let theme = table.theme();
     let viewport = Viewport::fit(Rect::from_min_size(Pos2::ZERO, size), bounds);
     let mut found = (Vec::new(), Vec::new());
     table.draw(size, 1.0, |ui| {
         let catalog = Catalog::of(Lang::En);
-        found = arrange(ui.painter(), &viewport, theme, catalog, marks);
+        found = arrange(ui.painter(), &viewport, theme, catalog, marks, before);
     });
     found
 }
@@ -135,7 +141,7 @@ fn no_label_of_a_region_or_a_half_plane_stands_elsewhere() {
             let bounds = step.scene.document().bounds();
             for marks in drawings(&step.scene, step.position().expect("its moment comes")) {
                 for size in STAGES.into_iter().chain(SMALL) {
-                    let (placed, _) = place(&mut table, size, bounds, &marks);
+                    let (placed, _) = place(&mut table, size, bounds, &marks, &[]);
                     let viewport = Viewport::fit(Rect::from_min_size(Pos2::ZERO, size), bounds);
                     let place = format!("{}, {theme}, {} wide", step.id, size.x);
                     for mark in &marks {
@@ -164,6 +170,56 @@ fn no_label_of_a_region_or_a_half_plane_stands_elsewhere() {
     }
     assert!(n_regions > 1_000 && n_sides > 100, "{n_regions}, {n_sides}");
     assert!(faults.is_empty(), "{} faults: {faults:#?}", faults.len());
+}
+
+/// Of the steps of a run so many are looked at.
+const MOST_STEPS: usize = 40;
+/// A label that moves by more than this, in points, hops.
+const HOP: f32 = 6.0;
+/// So many may hop from one step to the next of those that stand at both, in percent.
+const MOST_HOPS_PERCENT: f64 = 2.0;
+
+/// In a window, where it is known where they stood; two of the same text are not told apart here and are left out.
+#[test]
+fn labels_do_not_hop_between_steps() {
+    let course = Course::embedded();
+    let (mut n_both, mut hops) = (0, Vec::new());
+    let mut table = Headless::new(ThemeKind::Light);
+    for lesson in &course.lessons {
+        for step in &lesson.steps {
+            let document = step.scene.document();
+            let runs = document.record();
+            let mut before: Vec<Placed> = Vec::new();
+            for i in 0..=runs[0].n_steps().min(MOST_STEPS) {
+                let mut marks = document.backdrop(0, i == runs[0].n_steps());
+                marks.extend_from_slice(runs[0].frame(i).marks());
+                let (placed, _) = place(&mut table, STAGES[1], document.bounds(), &marks, &before);
+                let only = |labels: &[Placed], text: &str| {
+                    let mut same = labels.iter().filter(|label| label.text == text);
+                    same.next()
+                        .map(|label| label.rect)
+                        .filter(|_| same.next().is_none())
+                };
+                for Placed { text, .. } in &before {
+                    let Some((from, to)) = only(&before, text).zip(only(&placed, text)) else {
+                        continue;
+                    };
+                    n_both += 1;
+                    let by = from.center().distance(to.center());
+                    if by > HOP {
+                        hops.push(format!(
+                            "{}, {}, step {i}: {text} by {by:.0}",
+                            lesson.id, step.id
+                        ));
+                    }
+                }
+                before = placed;
+            }
+        }
+    }
+    let percent = 100.0 * hops.len() as f64 / f64::from(n_both);
+    println!("{} of {n_both} hop: {percent:.1} %", hops.len());
+    assert!(percent <= MOST_HOPS_PERCENT, "{percent:.1} %: {hops:#?}");
 }
 
 fn lies_in(rect: Rect, viewport: &Viewport, [min, max]: [[f64; 2]; 2]) -> bool {

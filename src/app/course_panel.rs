@@ -275,7 +275,7 @@ fn words(ui: &Ui, theme: &Theme, rect: Rect, row: Row<'_>) -> bool {
     is_cut
 }
 
-/// One small disc a step, the open one filled; arrows at the right.
+/// One small disc a step, the open one filled.
 fn steps(model: &Model<'_>, ui: &mut Ui, lesson: &Lesson, commands: &mut Vec<Command>) {
     let look = model.look;
     let [lesson_idx, open] = model.bookmark.indices();

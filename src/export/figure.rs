@@ -329,6 +329,6 @@ impl Page<'_> {
         let mut marks = scene.backdrop(index, column.at_end());
         marks.extend(column.frame.marks().iter().cloned());
         let Look { theme, catalog } = self.look;
-        stage(&painter, &viewport, theme, catalog, &marks, None);
+        stage(&painter, &viewport, theme, catalog, &marks, None, &[]);
     }
 }

@@ -20,7 +20,8 @@ use super::{
     pen::{Pen, radius},
 };
 
-/// Draws the marks, then their labels where they cover nothing: where they stand. What is about `lit` stands out.
+/// Draws the marks, then their labels where they cover nothing: where they stand. What is about `lit` stands out; labels
+/// would rather stay where they stood `before`.
 pub fn stage(
     painter: &Painter,
     viewport: &Viewport,
@@ -28,6 +29,7 @@ pub fn stage(
     catalog: &Catalog,
     marks: &[Mark],
     lit: Option<Link>,
+    before: &[Placed],
 ) -> Vec<Placed> {
     let painter = &painter.with_clip_rect(viewport.rect);
     let stage = Stage {
@@ -47,7 +49,7 @@ pub fn stage(
             | Layer::Marker => stage.part(piece),
         }
     }
-    let labels = Labels::new(painter, viewport, theme, catalog, (marks, &pieces));
+    let labels = Labels::new(painter, viewport, theme, catalog, (marks, &pieces), before);
     labels.draw(painter, theme);
     labels.placed
 }
@@ -60,9 +62,10 @@ pub fn arrange(
     theme: &Theme,
     catalog: &Catalog,
     marks: &[Mark],
+    before: &[Placed],
 ) -> (Vec<Placed>, Vec<Obstacle>) {
     let pieces = pieces(viewport, theme, marks, None);
-    let labels = Labels::new(painter, viewport, theme, catalog, (marks, &pieces));
+    let labels = Labels::new(painter, viewport, theme, catalog, (marks, &pieces), before);
     (labels.placed, labels.obstacles)
 }
 

@@ -7,7 +7,7 @@ use egui::{
 
 use crate::{
     figure::{Link, Mark},
-    paint::{self, Viewport},
+    paint::{self, Placed, Viewport},
 };
 
 use super::{
@@ -121,20 +121,21 @@ impl Canvas<'_> {
             grid::draw(&painter, &viewport, step, theme.hairline);
         }
         handles.draw_idle(ui, &painter, &response);
-        let labels = paint::stage(
-            &painter,
-            &viewport,
-            theme,
-            self.look.catalog,
-            self.marks,
-            self.lit,
-        );
+        let labels = self.figure(ui, &painter);
         if self.has_grid {
             grid::scale(&painter, &viewport, step, (self.look, &labels));
         }
         if let Some(pointed) = &self.pointed {
             let marks = std::slice::from_ref(pointed);
-            paint::stage(&painter, &viewport, theme, self.look.catalog, marks, None);
+            paint::stage(
+                &painter,
+                &viewport,
+                theme,
+                self.look.catalog,
+                marks,
+                None,
+                &[],
+            );
             ui.set_cursor_icon(CursorIcon::PointingHand);
         }
         handles.draw(ui, &painter, &response);
@@ -163,6 +164,19 @@ impl Canvas<'_> {
             }),
             response,
         }
+    }
+
+    /// Draws the marks; where their labels stand, which is remembered until the next frame.
+    fn figure(&self, ui: &Ui, painter: &Painter) -> Vec<Placed> {
+        let remembered = self.id.with("labels");
+        let before: Vec<Placed> = ui
+            .data(|data| data.get_temp(remembered))
+            .unwrap_or_default();
+        let Look { theme, catalog, .. } = self.look;
+        let (marks, lit) = (self.marks, self.lit);
+        let labels = paint::stage(painter, &self.viewport, theme, catalog, marks, lit, &before);
+        ui.data_mut(|data| data.insert_temp(remembered, labels.clone()));
+        labels
     }
 }
 

@@ -17,7 +17,10 @@ fn star(n: std::ops::Range<usize>) -> impl Strategy<Value = Vec<[f64; 2]>> {
     (radii, [-0.5..0.5_f64, -0.5..0.5_f64], 0.0..1.0_f64).prop_map(|(radii, [cx, cy], phase)| {
         let corner = |(i, radius): (usize, &f64)| {
             let angle = std::f64::consts::TAU * (i as f64 + phase) / radii.len() as f64;
-            [cx + radius * angle.cos(), cy + radius * angle.sin()]
+            [
+                cx + radius * libm::cos(angle),
+                cy + radius * libm::sin(angle),
+            ]
         };
         radii.iter().enumerate().map(corner).collect()
     })

@@ -108,7 +108,8 @@ fn star(n: usize, size: i64) -> impl Strategy<Value = Outline> {
             .iter()
             .enumerate()
             .map(|(i, radius)| {
-                let (sin, cos) = (std::f64::consts::TAU * i as f64 / radii.len() as f64).sin_cos();
+                let (sin, cos) =
+                    libm::sincos(std::f64::consts::TAU * i as f64 / radii.len() as f64);
                 [cos, sin].map(|x| (middle + middle * radius * x).round() as i64)
             })
             .collect();

@@ -1,8 +1,8 @@
 //! Finding places for labels: near their anchor, on nothing else, inside the stage.
 //!
 //! Each label has candidate places. Labels are placed one by one, this step's first, and then each again, now that the
-//! others stand: it takes the place where distance and what it covers cost least. The same marks give the same places,
-//! with no memory of the step before.
+//! others stand: it takes the place where distance and what it covers cost least. In a window a label that stood there
+//! before would rather stay; in a figure there is no before, and the same marks give the same places.
 
 mod anchor;
 mod obstacles;
@@ -43,6 +43,10 @@ const UNSEEN: f32 = 1_000.0;
 const WRONG: f32 = 100_000.0;
 /// What it costs to stand nearer to another point's marker than to its own: it would seem to be that one's name.
 const AMBIGUOUS: f32 = 14.0;
+/// How much better than the place that it had another has to be: no label hops for the sake of a neighbour's.
+const STAY: f32 = 40.0;
+/// A place is the same if it is no farther off than this, in points.
+const SAME_PLACE: f32 = 2.0;
 /// White space between what is no point's label and a marker, in points.
 const OFF_MARKERS: f32 = 10.0;
 /// Points nearer than this are one, and its names one label.
@@ -84,13 +88,14 @@ struct Waiting {
 }
 
 impl Labels {
-    /// Finds places for the labels of these marks.
+    /// Finds places for the labels of these marks; `before` says where labels stood.
     pub fn new(
         painter: &Painter,
         viewport: &Viewport,
         theme: &Theme,
         catalog: &Catalog,
         (marks, pieces): (&[Mark], &[LayeredPart<'_>]),
+        before: &[Placed],
     ) -> Self {
         let setter = Setter {
             painter,
@@ -106,7 +111,7 @@ impl Labels {
             stage: viewport.rect,
             places: waiting
                 .iter()
-                .map(|label| candidates(label, viewport.rect, &obstacles))
+                .map(|label| candidates(label, viewport.rect, &obstacles, before))
                 .collect(),
             taken: Vec::new(),
         };
@@ -251,7 +256,14 @@ struct Candidate {
 }
 
 /// The places of a label, the least costly first.
-fn candidates(label: &Waiting, stage: Rect, obstacles: &[Obstacle]) -> Vec<Candidate> {
+fn candidates(
+    label: &Waiting,
+    stage: Rect,
+    obstacles: &[Obstacle],
+    before: &[Placed],
+) -> Vec<Candidate> {
+    let stood = before.iter().filter(|it| it.text == label.text.plain);
+    let stood: Vec<Pos2> = stood.map(|placed| placed.rect.center()).collect();
     let size = label.text.size();
     let lean = Lean {
         toward: label.toward,
@@ -281,12 +293,14 @@ fn candidates(label: &Waiting, stage: Rect, obstacles: &[Obstacle]) -> Vec<Candi
         };
         let leader = place.leader.map(|from| [from, rect.clamp(from)]);
         let is_ambiguous = leader.is_none() && is_of_another(&label.anchor, &discs, rect);
+        let stays = stood
+            .iter()
+            .any(|at| at.distance(rect.center()) < SAME_PLACE);
         Candidate {
             rect,
             leader,
-            cost: place.dislike
-                + covered
-                + if is_ambiguous { AMBIGUOUS } else { 0.0 }
+            cost: place.dislike + covered + if is_ambiguous { AMBIGUOUS } else { 0.0 }
+                - if stays { STAY } else { 0.0 }
                 + if is_seen { 0.0 } else { UNSEEN }
                 + if is_inside && !place.is_wrong {
                     0.0

@@ -34,6 +34,14 @@ pub fn space(
     let marks = project(shown, eye);
     let painter = ui.painter_at(rect);
     painter.rect_filled(rect, 0.0, look.theme.background);
-    paint::stage(&painter, &viewport, look.theme, look.catalog, &marks, lit);
+    paint::stage(
+        &painter,
+        &viewport,
+        look.theme,
+        look.catalog,
+        &marks,
+        lit,
+        &[],
+    );
     hit::link_at(&viewport, &marks, response.hover_pos()?)
 }
