@@ -348,7 +348,7 @@ fn two_edges_that_meet_are_named() {
 /// `turn` is even.
 fn star(n: usize, valley: f64, turn: usize) -> String {
     let vertex = |i: usize| {
-        let (sin, cos) = (std::f64::consts::TAU * i as f64 / n as f64).sin_cos();
+        let (sin, cos) = libm::sincos(std::f64::consts::TAU * i as f64 / n as f64);
         let radius = if (i + turn).is_multiple_of(2) {
             2.0
         } else {

@@ -153,7 +153,7 @@ pub fn spiral(n_turns: i64) -> Outline {
 pub fn star(n_tips: usize) -> Outline {
     (0..2 * n_tips)
         .map(|i| {
-            let (sin, cos) = (std::f64::consts::TAU * i as f64 / (2 * n_tips) as f64).sin_cos();
+            let (sin, cos) = libm::sincos(std::f64::consts::TAU * i as f64 / (2 * n_tips) as f64);
             let radius = if i % 2 == 0 { 1e6 } else { 3e5 };
             [radius * cos, radius * sin].map(|x| x.round() as i64)
         })

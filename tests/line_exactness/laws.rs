@@ -24,7 +24,7 @@ fn polygon() -> impl Strategy<Value = ConvexPolygon> {
     (3..12_usize, 0.5..4.0_f64, any::<bool>()).prop_map(|(n, radius, clockwise)| {
         let mut outline: Vec<[f64; 2]> = (0..n)
             .map(|i| {
-                let (sin, cos) = (std::f64::consts::TAU * i as f64 / n as f64).sin_cos();
+                let (sin, cos) = libm::sincos(std::f64::consts::TAU * i as f64 / n as f64);
                 [radius * cos, radius * sin]
             })
             .collect();

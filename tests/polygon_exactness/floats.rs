@@ -63,7 +63,7 @@ fn regular() -> impl Strategy<Value = ClipRegion> {
     )
         .prop_map(|(n, radius, angle, x)| {
             let corner = |i: usize| {
-                let (sin, cos) = (angle + std::f64::consts::TAU * i as f64 / n as f64).sin_cos();
+                let (sin, cos) = libm::sincos(angle + std::f64::consts::TAU * i as f64 / n as f64);
                 [radius * (x + cos), radius * sin]
             };
             let outline: Vec<[f64; 2]> = (0..n).map(corner).collect();

@@ -13,7 +13,7 @@ use proptest::prelude::*;
 fn region() -> impl Strategy<Value = ClipRegion> {
     let regular = (3..9_usize, 0.5..4.0_f64).prop_map(|(n, radius)| {
         let corner = |i: usize| {
-            let (sin, cos) = (std::f64::consts::TAU * i as f64 / n as f64).sin_cos();
+            let (sin, cos) = libm::sincos(std::f64::consts::TAU * i as f64 / n as f64);
             [radius * cos, radius * sin]
         };
         let outline: Vec<[f64; 2]> = (0..n).map(corner).collect();

@@ -7,6 +7,7 @@
 mod anchor;
 mod obstacles;
 mod places;
+mod seating;
 mod text;
 
 use egui::{Painter, Pos2, Rect, Vec2, vec2};
@@ -16,12 +17,13 @@ use crate::{
     text::Catalog,
 };
 
-use super::{Theme, Viewport, cut::length_in, layers::LayeredPart};
+use super::{Theme, Viewport, layers::LayeredPart};
 
 use self::{
     anchor::Anchor,
     obstacles::obstacles,
     places::{LabelPlace, Lean, places},
+    seating::{APART, Candidate, Seating},
     text::{INSIDE, Setter, Text},
 };
 
@@ -31,10 +33,6 @@ pub use self::obstacles::Obstacle;
 const ROOMY: f32 = 250.0;
 /// More labels than this would cover the figure, and finding places for them would take longer than a frame.
 const MOST_LABELS: usize = 160;
-/// Each label looks again this often, once the others stand.
-const ROUNDS: usize = 3;
-/// Space that two labels keep between them, in points.
-const APART: Vec2 = vec2(5.0, 2.0);
 /// By so much a plate is larger than what stands on it, in points.
 const PLATE: Vec2 = vec2(3.0, 1.0);
 /// What it costs a label to be cut off.
@@ -247,14 +245,6 @@ fn toward(viewport: &Viewport, mark: &Mark, label: &Label) -> Option<Vec2> {
     label.toward.map(on_screen).or_else(unshaded)
 }
 
-/// A candidate, and what it costs whatever the other labels do.
-#[derive(Clone, Copy)]
-struct Candidate {
-    rect: Rect,
-    leader: Option<[Pos2; 2]>,
-    cost: f32,
-}
-
 /// The places of a label, the least costly first.
 fn candidates(
     label: &Waiting,
@@ -343,65 +333,4 @@ fn away(anchor: &Anchor, obstacles: &[Obstacle]) -> Option<Vec2> {
     });
     let towards: Vec2 = ending.fold(Vec2::ZERO, |sum, d| sum + d.normalized());
     (towards.length() > 0.3).then(|| -towards.normalized())
-}
-
-/// Labels that take their places.
-struct Seating {
-    stage: Rect,
-    places: Vec<Vec<Candidate>>,
-    taken: Vec<Candidate>,
-}
-
-impl Seating {
-    fn fill(&mut self) {
-        for i in 0..self.places.len() {
-            let place = self.best(i);
-            self.taken.push(place);
-        }
-        for _ in 0..ROUNDS {
-            for i in 0..self.places.len() {
-                self.taken[i] = self.best(i);
-            }
-        }
-    }
-
-    /// The least costly place, given those that the others have.
-    fn best(&self, label: usize) -> Candidate {
-        let middle = Rect::from_center_size(self.stage.center(), Vec2::ZERO);
-        let mut best = Candidate {
-            rect: middle,
-            leader: None,
-            cost: f32::INFINITY,
-        };
-        for candidate in &self.places[label] {
-            // All that follow cost more by themselves.
-            if candidate.cost >= best.cost {
-                break;
-            }
-            let others = self.taken.iter().enumerate().filter(|(i, _)| *i != label);
-            let cost: f32 = others.map(|(_, other)| between(candidate, other)).sum();
-            if candidate.cost + cost < best.cost {
-                best = Candidate {
-                    cost: candidate.cost + cost,
-                    ..*candidate
-                };
-            }
-        }
-        best
-    }
-}
-
-/// What two labels in these places cost each other.
-fn between(a: &Candidate, b: &Candidate) -> f32 {
-    let apart = a.rect.expand2(APART);
-    let overlap = if apart.intersects(b.rect) {
-        400.0 + apart.intersect(b.rect).area()
-    } else {
-        0.0
-    };
-    let struck = |leader: Option<[Pos2; 2]>, rect: Rect| {
-        leader.is_some_and(|ends| length_in(ends, rect.expand(2.0)) > 0.0)
-    };
-    let is_struck = struck(a.leader, b.rect) || struck(b.leader, a.rect);
-    overlap + if is_struck { 200.0 } else { 0.0 }
 }
