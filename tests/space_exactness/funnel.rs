@@ -103,9 +103,9 @@ fn is_ahead_of_near(mesh: &Mesh, world_from_model: &Matrix, camera: &Camera) -> 
 /// Found by the property above before it asked where the near plane is: the eye stands inside this ball.
 #[test]
 fn from_inside_a_ball_only_backs_are_seen() {
-    let camera = camera([-3.121297213181731, 2.0, 5.0]);
-    let at = [-2.660051287550387, 1.2387759820074669, 4.818138408444307];
-    let world_from_model = Matrix::translation(at).after(&Matrix::scale(0.9242131610800687));
+    let camera = camera([-3.125, 2.0, 5.0]);
+    let at = [-2.625, 1.25, 4.75];
+    let world_from_model = Matrix::translation(at).after(&Matrix::scale(0.9375));
     let mesh = Solid::Sphere.mesh();
     assert!(has_a_pixel(&mesh, &world_from_model, &camera));
     assert!(!is_ahead_of_near(&mesh, &world_from_model, &camera));
