@@ -4,7 +4,7 @@ use std::io::{self, ErrorKind};
 
 use clipscope::{
     figure::MomentError,
-    geom::{Axis, GeomError},
+    geom::{Axis, GeomError, MeshError, SpaceError},
     labs::{lines, polygons},
     lesson::FileError,
     text::{Catalog, Diagnostic, Lang, SystemError},
@@ -40,6 +40,70 @@ fn geometry() -> Vec<GeomError> {
         GeomError::SelfIntersecting { vertex_idx: 2 },
         GeomError::EdgesMeet { edges: [1, 3] },
         GeomError::MisplacedHole { hole_idx: 1 },
+    ]
+}
+
+fn space() -> Vec<SpaceError> {
+    let known = |error: SpaceError| match error {
+        SpaceError::NotFinite { .. }
+        | SpaceError::EmptyBox { .. }
+        | SpaceError::ZeroNormal
+        | SpaceError::NegativeRadius(_)
+        | SpaceError::NoVertices
+        | SpaceError::TargetAtPosition
+        | SpaceError::UpAlongView
+        | SpaceError::FieldOfView(_)
+        | SpaceError::Height(_)
+        | SpaceError::Aspect(_)
+        | SpaceError::Near(_)
+        | SpaceError::Far { .. }
+        | SpaceError::NotAffine => error,
+    };
+    let empty = |axis| SpaceError::EmptyBox {
+        axis,
+        min: 1.5,
+        max: -1.0,
+    };
+    vec![
+        known(SpaceError::NotFinite {
+            index: 1,
+            value: f64::NAN,
+        }),
+        empty(0),
+        empty(1),
+        empty(2),
+        SpaceError::ZeroNormal,
+        SpaceError::NegativeRadius(-0.5),
+        SpaceError::NoVertices,
+        SpaceError::TargetAtPosition,
+        SpaceError::UpAlongView,
+        SpaceError::FieldOfView(180.0),
+        SpaceError::Height(-4.0),
+        SpaceError::Aspect(0.0),
+        SpaceError::Near(-1.0),
+        SpaceError::Far {
+            near: 2.0,
+            far: 1.0,
+        },
+        SpaceError::NotAffine,
+    ]
+}
+
+fn meshes() -> Vec<MeshError> {
+    let known = |error: MeshError| match error {
+        MeshError::NotFinite { .. }
+        | MeshError::NoSuchVertex { .. }
+        | MeshError::NoFaces
+        | MeshError::UvLength { .. } => error,
+    };
+    vec![
+        known(MeshError::NotFinite { vertex_idx: 1 }),
+        MeshError::NoSuchVertex { face_idx: 2 },
+        MeshError::NoFaces,
+        MeshError::UvLength {
+            n_uvs: 3,
+            n_vertices: 4,
+        },
     ]
 }
 
@@ -108,6 +172,8 @@ fn files() -> Vec<Diagnostic> {
 #[test]
 fn every_error_is_said_in_every_language() {
     let mut all: Vec<Diagnostic> = geometry().into_iter().map(Diagnostic::from).collect();
+    all.extend(space().into_iter().map(Diagnostic::from));
+    all.extend(meshes().into_iter().map(Diagnostic::from));
     all.extend(system().into_iter().map(Diagnostic::from));
     all.extend([scenes(), moments(), files()].concat());
     for diagnostic in all {
@@ -131,6 +197,12 @@ fn an_error_keeps_its_code_and_its_numbers() {
     for error in geometry() {
         assert_eq!(Diagnostic::from(error).code, error.code());
     }
+    for error in space() {
+        assert_eq!(Diagnostic::from(error).code, error.code());
+    }
+    for error in meshes() {
+        assert_eq!(Diagnostic::from(error).code, error.code());
+    }
     let empty = GeomError::EmptyWindow {
         axis: Axis::Y,
         min: 1.5,
@@ -139,6 +211,23 @@ fn an_error_keeps_its_code_and_its_numbers() {
     assert_eq!(
         Diagnostic::from(empty).to_string(),
         "The window is empty: ymin = 1.5 must be less than ymax = −1."
+    );
+    let empty = SpaceError::EmptyBox {
+        axis: 2,
+        min: 1.5,
+        max: -1.0,
+    };
+    assert_eq!(
+        Diagnostic::from(empty).to_string(),
+        "The box is empty: zmin = 1.5 must not be greater than zmax = −1."
+    );
+    let beyond = SpaceError::Far {
+        near: 2.0,
+        far: 0.5,
+    };
+    assert_eq!(
+        Diagnostic::from(beyond).to_string(),
+        "The far plane must lie beyond the near one: far = 1/2 must be greater than near = 2."
     );
     let gone = FileError::from(io::Error::from(ErrorKind::NotFound));
     assert_eq!(

@@ -22,7 +22,7 @@ pub struct MeshEdge {
     pub faces: [Option<u32>; 2],
 }
 
-/// Why numbers make no mesh.
+/// Why numbers make no mesh. People read the sentence of [`Diagnostic`](crate::text::Diagnostic).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum MeshError {
     /// A coordinate is NaN or infinite.
@@ -44,6 +44,18 @@ pub enum MeshError {
         /// As many as there are vertices.
         n_vertices: usize,
     },
+}
+
+impl MeshError {
+    /// The stable code of `interfaces.md`.
+    #[must_use]
+    pub const fn code(self) -> &'static str {
+        match self {
+            Self::NotFinite { .. } => "not-finite",
+            Self::NoSuchVertex { .. } | Self::NoFaces => "degenerate",
+            Self::UvLength { .. } => "wrong-length",
+        }
+    }
 }
 
 impl Mesh {

@@ -51,6 +51,28 @@ pub enum SpaceError {
     NotAffine,
 }
 
+impl SpaceError {
+    /// The stable code of `interfaces.md`.
+    #[must_use]
+    pub const fn code(self) -> &'static str {
+        match self {
+            Self::NotFinite { .. } => "not-finite",
+            Self::EmptyBox { .. } => "empty-window",
+            Self::ZeroNormal
+            | Self::NegativeRadius(_)
+            | Self::NoVertices
+            | Self::TargetAtPosition
+            | Self::UpAlongView
+            | Self::FieldOfView(_)
+            | Self::Height(_)
+            | Self::Aspect(_)
+            | Self::Near(_)
+            | Self::Far { .. }
+            | Self::NotAffine => "degenerate",
+        }
+    }
+}
+
 impl fmt::Display for SpaceError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{self:?}")

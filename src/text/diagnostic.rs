@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::geom::{Axis, GeomError};
+use crate::geom::{Axis, GeomError, MeshError, SpaceError};
 
 use super::{Catalog, Lang, Message, Value};
 
@@ -92,6 +92,56 @@ impl From<GeomError> for Diagnostic {
             GeomError::MisplacedHole { hole_idx } => {
                 Message::new("error-misplaced-hole").with("hole", hole_idx)
             }
+        };
+        Self::new(message).coded(error.code())
+    }
+}
+
+impl From<SpaceError> for Diagnostic {
+    fn from(error: SpaceError) -> Self {
+        let message = match error {
+            SpaceError::NotFinite { .. } => Message::new("error-not-finite"),
+            SpaceError::EmptyBox { axis, min, max } => {
+                let axis = ["x", "y", "z"].get(axis).copied().unwrap_or_default();
+                Message::new("error-empty-box")
+                    .with("low", format!("{axis}min"))
+                    .with("min", min)
+                    .with("high", format!("{axis}max"))
+                    .with("max", max)
+            }
+            SpaceError::ZeroNormal => Message::new("error-zero-normal"),
+            SpaceError::NegativeRadius(radius) => {
+                Message::new("error-negative-radius").with("radius", radius)
+            }
+            SpaceError::NoVertices => Message::new("error-no-vertices"),
+            SpaceError::TargetAtPosition => Message::new("error-target-at-position"),
+            SpaceError::UpAlongView => Message::new("error-up-along-view"),
+            SpaceError::FieldOfView(degrees) => {
+                Message::new("error-field-of-view").with("degrees", degrees)
+            }
+            SpaceError::Height(height) => Message::new("error-height").with("height", height),
+            SpaceError::Aspect(aspect) => Message::new("error-aspect").with("aspect", aspect),
+            SpaceError::Near(near) => Message::new("error-near").with("near", near),
+            SpaceError::Far { near, far } => Message::new("error-far")
+                .with("near", near)
+                .with("far", far),
+            SpaceError::NotAffine => Message::new("error-not-affine"),
+        };
+        Self::new(message).coded(error.code())
+    }
+}
+
+impl From<MeshError> for Diagnostic {
+    fn from(error: MeshError) -> Self {
+        let message = match error {
+            MeshError::NotFinite { .. } => Message::new("error-not-finite"),
+            MeshError::NoSuchVertex { face_idx } => {
+                Message::new("error-face-vertex").with("face", face_idx)
+            }
+            MeshError::NoFaces => Message::new("error-no-mesh-faces"),
+            MeshError::UvLength { n_uvs, n_vertices } => Message::new("error-uv-length")
+                .with("uvs", n_uvs)
+                .with("vertices", n_vertices),
         };
         Self::new(message).coded(error.code())
     }

@@ -12,6 +12,24 @@ error-edges-meet = The outline must not meet itself: edges { $first } and { $sec
 error-misplaced-hole = Hole { $hole } must lie inside the outline, clear of its edges and of every other hole.
 error-at = { $place }: { $problem }
 
+## Shapes in space
+
+error-empty-box = The box is empty: { $low } = { $min } must not be greater than { $high } = { $max }.
+error-zero-normal = A plane needs a normal that is not zero.
+error-negative-radius = A radius must not be negative, but this one is { $radius }.
+error-no-vertices = Without a vertex there is no bounding volume.
+error-target-at-position = The camera has no direction: it stands where its target is.
+error-up-along-view = The camera’s up vector must not be zero, nor parallel to its direction of view.
+error-field-of-view = The field of view must lie between 0° and 180°, both excluded, but it is { $degrees }°.
+error-height = The height of the view volume must be greater than 0, but it is { $height }.
+error-aspect = The aspect ratio, width over height, must be greater than 0 and leave the view volume a width, but it is { $aspect }.
+error-near = The near plane must lie before the eye, at a distance greater than 0, but it lies at { $near }.
+error-far = The far plane must lie beyond the near one: far = { $far } must be greater than near = { $near }.
+error-not-affine = The last row of this matrix must be 0 0 0 1.
+error-face-vertex = Face { $face }, counted from 0, names a vertex that there is not.
+error-no-mesh-faces = A mesh needs at least one face.
+error-uv-length = A mesh needs as many texture coordinates as vertices, or none: there are { $uvs }, and { $vertices } vertices.
+
 ## Scenes
 
 error-no-segments = There is no segment.

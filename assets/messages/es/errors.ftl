@@ -12,6 +12,24 @@ error-edges-meet = El contorno no debe tocarse ni cortarse a sí mismo: las aris
 error-misplaced-hole = El agujero { $hole } debe quedar dentro del contorno, sin tocar sus aristas ni ningún otro agujero.
 error-at = { $place }: { $problem }
 
+## Shapes in space
+
+error-empty-box = La caja está vacía: { $low } = { $min } no debe ser mayor que { $high } = { $max }.
+error-zero-normal = Un plano necesita un vector normal distinto de cero.
+error-negative-radius = Un radio no puede ser negativo, pero este es { $radius }.
+error-no-vertices = Sin vértices no hay volumen envolvente.
+error-target-at-position = La cámara no tiene dirección: está en el mismo punto al que mira.
+error-up-along-view = El vector «arriba» de la cámara no debe ser cero ni paralelo a la dirección de la mirada.
+error-field-of-view = El campo de visión debe estar entre 0° y 180°, sin incluirlos, pero es { $degrees }°.
+error-height = La altura del volumen de visión debe ser mayor que 0, pero es { $height }.
+error-aspect = La relación de aspecto, anchura entre altura, debe ser mayor que 0 y dejar anchura al volumen de visión, pero es { $aspect }.
+error-near = El plano cercano debe estar delante del ojo, a una distancia mayor que 0, pero está a { $near }.
+error-far = El plano lejano debe estar más allá del cercano: far = { $far } debe ser mayor que near = { $near }.
+error-not-affine = La última fila de esta matriz debe ser 0 0 0 1.
+error-face-vertex = La cara { $face }, contando desde 0, nombra un vértice que no existe.
+error-no-mesh-faces = Una malla necesita al menos una cara.
+error-uv-length = Una malla necesita tantas coordenadas de textura como vértices, o ninguna: hay { $uvs }, y { $vertices } vértices.
+
 ## Scenes
 
 error-no-segments = No hay ningún segmento.

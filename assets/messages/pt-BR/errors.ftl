@@ -12,6 +12,24 @@ error-edges-meet = O contorno não pode tocar nem cruzar a si mesmo: as arestas 
 error-misplaced-hole = O furo { $hole } deve ficar dentro do contorno, sem tocar suas arestas nem qualquer outro furo.
 error-at = { $place }: { $problem }
 
+## Shapes in space
+
+error-empty-box = A caixa está vazia: { $low } = { $min } não pode ser maior que { $high } = { $max }.
+error-zero-normal = Um plano precisa de um vetor normal diferente de zero.
+error-negative-radius = Um raio não pode ser negativo, mas este é { $radius }.
+error-no-vertices = Sem vértices não há volume envolvente.
+error-target-at-position = A câmera não tem direção: está no mesmo ponto para o qual olha.
+error-up-along-view = O vetor “para cima” da câmera não pode ser zero nem paralelo à direção de visão.
+error-field-of-view = O campo de visão deve ficar entre 0° e 180°, sem incluí-los, mas é { $degrees }°.
+error-height = A altura do volume de visão deve ser maior que 0, mas é { $height }.
+error-aspect = A razão de aspecto, largura por altura, deve ser maior que 0 e deixar largura ao volume de visão, mas é { $aspect }.
+error-near = O plano próximo deve ficar à frente do olho, a uma distância maior que 0, mas está a { $near }.
+error-far = O plano distante deve ficar além do próximo: far = { $far } deve ser maior que near = { $near }.
+error-not-affine = A última linha desta matriz deve ser 0 0 0 1.
+error-face-vertex = A face { $face }, contando a partir de 0, cita um vértice que não existe.
+error-no-mesh-faces = Uma malha precisa de pelo menos uma face.
+error-uv-length = Uma malha precisa de tantas coordenadas de textura quantos são os vértices, ou de nenhuma: há { $uvs }, e { $vertices } vértices.
+
 ## Scenes
 
 error-no-segments = Não há nenhum segmento.

@@ -12,6 +12,24 @@ error-edges-meet = 多边形的轮廓不得与自身相交或接触：第 { $fir
 error-misplaced-hole = 内孔 { $hole } 必须位于外轮廓之内，且不得与外轮廓或其他内孔接触。
 error-at = { $place }：{ $problem }
 
+## Shapes in space
+
+error-empty-box = 包围盒为空：{ $low } = { $min } 不得大于 { $high } = { $max }。
+error-zero-normal = 平面的法向量不得为零向量。
+error-negative-radius = 半径不得为负，而这里是 { $radius }。
+error-no-vertices = 没有顶点，就没有包围体。
+error-target-at-position = 相机没有方向：目标点与相机位置重合。
+error-up-along-view = 相机的上方向不得为零向量，也不得与视线方向平行。
+error-field-of-view = 视场角必须大于 0° 且小于 180°，而这里是 { $degrees }°。
+error-height = 视体的高度必须大于 0，而这里是 { $height }。
+error-aspect = 宽高比必须大于 0，且使视体具有有效的宽度，而这里是 { $aspect }。
+error-near = 近平面必须位于视点前方，距离大于 0，而这里是 { $near }。
+error-far = 远平面必须比近平面更远：far = { $far } 必须大于 near = { $near }。
+error-not-affine = 该矩阵的最后一行必须是 0 0 0 1。
+error-face-vertex = 第 { $face } 个面（从 0 数起）引用了不存在的顶点。
+error-no-mesh-faces = 网格至少需要一个面。
+error-uv-length = 网格的纹理坐标个数必须与顶点个数相同，或者为零：这里有 { $uvs } 个纹理坐标和 { $vertices } 个顶点。
+
 ## Scenes
 
 error-no-segments = 没有线段。
