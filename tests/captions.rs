@@ -119,7 +119,8 @@ fn said_in(body: &Body, catalog: &Catalog) -> Vec<String> {
         }
         Body::Space(space) => {
             let labels = space.marks.iter().filter_map(|mark| mark.label.as_ref());
-            labels.map(|label| value(&label.text)).collect()
+            let labels = labels.map(|label| &label.text);
+            labels.chain(&space.title).map(value).collect()
         }
         Body::Raster(raster) => {
             let stored = raster
@@ -171,6 +172,19 @@ fn said_in(body: &Body, catalog: &Catalog) -> Vec<String> {
             said
         }
         Body::NumberLine(line) => line.ticks.iter().map(|tick| value(&tick.name)).collect(),
+        Body::Gauges(gauges) => {
+            let names = gauges.rows.iter().map(|row| value(&row.name));
+            let verdicts = gauges.rows.iter().filter_map(|row| row.verdict.as_ref());
+            let said = verdicts.chain(&gauges.sides).chain([&gauges.title]);
+            names
+                .chain(said.map(|said| catalog.message(said)))
+                .collect()
+        }
+        Body::Ribbon(ribbon) => {
+            let said = ribbon.stages.iter();
+            let said = said.flat_map(|stage| [&stage.title, &stage.counts]);
+            said.map(|said| catalog.message(said)).collect()
+        }
         Body::Clippers(row) => {
             let clippers = row.clippers.iter().map(|clipper| &clipper.name);
             let travellers = row.travellers.iter().map(|traveller| &traveller.name);

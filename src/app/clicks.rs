@@ -28,9 +28,11 @@ pub fn ask(
     state: &StageState,
     commands: &mut Vec<Command>,
 ) {
-    commands.extend(shown.view.map(|view| match lens {
-        Lens::Plane => Command::View(id, view),
-        Lens::Eye(eye) => Command::Turn(id, turned(eye, &shown.viewport, view)),
+    commands.extend(shown.view.and_then(|view| match lens {
+        Lens::Plane => Some(Command::View(id, view)),
+        Lens::Eye(eye) => Some(Command::Turn(id, turned(eye, &shown.viewport, view))),
+        // It is part of the scene.
+        Lens::Camera(_) => None,
     }));
     if let Some(moved) = shown.moved {
         let handle = handles[moved.spot];

@@ -5,11 +5,11 @@ use std::{borrow::Cow, collections::BTreeMap};
 use egui::{Context, Id, Pos2, Rect};
 
 use crate::{
-    figure::{Body, Frame, Lens, Link, Mark, Slot, View, ViewId, project},
+    figure::{Body, Frame, Lens, Link, Mark, Seer, Slot, View, ViewId, project},
     geom::Orbit,
     labs::{Handle, MethodCard, Scene, Sketch},
     paint::Viewport,
-    widgets::PanZoom,
+    widgets::{PanZoom, picture_viewport},
 };
 
 use super::{
@@ -179,8 +179,12 @@ impl StageState {
                 id,
                 body: Body::Space(space),
             }) => {
-                let eye = self.turned.get(id).copied();
-                (*id, Lens::Eye(eye.unwrap_or(space.eye)))
+                let turned = self.turned.get(id).copied();
+                let lens = match space.seer {
+                    Seer::Eye(eye) => Lens::Eye(turned.unwrap_or(eye)),
+                    Seer::Camera(camera) => Lens::Camera(camera),
+                };
+                (*id, lens)
             }
             _ => (ViewId::PLANE, Lens::Plane),
         };
@@ -198,6 +202,7 @@ impl StageState {
         let bounds = match lens {
             Lens::Plane => self.bounds,
             Lens::Eye(_) => [[-1.0; 2], [1.0; 2]],
+            Lens::Camera(_) => return picture_viewport(rect, &lens),
         };
         let moved = self.moved.get(&id);
         moved.map_or_else(|| Viewport::fit(rect, bounds), |moved| moved.on(rect))
@@ -211,10 +216,8 @@ impl StageState {
         frame: &Frame,
         lens: Lens,
     ) -> Cow<'_, [Mark]> {
-        if let (Lens::Eye(eye), Some(Body::Space(space))) =
-            (lens, frame.views.first().map(|view| &view.body))
-        {
-            return Cow::Owned(project(space, &eye));
+        if let Some(Body::Space(space)) = frame.views.first().map(|view| &view.body) {
+            return Cow::Owned(project(space, &lens));
         }
         let transport = model.playback.transport();
         let step = transport.position();

@@ -1,6 +1,6 @@
 //! How much room views want, from their data alone: so that it is settled for a whole run before anything is drawn.
 
-use super::{Body, Caption, Lists, Run, View, ViewId, Watch, unseen};
+use super::{Body, Caption, Lens, Lists, Run, View, ViewId, Watch, unseen};
 
 /// Of a run's steps so many are asked what they show, the first and the last among them: a view that comes or grows is
 /// there at one of them, or has had its room from the start.
@@ -11,6 +11,9 @@ const MOST_SAID: usize = 200;
 const LONG: usize = 1024;
 /// Entries of a list beyond these are folded wherever it stands.
 const MOST_ENTRIES: usize = 16;
+
+/// What a drawing needs at least, and what is enough.
+const DRAWING: [[f32; 2]; 2] = [[22.0, 7.5], [30.0, 24.0]];
 
 /// Where a view stands in its column.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -23,6 +26,8 @@ pub enum Stand {
     Across,
     /// Beside the drawing, from the same height.
     Beside,
+    /// A small picture in the lower right corner of the drawing, whose natural width over height it keeps.
+    Inset,
 }
 
 /// A view's wants: widths and heights, in ems of the text.
@@ -43,7 +48,19 @@ impl View {
     #[must_use]
     pub fn need(&self) -> Need {
         let (stand, least, natural) = match &self.body {
-            Body::Plane(_) | Body::Space(_) => (Stand::Drawing, [22.0, 7.5], [30.0, 24.0]),
+            Body::Plane(_) => (Stand::Drawing, DRAWING[0], DRAWING[1]),
+            Body::Space(space) => match Lens::from(space.seer).aspect() {
+                None => (Stand::Drawing, DRAWING[0], DRAWING[1]),
+                Some(aspect) => {
+                    let size = [10.0 * aspect as f32, 10.0];
+                    (Stand::Inset, size.map(|side| 0.6 * side), size)
+                }
+            },
+            Body::Gauges(gauges) => {
+                let height = 2.5 + 1.5 * gauges.rows.len() as f32;
+                (Stand::Beside, [13.0, height], [20.0, 1.2 * height])
+            }
+            Body::Ribbon(_) => (Stand::Across, [25.0, 5.5], [f32::MAX, 7.0]),
             Body::Raster(raster) => {
                 let [columns, rows] = raster.size.map(|n| n as f32);
                 (

@@ -31,6 +31,8 @@ const READABLE: f32 = 13.0;
 const NARROW: f32 = 0.36;
 /// Of what views want at least this part is better than nothing.
 const LOW: f32 = 0.82;
+/// An inset takes so much of its drawing's width, and no more of its height.
+const INSET: [f32; 2] = [0.27, 0.4];
 /// Between a drawing and what stands beside it, and under it; in ems.
 const GAP: [f32; 2] = [3.0, 1.0];
 
@@ -221,13 +223,17 @@ impl Sheet {
         needs: &[Need],
         most: [f32; 2],
     ) -> Vec<(ViewId, Slot)> {
-        let Some(first) = needs.iter().position(|need| need.stand == Stand::Drawing) else {
+        let stands = |stand| needs.iter().position(|need| need.stand == stand);
+        let Some(first) = stands(Stand::Drawing).or(stands(Stand::Inset)) else {
             return Vec::new();
         };
         let drawing = &needs[first];
         let others = needs[..first].iter().chain(&needs[first + 1..]);
-        let (mut across, others): (Vec<&Need>, Vec<&Need>) =
-            others.partition(|need| need.stand == Stand::Across);
+        let (insets, others): (Vec<&Need>, Vec<&Need>) =
+            others.partition(|need| need.stand == Stand::Inset);
+        let (mut across, others): (Vec<&Need>, Vec<&Need>) = others
+            .into_iter()
+            .partition(|need| need.stand == Stand::Across);
         let (mut under, mut beside): (Vec<&Need>, Vec<&Need>) = others
             .into_iter()
             .partition(|need| need.stand == Stand::Under);
@@ -293,6 +299,23 @@ impl Sheet {
         }
         slots.extend(self.stack(side, &beside, &heights));
         slots.extend(across);
+        slots.extend(self.insets(drawn, &insets));
+        slots
+    }
+
+    /// In the lower right corner of the drawing, each to the left of the one before, in its own proportions.
+    fn insets(&self, drawing: Slot, needs: &[&Need]) -> Vec<(ViewId, Slot)> {
+        let gap = self.gap();
+        let mut right = drawing.max[0] - gap;
+        let mut slots = Vec::new();
+        for need in needs {
+            let [width, height] = [0, 1].map(|i| INSET[i] * drawing.size()[i]);
+            let part = (width / need.natural[0]).min(height / need.natural[1]);
+            let size = need.natural.map(|side| (part * side).round());
+            let min = [right - size[0], drawing.max[1] - gap - size[1]];
+            slots.push((need.id, Slot::new(min, size)));
+            right = min[0] - gap;
+        }
         slots
     }
 

@@ -2,55 +2,7 @@
 
 use crate::{geom::Axis, text::Value};
 
-/// What a mark means. Each role differs by colour and also by dash, weight, fill or marker.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
-pub enum Role {
-    /// Given: the window, a border.
-    Ink,
-    /// Given, and of less weight: an extended border, a region's code.
-    Soft,
-    /// May be missed: construction lines, segments that are not in focus.
-    Faint,
-    /// The living result, and what is selected.
-    Accent,
-    /// What happens at this step, and nothing else.
-    Signal,
-    /// Accepted.
-    Accepted,
-    /// Discarded: grey, and always dashed or hollow.
-    Discarded,
-}
-
-/// A name, numbered where there are many of its kind, by which a mark, its row in the watch table, a tick on
-/// the number line and a line of pseudocode know that they are about the same thing: they light up together.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
-pub struct Link {
-    name: &'static str,
-    nth: Option<usize>,
-}
-
-impl Link {
-    /// About the one thing of this name.
-    #[must_use]
-    pub const fn to(name: &'static str) -> Self {
-        Self { name, nth: None }
-    }
-
-    /// About one of many: vertex 3, edge 0.
-    #[must_use]
-    pub const fn nth(name: &'static str, idx: usize) -> Self {
-        Self {
-            name,
-            nth: Some(idx),
-        }
-    }
-}
-
-impl From<&'static str> for Link {
-    fn from(name: &'static str) -> Self {
-        Self::to(name)
-    }
-}
+use super::{Label, Link, Role, Solids};
 
 /// A corner of a textured triangle: its place, and (u, v) in the unit square that the texture fills.
 pub type Texel = ([f64; 2], [f64; 2]);
@@ -89,6 +41,8 @@ pub enum Shape {
     Angle([[f64; 2]; 3]),
     /// The small square that says that the directions from the first point to the other two are at right angles.
     RightAngle([[f64; 2]; 3]),
+    /// Solids: the faces of them that are seen.
+    Solids(Solids),
     /// Triangles with a texture on them: each corner's place, and its texture coordinates.
     Textured(Vec<[Texel; 3]>),
     /// A filled point.
@@ -103,33 +57,8 @@ pub enum Shape {
     Crowd(Vec<[[f64; 2]; 2]>),
     /// A label alone, anywhere inside the rectangle from a to b; infinite sides end at the stage's.
     Region([[f64; 2]; 2]),
-}
-
-/// Text beside a mark. The painter finds a place near the anchor where it covers nothing.
-#[derive(Clone, PartialEq, Debug)]
-pub struct Label {
-    /// What it says.
-    pub text: Value,
-    /// Set in the monospaced face: codes and numbers.
-    pub mono: bool,
-    /// The one thing that matters here: semibold.
-    pub strong: bool,
-    /// The direction, in the world, in which it has to stand off its mark; for an inequality, where it holds.
-    pub toward: Option<[f64; 2]>,
-    /// The character, by its index, that is this step's: drawn in the signal's colour, as one bit of a code.
-    pub lit: Option<usize>,
-}
-
-impl Label {
-    pub(super) fn new(text: impl Into<Value>, mono: bool) -> Self {
-        Self {
-            text: text.into(),
-            mono,
-            strong: false,
-            toward: None,
-            lit: None,
-        }
-    }
+    /// A label alone, beside a point.
+    Label([f64; 2]),
 }
 
 /// A shape with its meaning.
@@ -145,6 +74,17 @@ pub struct Mark {
     pub link: Option<Link>,
     /// Dashed whatever its role: not there to stay, and yet what the step is about.
     pub is_dashed: bool,
+    /// Of its lines, where its role and its shape do not settle it.
+    pub weight: Option<Weight>,
+}
+
+/// How much a line is to be seen.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Weight {
+    /// Its width in points, before the theme's factor.
+    pub points: f32,
+    /// Of its colour, from 0 to 1.
+    pub strength: f32,
 }
 
 impl Mark {
@@ -157,7 +97,15 @@ impl Mark {
             label: None,
             link: None,
             is_dashed: false,
+            weight: None,
         }
+    }
+
+    /// With lines of this weight.
+    #[must_use]
+    pub const fn weighing(mut self, weight: Weight) -> Self {
+        self.weight = Some(weight);
+        self
     }
 
     /// Drawn with dashes, in its role's colour.

@@ -1,18 +1,38 @@
-//! A view of three dimensions: solids and marks, and the eye that sees them.
+//! A view of three dimensions: solids and marks, and what they are seen through.
 
-use crate::{geom::Orbit, text::Value};
+use std::{collections::HashMap, sync::Arc};
+
+use glam::DVec3;
+
+use crate::{
+    geom::{Camera, Orbit},
+    text::Value,
+};
 
 use super::{Label, Link, Role};
 
 /// What is seen in space. It is turned into marks of a plane by [`super::project`], before anything is painted.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Space {
-    /// Where the eye stands until the viewer turns it.
-    pub eye: Orbit,
-    /// The faces of all solids.
-    pub facets: Vec<Facet>,
+    /// Over it, where two stand side by side: "Observer".
+    pub title: Option<Value>,
+    /// What it is seen through, until the viewer turns it.
+    pub seer: Seer,
+    /// The faces of all solids. Shared, so that a step that changes none copies none.
+    pub facets: Arc<[Facet]>,
+    /// The edges of all solids that may be drawn.
+    pub edges: Arc<[Edge3]>,
     /// What is drawn over them.
     pub marks: Vec<Mark3>,
+}
+
+/// What a space is seen through.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Seer {
+    /// An eye of the viewer's own, who may go round.
+    Eye(Orbit),
+    /// The camera that the scene is about: its whole picture, in a frame.
+    Camera(Camera),
 }
 
 /// A face of a solid: convex and flat.
@@ -21,6 +41,22 @@ pub struct Facet {
     /// Three or more, counter-clockwise as seen from outside.
     pub corners: Vec<[f64; 3]>,
     /// What it means.
+    pub role: Role,
+    /// What it is about.
+    pub link: Option<Link>,
+}
+
+/// An edge of a solid.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Edge3 {
+    /// From, to.
+    pub ends: [[f64; 3]; 2],
+    /// The facets that meet in it, by their index; of an edge that bounds one, the other is missing.
+    pub facets: [Option<u32>; 2],
+    /// Do they meet at an angle that is meant? Of a round solid they do not: such an edge is drawn where it is part of the
+    /// outline, and as a hairline elsewhere.
+    pub is_crease: bool,
+    /// [`Role::Ink`] of a solid, [`Role::Discarded`] of what is cut away, [`Role::Accent`] of a cut.
     pub role: Role,
 }
 
@@ -35,25 +71,33 @@ pub struct Mark3 {
     pub label: Option<Label>,
     /// What it is about.
     pub link: Option<Link>,
+    /// A line of construction: a frustum's edge, a sight line, a drop line to the ground.
+    pub is_fine: bool,
 }
 
 /// Something to draw, at world coordinates.
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub enum Shape3 {
     /// From a to b; dashed where a solid hides it.
     Segment([[f64; 3]; 2]),
+    /// A segment with a head at b, seen through everything: a vector, a normal.
+    Arrow([[f64; 3]; 2]),
+    /// From point to point and back to the first, dashed where a solid hides it.
+    Outline(Vec<[f64; 3]>),
+    /// A flat convex area, a tint of its role; solids cover it.
+    Wash(Vec<[f64; 3]>),
+    /// The outline of a ball as it is seen: centre and radius. Seen through everything.
+    Ball([f64; 3], f64),
+    /// The small square that says that the directions from the first point to the other two are at right angles.
+    RightAngle([[f64; 3]; 3]),
+    /// The arc at the first point, from the direction of the second to that of the third, the shorter way round.
+    Angle([[f64; 3]; 3]),
     /// A filled point, seen through everything.
     Dot([f64; 3]),
     /// A hollow point, seen through everything.
     Ring([f64; 3]),
-}
-
-impl Facet {
-    /// Its edges, each from a corner to the next.
-    pub fn edges(&self) -> impl Iterator<Item = [[f64; 3]; 2]> + '_ {
-        let n = self.corners.len();
-        (0..n).map(move |i| [self.corners[i], self.corners[(i + 1) % n]])
-    }
+    /// A label alone.
+    Label([f64; 3]),
 }
 
 impl Mark3 {
@@ -65,6 +109,7 @@ impl Mark3 {
             role,
             label: None,
             link: None,
+            is_fine: false,
         }
     }
 
@@ -75,10 +120,78 @@ impl Mark3 {
         self
     }
 
+    /// Its label set semibold.
+    #[must_use]
+    pub fn strong(mut self) -> Self {
+        if let Some(label) = &mut self.label {
+            label.strong = true;
+        }
+        self
+    }
+
+    /// A line of construction.
+    #[must_use]
+    pub const fn fine(mut self) -> Self {
+        self.is_fine = true;
+        self
+    }
+
     /// About `link`.
     #[must_use]
     pub fn linked(mut self, link: impl Into<Link>) -> Self {
         self.link = Some(link.into());
         self
+    }
+}
+
+impl Edge3 {
+    /// How far two facets turn from one plane, at least, so that their edge is a crease: the cosine, of 20°.
+    const FLAT: f64 = 0.94;
+
+    /// The edges of facets that meet corner on corner, each once. Where they meet at more than 20° it is a crease.
+    #[must_use]
+    pub fn of(facets: &[Facet]) -> Vec<Self> {
+        let mut known: HashMap<[[u64; 3]; 2], usize> = HashMap::new();
+        let mut edges: Vec<Self> = Vec::new();
+        let bits = |at: [f64; 3]| at.map(|x| (x + 0.0).to_bits());
+        for (idx, facet) in (0..).zip(facets) {
+            let next = facet.corners.iter().cycle().skip(1);
+            for (&a, &b) in facet.corners.iter().zip(next) {
+                let twin = known.get(&[bits(b), bits(a)]).copied();
+                if let Some(edge) = twin.and_then(|twin| edges.get_mut(twin)) {
+                    edge.facets[1] = Some(idx);
+                    let [one, other] = edge
+                        .facets
+                        .map(|at| facets[at.unwrap_or(idx) as usize].normal());
+                    edge.is_crease = one.dot(other) < Self::FLAT;
+                    continue;
+                }
+                known.insert([bits(a), bits(b)], edges.len());
+                edges.push(Self {
+                    ends: [a, b],
+                    facets: [Some(idx), None],
+                    is_crease: true,
+                    role: Role::Ink,
+                });
+            }
+        }
+        edges
+    }
+}
+
+impl Facet {
+    /// Away from the solid, of length 1; zero of a facet without an area.
+    #[must_use]
+    pub fn normal(&self) -> DVec3 {
+        let Some((&first, rest)) = self.corners.split_first() else {
+            return DVec3::ZERO;
+        };
+        let first = DVec3::from(first);
+        let from_first = |at: [f64; 3]| DVec3::from(at) - first;
+        let fan = rest.windows(2);
+        let sum: DVec3 = fan
+            .map(|pair| from_first(pair[0]).cross(from_first(pair[1])))
+            .sum();
+        sum.normalize_or_zero()
     }
 }

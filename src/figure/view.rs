@@ -3,7 +3,7 @@
 
 use crate::text::{Formula, Value};
 
-use super::{Bits, Link, Lists, Mark, Products, Raster, Space, Table};
+use super::{Bits, Gauges, Link, Lists, Mark, Products, Raster, Ribbon, Space, Table};
 
 /// A name that a view keeps from step to step, and from one method to the one beside it: pan, zoom and orbit are
 /// remembered under it.
@@ -63,6 +63,10 @@ pub enum Body {
     NumberLine(NumberLine),
     /// A pipeline, and what flows through it.
     Clippers(ClipperRow),
+    /// Signed numbers on axes over each other.
+    Gauges(Gauges),
+    /// How much is left after each of several tests.
+    Ribbon(Ribbon),
 }
 
 /// What a crossing does to the interval on a [`NumberLine`].

@@ -66,7 +66,7 @@ impl Orbit {
     /// Where the eye is, in world coordinates.
     #[must_use]
     pub fn position(&self) -> [f64; 3] {
-        let [_, _, back] = self.axes();
+        let [_, _, back] = self.basis();
         (self.target + back * self.distance).into()
     }
 
@@ -74,14 +74,14 @@ impl Orbit {
     #[must_use]
     pub fn view_from_world(&self, at: [f64; 3]) -> [f64; 3] {
         let from_target = DVec3::from(at) - self.target;
-        let [x, y, z] = self.axes().map(|axis| axis.dot(from_target));
+        let [x, y, z] = self.basis().map(|axis| axis.dot(from_target));
         [x, y, z - self.distance]
     }
 
     /// The world point of one in the eye's own axes.
     #[must_use]
     pub fn world_from_view(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
-        let [right, up, back] = self.axes();
+        let [right, up, back] = self.basis();
         let at = self.target + right * x + up * y + back * (z + self.distance);
         at.into()
     }
@@ -90,14 +90,14 @@ impl Orbit {
     /// away than [`Orbit::near`].
     #[must_use]
     pub fn picture_from_view(&self, [x, y, z]: [f64; 3]) -> [f64; 2] {
-        let scale = -z * self.tan_half_fov();
+        let scale = -z * self.half_height();
         [x / scale, y / scale]
     }
 
     /// The point in the eye's own axes at this depth that is seen at a place of the picture.
     #[must_use]
     pub fn view_from_picture(&self, [x, y]: [f64; 2], z: f64) -> [f64; 3] {
-        let scale = -z * self.tan_half_fov();
+        let scale = -z * self.half_height();
         [x * scale, y * scale, z]
     }
 
@@ -107,12 +107,19 @@ impl Orbit {
         NEAR * self.distance
     }
 
-    fn tan_half_fov(&self) -> f64 {
+    /// Half of what is seen from bottom to top, at the distance 1.
+    #[must_use]
+    pub fn half_height(&self) -> f64 {
         libm::tan(0.5 * self.fov_y_deg.to_radians())
     }
 
-    /// To the right, upwards, and back from what is seen: of length 1.
-    fn axes(&self) -> [DVec3; 3] {
+    /// To the right, upwards and back from what is seen, each of length 1.
+    #[must_use]
+    pub fn axes(&self) -> [[f64; 3]; 3] {
+        self.basis().map(Into::into)
+    }
+
+    fn basis(&self) -> [DVec3; 3] {
         let (sin_yaw, cos_yaw) = libm::sincos(self.yaw_deg.to_radians());
         let (sin_pitch, cos_pitch) = libm::sincos(self.pitch_deg.to_radians());
         let back = DVec3::new(cos_pitch * sin_yaw, sin_pitch, cos_pitch * cos_yaw);

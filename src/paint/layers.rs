@@ -77,7 +77,7 @@ pub fn pieces<'a>(
 const fn layer_of(part: &Part<'_>, role: Role) -> Layer {
     match part {
         Part::Wash(_) => Layer::Wash,
-        Part::Fill(_) | Part::Texture(_) => Layer::Area,
+        Part::Fill(_) | Part::Solids(_) | Part::Texture(_) => Layer::Area,
         Part::Stroke(_) | Part::Ring(_) if matches!(role, Role::Faint) => Layer::Construction,
         Part::Crowd(_) | Part::Stroke(_) | Part::Ring(_) => Layer::Stroke,
         Part::Arrow(_) | Part::Head(_) => Layer::Head,

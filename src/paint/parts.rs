@@ -4,7 +4,7 @@
 use egui::{Pos2, Rect, Vec2, pos2, vec2};
 
 use crate::{
-    figure::{Shape, Texel},
+    figure::{Shape, Solids, Texel},
     geom::Axis,
 };
 
@@ -28,6 +28,8 @@ pub enum Part<'a> {
     Wash(Vec<Pos2>),
     /// What an odd number of outlines goes round, in world coordinates.
     Fill(&'a [Vec<[f64; 2]>]),
+    /// Solids, on the picture of their own lens.
+    Solids(&'a Solids),
     /// Textured triangles, in world coordinates.
     Texture(&'a [[Texel; 3]]),
     /// Many segments, in world coordinates.
@@ -109,7 +111,8 @@ pub fn parts<'a>(viewport: &Viewport, shape: &'a Shape) -> Vec<Part<'a>> {
             ])]
         }
         Shape::Crowd(segments) => vec![Part::Crowd(segments)],
-        Shape::Region(_) => Vec::new(),
+        Shape::Solids(solids) => vec![Part::Solids(solids)],
+        Shape::Region(_) | Shape::Label(_) => Vec::new(),
     }
 }
 

@@ -137,6 +137,8 @@ fn width(mark: &Mark) -> f32 {
         | Shape::Outline(_)
         | Shape::HalfPlane(_)
         | Shape::Wash(_)
+        | Shape::Solids(_)
+        | Shape::Label(_)
         | Shape::Textured(_)
         | Shape::Dot(_)
         | Shape::Vertex(_)

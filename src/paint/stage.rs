@@ -84,6 +84,7 @@ impl Stage<'_> {
             Part::Texture(triangles) => {
                 textured(self.painter.ctx(), self.theme, self.viewport, triangles)
             }
+            Part::Solids(_) => return,
             Part::Crowd(segments) => {
                 let pen = Pen::of_crowd(self.theme, mark, segments.len());
                 return crowd(self.painter, self.theme, self.viewport, segments, &pen);
@@ -170,7 +171,12 @@ impl Stage<'_> {
                     .circle(*at, radius, self.theme.accent_wash, rim);
             }
             // An outline shows well enough what is meant, and a glow of all its edges would hide what is inside.
-            Part::Wash(_) | Part::Fill(_) | Part::Texture(_) | Part::Crowd(_) | Part::Ring(_) => {}
+            Part::Wash(_)
+            | Part::Fill(_)
+            | Part::Solids(_)
+            | Part::Texture(_)
+            | Part::Crowd(_)
+            | Part::Ring(_) => {}
         }
     }
 }

@@ -46,7 +46,9 @@ fn distance(part: &Part<'_>, at: Pos2) -> f32 {
         }
         Part::Arrow(ends) | Part::Head(ends) => to_line(ends),
         Part::Marker(_, centre) => centre.distance(at),
-        Part::Wash(_) | Part::Fill(_) | Part::Texture(_) | Part::Crowd(_) => f32::INFINITY,
+        Part::Wash(_) | Part::Fill(_) | Part::Solids(_) | Part::Texture(_) | Part::Crowd(_) => {
+            f32::INFINITY
+        }
     }
 }
 

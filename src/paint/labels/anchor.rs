@@ -75,14 +75,19 @@ impl Anchor {
                     Part::Stroke(points) => points.get(points.len() / 2).map(|&at| (at, 2.0)),
                     Part::Wash(_)
                     | Part::Fill(_)
+                    | Part::Solids(_)
                     | Part::Texture(_)
                     | Part::Crowd(_)
                     | Part::Ring(_) => None,
                 })
                 .filter(|(at, _)| stage.expand(1.0).contains(*at))
                 .map(|(at, radius)| Self::Point(at, radius)),
+            Shape::Label(at) => {
+                let at = viewport.to_screen(*at);
+                stage.contains(at).then_some(Self::Point(at, 0.0))
+            }
             // Too many things for one label.
-            Shape::Textured(_) | Shape::Crowd(_) => None,
+            Shape::Solids(_) | Shape::Textured(_) | Shape::Crowd(_) => None,
         }
     }
 
@@ -118,6 +123,7 @@ pub fn edges_of(part: &Part<'_>) -> Vec<[Pos2; 2]> {
         Part::Arrow(ends) => vec![*ends],
         Part::Wash(_)
         | Part::Fill(_)
+        | Part::Solids(_)
         | Part::Texture(_)
         | Part::Crowd(_)
         | Part::Head(_)

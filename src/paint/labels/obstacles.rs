@@ -121,7 +121,12 @@ fn of_piece(viewport: &Viewport, theme: &Theme, piece: &LayeredPart<'_>) -> Vec<
             let on_screen = corners.map(|corners| corners.map(|(at, _)| viewport.to_screen(at)));
             obstacles.extend(on_screen.map(Obstacle::Picture));
         }
-        Part::Crowd(_) | Part::Wash(_) | Part::Fill(_) | Part::Stroke(_) | Part::Ring(_) => {}
+        Part::Crowd(_)
+        | Part::Wash(_)
+        | Part::Fill(_)
+        | Part::Solids(_)
+        | Part::Stroke(_)
+        | Part::Ring(_) => {}
     }
     obstacles
 }

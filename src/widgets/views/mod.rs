@@ -3,12 +3,14 @@
 mod bits;
 mod clipper_row;
 mod fold;
+mod gauges;
 mod links;
 mod lists;
 mod number_line;
 mod on_slate;
 mod products;
 mod raster;
+mod ribbon;
 mod slate;
 mod space;
 mod table;
@@ -20,6 +22,8 @@ use egui::{Rect, Role, Sense, Ui, WidgetInfo};
 use crate::figure::{Body, Link, View};
 
 use super::Look;
+pub use space::{picture_viewport, title as title_of_space};
+
 use links::Links;
 use on_slate::OnSlate;
 
@@ -30,7 +34,7 @@ use on_slate::OnSlate;
 )]
 pub fn view(ui: &Ui, look: Look<'_>, rect: Rect, shown: &View, lit: Option<Link>) -> Option<Link> {
     if let Body::Space(body) = &shown.body {
-        return space::space(ui, look, rect, (shown.id, body, &body.eye), lit);
+        return space::space(ui, look, rect, (shown.id, body), lit);
     }
     let body = body_of(shown)?;
     // Two columns may stand side by side, each with views of its own.
@@ -60,5 +64,7 @@ fn body_of(shown: &View) -> Option<&dyn OnSlate> {
         Body::Products(body) => body,
         Body::NumberLine(body) => body,
         Body::Clippers(body) => body,
+        Body::Gauges(body) => body,
+        Body::Ribbon(body) => body,
     })
 }

@@ -169,13 +169,14 @@ fn coordinates_of_a_pipeline_are_whole() {
 /// Beside the drawing of a page, and under it.
 fn room_on_a_page(view: &View) -> Vec2 {
     match view.body {
-        Body::NumberLine(_) | Body::Clippers(_) => vec2(540.0, 112.0),
+        Body::NumberLine(_) | Body::Clippers(_) | Body::Ribbon(_) => vec2(540.0, 112.0),
         Body::Plane(_)
         | Body::Space(_)
         | Body::Raster(_)
         | Body::Bits(_)
         | Body::Table(_)
         | Body::Lists(_)
+        | Body::Gauges(_)
         | Body::Products(_) => vec2(390.0, 380.0),
     }
 }
@@ -234,6 +235,8 @@ fn numbers_of_a_view_are_all_fractions_or_all_decimals() {
                             | Body::Raster(_)
                             | Body::Bits(_)
                             | Body::Lists(_)
+                            | Body::Gauges(_)
+                            | Body::Ribbon(_)
                             | Body::Clippers(_) => continue,
                         };
                         let is_mixed = ['/', '.'].map(|sign| has_number(&compared, sign));

@@ -5,8 +5,8 @@ use serde_json::{Value as Json, json};
 
 use crate::{
     figure::{
-        Body, Caption, Cell, Facet, Mark3, Pixel, Raster, Role, Shape3, Space, Table, TableRow,
-        Tick, View, Watch, WatchRow, WatchSection,
+        Body, Caption, Cell, Edge3, Facet, Mark3, Pixel, Raster, Role, Seer, Shape3, Space, Table,
+        TableRow, Tick, View, Watch, WatchRow, WatchSection,
     },
     geom::Orbit,
     labs::{Answer, CodeLine, Demo, Step},
@@ -142,9 +142,12 @@ impl Demo for Corners {
             let mark = Mark3::new(Role::Signal, Shape3::Dot(corner(half, idx)));
             mark.labelled(Value::Name(format!("V{idx}")))
         });
+        let facets = facets(half);
         let space = Space {
-            eye: Orbit::new([0.0; 3], [30.0, 20.0], 12.0, 24.0),
-            facets: facets(half),
+            title: None,
+            seer: Seer::Eye(Orbit::new([0.0; 3], [30.0, 20.0], 12.0, 24.0)),
+            edges: Edge3::of(&facets).into(),
+            facets: facets.into(),
             marks: dot.into_iter().collect(),
         };
         vec![
@@ -211,6 +214,7 @@ fn facets(half: f64) -> Vec<Facet> {
     let facet = |face: [usize; 4]| Facet {
         corners: face.map(|idx| corner(half, idx)).to_vec(),
         role: Role::Accent,
+        link: None,
     };
     FACES.map(facet).to_vec()
 }

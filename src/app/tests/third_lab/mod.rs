@@ -119,7 +119,7 @@ fn its_figure_is_a_cube_with_hidden_edges_dashed() {
     let Body::Space(space) = &frame.views[0].body else {
         panic!("space first, not {:?}", frame.views[0].id);
     };
-    let marks = project(space, &space.eye);
+    let marks = project(space, &space.seer.into());
     assert_eq!(marks.iter().filter(|mark| mark.is_dashed).count(), 3);
     let picture = |step| export::Picture {
         scene: &scene,

@@ -1,0 +1,196 @@
+//! What a drawing is seen through: how places in the world and on it belong together.
+
+use glam::DVec3;
+
+use crate::geom::{Camera, Matrix, Orbit, Sight};
+
+use super::Seer;
+
+/// How places in the world and on a drawing belong together.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Lens {
+    /// The drawing is the plane z = 0.
+    Plane,
+    /// The drawing is what the viewer's eye sees: from −1 at its lower edge to 1 at its upper.
+    Eye(Orbit),
+    /// The drawing is a camera's picture: y from −1 to 1, x from minus to plus its width over its height.
+    Camera(Camera),
+}
+
+impl From<Seer> for Lens {
+    fn from(seer: Seer) -> Self {
+        match seer {
+            Seer::Eye(eye) => Self::Eye(eye),
+            Seer::Camera(camera) => Self::Camera(camera),
+        }
+    }
+}
+
+impl Lens {
+    /// Where a world point is drawn; `None` where it is behind the eye.
+    #[must_use]
+    pub fn drawing_from_world(&self, at: [f64; 3]) -> Option<[f64; 2]> {
+        let Some(optics) = Optics::of(self) else {
+            return Some([at[0], at[1]]);
+        };
+        let view = optics.view_from_world(at.into());
+        (view.z < -optics.near).then(|| optics.picture_from_view(view))
+    }
+
+    /// The world point of a place on the drawing, as far away as `beside`.
+    #[must_use]
+    pub fn world_from_drawing(&self, at: [f64; 2], beside: [f64; 3]) -> [f64; 3] {
+        let Some(optics) = Optics::of(self) else {
+            return [at[0], at[1], 0.0];
+        };
+        let depth = optics.view_from_world(beside.into()).z;
+        optics
+            .world_from_view(optics.view_from_picture(at, depth))
+            .into()
+    }
+
+    /// Width over height of what is seen, where that is settled.
+    #[must_use]
+    pub fn aspect(&self) -> Option<f64> {
+        match self {
+            Self::Plane | Self::Eye(_) => None,
+            Self::Camera(camera) => {
+                let [width, height] = camera.volume().half_size();
+                Some(width / height)
+            }
+        }
+    }
+}
+
+/// An eye or a camera, ready to be asked for many points. Its own axes: x to the right, y up, what is seen at negative z.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Optics {
+    axes: [DVec3; 3],
+    position: DVec3,
+    sight: Sight,
+    half_height: f64,
+    /// What is nearer is not seen.
+    pub near: f64,
+    /// Nor what is farther.
+    pub far: f64,
+}
+
+impl Optics {
+    /// Of a lens in space.
+    #[must_use]
+    pub fn of(lens: &Lens) -> Option<Self> {
+        Some(match lens {
+            Lens::Plane => return None,
+            Lens::Eye(eye) => Self {
+                axes: eye.axes().map(DVec3::from),
+                position: eye.position().into(),
+                sight: Sight::Perspective,
+                half_height: eye.half_height(),
+                near: eye.near(),
+                far: f64::INFINITY,
+            },
+            Lens::Camera(camera) => Self {
+                axes: camera.axes().map(DVec3::from),
+                position: camera.position().into(),
+                sight: camera.volume().sight(),
+                half_height: camera.volume().half_size()[1],
+                near: camera.volume().near(),
+                far: camera.volume().far(),
+            },
+        })
+    }
+
+    /// From the world to its own axes.
+    #[must_use]
+    pub fn view_from_world(&self, at: DVec3) -> DVec3 {
+        let from_eye = at - self.position;
+        self.axes.map(|axis| axis.dot(from_eye)).into()
+    }
+
+    /// And back.
+    #[must_use]
+    pub fn world_from_view(&self, at: DVec3) -> DVec3 {
+        let [right, up, back] = self.axes;
+        self.position + right * at.x + up * at.y + back * at.z
+    }
+
+    /// Where on the picture a point is that is farther away than `near`.
+    #[must_use]
+    pub fn picture_from_view(&self, at: DVec3) -> [f64; 2] {
+        let scale = self.half_height_at(at.z);
+        [at.x / scale, at.y / scale]
+    }
+
+    /// The point at this depth that is seen at a place of the picture.
+    #[must_use]
+    pub fn view_from_picture(&self, [x, y]: [f64; 2], z: f64) -> DVec3 {
+        let scale = self.half_height_at(z);
+        DVec3::new(x * scale, y * scale, z)
+    }
+
+    /// From a point towards where it is seen from.
+    #[must_use]
+    pub fn toward_eye(&self, at: DVec3) -> DVec3 {
+        match self.sight {
+            Sight::Perspective => -at,
+            Sight::Parallel => DVec3::Z,
+        }
+    }
+
+    /// The sight line that meets the picture in a place: a point on it, and its direction away from the eye.
+    #[must_use]
+    pub fn sight_line(&self, at: [f64; 2]) -> (DVec3, DVec3) {
+        match self.sight {
+            Sight::Perspective => (DVec3::ZERO, self.view_from_picture(at, -1.0)),
+            Sight::Parallel => (self.view_from_picture(at, 0.0), DVec3::NEG_Z),
+        }
+    }
+
+    /// To clip space, for the part of the picture from `min` to `max`, and for depths between two distances.
+    #[must_use]
+    pub fn clip_from_world(
+        &self,
+        [min, max]: [[f64; 2]; 2],
+        [near, far]: [f64; 2],
+    ) -> Option<Matrix> {
+        let depth = far - near;
+        let axis = |i: usize| {
+            let scale = 2.0 / (max[i] - min[i]);
+            (scale / self.half_height, -scale * min[i].midpoint(max[i]))
+        };
+        let [(x, x0), (y, y0)] = [axis(0), axis(1)];
+        let rows = match self.sight {
+            Sight::Perspective => [
+                [x, 0.0, -x0, 0.0],
+                [0.0, y, -y0, 0.0],
+                [0.0, 0.0, -(far + near) / depth, -2.0 * far * near / depth],
+                [0.0, 0.0, -1.0, 0.0],
+            ],
+            Sight::Parallel => [
+                [x, 0.0, 0.0, x0],
+                [0.0, y, 0.0, y0],
+                [0.0, 0.0, -2.0 / depth, -(far + near) / depth],
+                [0.0, 0.0, 0.0, 1.0],
+            ],
+        };
+        let row = |axis: DVec3| [axis.x, axis.y, axis.z, -axis.dot(self.position)];
+        let [right, up, back] = self.axes.map(row);
+        let view_from_world = Matrix::new([right, up, back, [0.0, 0.0, 0.0, 1.0]]).ok()?;
+        Some(Matrix::new(rows).ok()?.after(&view_from_world))
+    }
+
+    /// Do sight lines run side by side?
+    #[must_use]
+    pub fn is_parallel(&self) -> bool {
+        self.sight == Sight::Parallel
+    }
+
+    /// Half of the picture's height at this depth, in the world.
+    #[must_use]
+    pub fn half_height_at(&self, z: f64) -> f64 {
+        match self.sight {
+            Sight::Perspective => -z * self.half_height,
+            Sight::Parallel => self.half_height,
+        }
+    }
+}

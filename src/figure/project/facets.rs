@@ -1,0 +1,158 @@
+//! Facets as they are seen: which show their outer side, and what they hide.
+//!
+//! ```text
+//!    eye ●───────────╱▔╲            hidden by a facet is what lies behind its plane and, seen from the eye,
+//!         ╲      A ━╱━━━╲┅┅┅ B      within its edges: the part of a segment on the inner side of those planes,
+//!          ╲       ╲____╱          found as a clipper finds it, with an interval of the parameter
+//! ```
+
+use std::ops::Range;
+
+use glam::DVec3;
+
+use crate::figure::{Facet, lens::Optics};
+
+use super::{
+    bounds::Bounds,
+    interval::{between, inside, union},
+};
+
+/// A segment hides behind a facet only from this part of its distance on: edges lie in the planes of facets as exactly
+/// as rounding lets them.
+const BEHIND: f64 = 1e-7;
+
+/// A facet in the axes of what sees it.
+struct InView {
+    /// Of the part that is not too near.
+    corners: Range<usize>,
+    /// Away from the solid; not normalised.
+    normal: DVec3,
+    faces_eye: bool,
+    /// On the picture.
+    bounds: Bounds,
+    /// The depth of its nearest corner.
+    nearest: f64,
+}
+
+/// All facets of a space.
+pub struct FacetsInView {
+    optics: Optics,
+    corners: Vec<DVec3>,
+    facets: Vec<InView>,
+}
+
+impl FacetsInView {
+    /// As they are seen through `optics`.
+    pub fn new(facets: &[Facet], optics: Optics) -> Self {
+        let mut seen = Self {
+            optics,
+            corners: Vec::with_capacity(4 * facets.len()),
+            facets: Vec::with_capacity(facets.len()),
+        };
+        let mut corners = Vec::new();
+        for facet in facets {
+            corners.clear();
+            let in_view = facet.corners.iter();
+            corners.extend(in_view.map(|&at| optics.view_from_world(at.into())));
+            seen.push(&corners);
+        }
+        seen
+    }
+
+    fn push(&mut self, corners: &[DVec3]) {
+        let Some(&first) = corners.first() else {
+            return self.facets.push(InView::nothing());
+        };
+        let fan = corners.windows(2).skip(1);
+        let normal: DVec3 = fan
+            .map(|pair| (pair[0] - first).cross(pair[1] - first))
+            .sum();
+        let start = self.corners.len();
+        if corners.iter().all(|at| at.z <= -self.optics.near) {
+            self.corners.extend(corners);
+        } else {
+            self.corners.extend(cut_at(corners, -self.optics.near));
+        }
+        let seen = start..self.corners.len();
+        let shown = &self.corners[seen.clone()];
+        let places = shown.iter().map(|&at| self.optics.picture_from_view(at));
+        self.facets.push(InView {
+            normal,
+            faces_eye: normal.dot(self.optics.toward_eye(first)) > 0.0,
+            bounds: Bounds::around(places),
+            nearest: shown.iter().fold(f64::NEG_INFINITY, |z, at| z.max(at.z)),
+            corners: seen,
+        });
+    }
+
+    /// Does a facet show its outer side?
+    pub fn faces_eye(&self, facet: u32) -> Option<bool> {
+        self.facets.get(facet as usize).map(|it| it.faces_eye)
+    }
+
+    /// The hidden parts of a segment between two points in view, none of which is too near, as intervals of its
+    /// parameter in order. It is no edge of the facets `but`.
+    pub fn hidden(&self, ends: [DVec3; 2], but: [Option<u32>; 2]) -> Vec<[f64; 2]> {
+        let bounds = Bounds::around(ends.map(|at| self.optics.picture_from_view(at)));
+        let farthest = ends[0].z.min(ends[1].z);
+        let mut hidden = Vec::new();
+        for (idx, facet) in self.facets.iter().enumerate() {
+            if farthest >= facet.nearest || !bounds.meets(&facet.bounds) {
+                continue;
+            }
+            if but.contains(&Some(idx as u32)) {
+                continue;
+            }
+            hidden.extend(inside(ends, self.shadow(facet)));
+        }
+        union(hidden)
+    }
+
+    /// Planes whose common inner side is what the facet hides: behind it, and within its edges as they are seen. Each is
+    /// a normal that points inwards, and a distance: n·p − d ≥ 0 is inside.
+    fn shadow<'a>(&'a self, facet: &'a InView) -> impl Iterator<Item = (DVec3, f64)> + 'a {
+        let turn = if facet.faces_eye { 1.0 } else { -1.0 };
+        let corners = &self.corners[facet.corners.clone()];
+        let n = corners.len();
+        let through_eye = (0..n).map(move |i| {
+            let [a, b] = [corners[i], corners[(i + 1) % n]];
+            let normal = self.optics.toward_eye(a).cross(b - a) * turn;
+            (normal, normal.dot(a))
+        });
+        let back = -facet.normal * turn;
+        let depth = corners.first().map_or(f64::INFINITY, |&first| {
+            back.dot(first) + BEHIND * back.length() * first.length()
+        });
+        std::iter::once((back, depth)).chain(through_eye)
+    }
+}
+
+impl InView {
+    /// Of a facet without corners.
+    const fn nothing() -> Self {
+        Self {
+            corners: 0..0,
+            normal: DVec3::ZERO,
+            faces_eye: false,
+            bounds: Bounds::NOWHERE,
+            nearest: f64::NEG_INFINITY,
+        }
+    }
+}
+
+/// The part of a convex polygon whose z is at most `most`.
+pub fn cut_at(corners: &[DVec3], most: f64) -> Vec<DVec3> {
+    let mut kept = Vec::with_capacity(corners.len() + 1);
+    for (i, &to) in corners.iter().enumerate() {
+        let from = corners[(i + corners.len() - 1) % corners.len()];
+        if (from.z <= most) != (to.z <= most) {
+            let mut at = between(from, to, (most - from.z) / (to.z - from.z));
+            at.z = most;
+            kept.push(at);
+        }
+        if to.z <= most {
+            kept.push(to);
+        }
+    }
+    kept
+}

@@ -1,0 +1,192 @@
+//! Marks of space as marks of a plane.
+
+use crate::figure::{Label, Mark, Mark3, Role, Shape, Shape3};
+
+use super::{Seen, facets::cut_at, light};
+
+/// Lines of construction: widths in points, and how strong.
+const FINE: (f32, f32) = (1.2, 1.0);
+const FINE_SIGNAL: (f32, f32) = (1.75, 1.0);
+const FINE_SOFT: (f32, f32) = (1.0, 0.5);
+const FINE_FAINT: (f32, f32) = (1.0, 0.35);
+const FINE_HIDDEN: (f32, f32) = (1.0, 0.5);
+/// What is hidden of a line that is taught.
+const HIDDEN: (f32, f32) = (1.5, 0.7);
+/// A ball's outline.
+const BALL: (f32, f32) = (1.75, 1.0);
+
+impl Seen {
+    /// The tint that a mark is, if it is one.
+    pub(super) fn wash(&self, mark: &Mark3) -> Option<Mark> {
+        let Shape3::Wash(corners) = &mark.shape else {
+            return None;
+        };
+        let view = corners.iter();
+        let view: Vec<_> = view
+            .map(|&at| self.optics.view_from_world(at.into()))
+            .collect();
+        // What is just in front of the eye has no place on the picture.
+        let kept = cut_at(&view, -self.optics.near * (1.0 + 1e-9));
+        let corners: Vec<[f64; 2]> = kept.into_iter().map(|at| self.on_picture(at)).collect();
+        let tint = Mark::new(mark.role, Shape::Fill(vec![corners]));
+        Some(named(tint, mark))
+    }
+
+    /// All that a mark comes to, but a tint.
+    pub(super) fn mark(&self, mark: &Mark3) -> Vec<Mark> {
+        match &mark.shape {
+            Shape3::Wash(_) => Vec::new(),
+            Shape3::Segment(ends) => self.line(mark, &[*ends]),
+            Shape3::Outline(corners) => {
+                let next = corners.iter().cycle().skip(1);
+                let ends: Vec<_> = corners.iter().zip(next).map(|(&a, &b)| [a, b]).collect();
+                self.line(mark, &ends)
+            }
+            Shape3::Arrow(ends) => self.arrow(mark, *ends),
+            Shape3::Ball(centre, radius) => self.ball(mark, *centre, *radius),
+            Shape3::RightAngle(points) => self.right_angle(mark, *points),
+            Shape3::Angle(points) => self.angle(mark, *points),
+            Shape3::Dot(at) => self.point(mark, *at, Shape::Dot),
+            Shape3::Ring(at) => self.point(mark, *at, Shape::Ring),
+            Shape3::Label(at) => self.point(mark, *at, Shape::Label),
+        }
+    }
+
+    fn point(&self, mark: &Mark3, at: [f64; 3], shape: fn([f64; 2]) -> Shape) -> Vec<Mark> {
+        let seen = self.in_view(at).map(|view| self.on_picture(view));
+        let drawn = seen.map(|at| named(Mark::new(mark.role, shape(at)), mark));
+        drawn.into_iter().collect()
+    }
+
+    /// Segments, their hidden parts dashed.
+    fn line(&self, mark: &Mark3, edges: &[[[f64; 3]; 2]]) -> Vec<Mark> {
+        let (mut hidden, mut visible) = (Vec::new(), Vec::new());
+        for &ends in edges {
+            let parted = self.parted(ends, [None; 2]);
+            hidden.extend(parted.hidden);
+            visible.extend(parted.visible);
+        }
+        let is_whole = hidden.is_empty() && visible.len() == edges.len();
+        let mut drawn: Vec<Mark> = hidden
+            .into_iter()
+            .map(|ends| {
+                let (points, strength) = if mark.is_fine { FINE_HIDDEN } else { HIDDEN };
+                light(
+                    Mark::new(mark.role, Shape::Path(ends.to_vec())).dashed(),
+                    points,
+                    strength,
+                )
+            })
+            .collect();
+        let is_outline = is_whole && edges.len() > 1;
+        if is_outline {
+            let corners = visible.iter().map(|ends| ends[0]).collect();
+            drawn.push(weighed(
+                Mark::new(mark.role, Shape::Outline(corners)),
+                mark.is_fine,
+            ));
+        } else {
+            let shape = |ends: [[f64; 2]; 2]| match edges.len() {
+                1 => Shape::Segment(ends),
+                _ => Shape::Path(ends.to_vec()),
+            };
+            let parts = visible
+                .into_iter()
+                .map(|ends| Mark::new(mark.role, shape(ends)));
+            drawn.extend(parts.map(|part| weighed(part, mark.is_fine)));
+        }
+        for part in &mut drawn {
+            part.link = mark.link;
+        }
+        // Its name stands once, where it is seen and longest.
+        let named = (0..drawn.len()).max_by(|&a, &b| {
+            let order = |i: usize| (!drawn[i].is_dashed, length(&drawn[i].shape));
+            let ((a_seen, a), (b_seen, b)) = (order(a), order(b));
+            a_seen.cmp(&b_seen).then(a.total_cmp(&b))
+        });
+        if let Some(idx) = named {
+            drawn[idx].label.clone_from(&mark.label);
+        }
+        drawn
+    }
+
+    fn arrow(&self, mark: &Mark3, ends: [[f64; 3]; 2]) -> Vec<Mark> {
+        let Some(seen) = self.cut(ends) else {
+            return Vec::new();
+        };
+        let seen = seen.map(|at| self.on_picture(at));
+        let shape = match self.in_view(ends[1]) {
+            Some(_) => Shape::Arrow(seen),
+            None => Shape::Segment(seen),
+        };
+        let drawn = Mark::new(mark.role, shape);
+        vec![named(weighed(drawn, mark.is_fine), mark)]
+    }
+
+    fn ball(&self, mark: &Mark3, centre: [f64; 3], radius: f64) -> Vec<Mark> {
+        let outline = self.ball_outline(centre, radius);
+        if outline.is_empty() {
+            return Vec::new();
+        }
+        let drawn = Mark::new(mark.role, Shape::Outline(outline));
+        let drawn = if mark.is_fine {
+            weighed(drawn, true)
+        } else {
+            light(drawn, BALL.0, BALL.1)
+        };
+        vec![named(drawn, mark)]
+    }
+
+    fn right_angle(&self, mark: &Mark3, points: [[f64; 3]; 3]) -> Vec<Mark> {
+        let corner = self.right_angle_corner(points);
+        let drawn = corner.map(|points| {
+            let drawn = Mark::new(mark.role, Shape::Path(points.to_vec()));
+            named(light(drawn, 1.25, 1.0), mark)
+        });
+        drawn.into_iter().collect()
+    }
+
+    fn angle(&self, mark: &Mark3, points: [[f64; 3]; 3]) -> Vec<Mark> {
+        let Some((arc, apex)) = self.arc(points) else {
+            return Vec::new();
+        };
+        let middle = arc[arc.len() / 2];
+        let mut drawn = Mark::new(mark.role, Shape::Path(arc));
+        drawn.link = mark.link;
+        let label = mark.label.clone().map(|label| Label {
+            toward: Some([middle[0] - apex[0], middle[1] - apex[1]]),
+            ..label
+        });
+        let mut said = Mark::new(mark.role, Shape::Label(middle));
+        (said.label, said.link) = (label, mark.link);
+        vec![light(drawn, 1.25, 1.0), said]
+    }
+}
+
+fn named(mut drawn: Mark, mark: &Mark3) -> Mark {
+    (drawn.label, drawn.link) = (mark.label.clone(), mark.link);
+    drawn
+}
+
+/// What is fine is thin, and the quieter the less it matters.
+fn weighed(drawn: Mark, is_fine: bool) -> Mark {
+    if !is_fine {
+        return drawn;
+    }
+    let (points, strength) = match drawn.role {
+        Role::Ink | Role::Accent | Role::Accepted | Role::Discarded => FINE,
+        Role::Signal => FINE_SIGNAL,
+        Role::Soft => FINE_SOFT,
+        Role::Faint => FINE_FAINT,
+    };
+    light(drawn, points, strength)
+}
+
+fn length(shape: &Shape) -> f64 {
+    let ends = match shape {
+        Shape::Segment(ends) => *ends,
+        Shape::Path(points) if points.len() == 2 => [points[0], points[1]],
+        _ => return f64::INFINITY,
+    };
+    libm::hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1])
+}

@@ -1,0 +1,101 @@
+//! From space to the plane: what is seen through a lens, as marks that painter, labels, pointer and export know already.
+//!
+//! Lines are cut at the plane in front of the eye first; nothing behind it is ever divided by its depth.
+
+mod bounds;
+mod curves;
+mod edges;
+mod facets;
+mod interval;
+mod marks;
+#[cfg(test)]
+mod tests;
+
+use glam::DVec3;
+
+use super::{Lens, Mark, Role, Shape, Solids, Space, Weight, lens::Optics};
+
+use facets::FacetsInView;
+use interval::{between, complement, inside};
+
+/// What is seen of a space: tints, then the solids with their edges, then the marks, each in parts where a solid hides
+/// some of it.
+#[must_use]
+pub fn project(space: &Space, lens: &Lens) -> Vec<Mark> {
+    let Some(optics) = Optics::of(lens) else {
+        return Vec::new();
+    };
+    let seen = Seen {
+        optics,
+        facets: FacetsInView::new(&space.facets, optics),
+    };
+    let mut marks: Vec<Mark> = space.marks.iter().flat_map(|it| seen.wash(it)).collect();
+    if !space.facets.is_empty() {
+        let solids = Solids {
+            facets: space.facets.clone(),
+            lens: *lens,
+        };
+        marks.push(Mark::new(Role::Ink, Shape::Solids(solids)));
+    }
+    marks.extend(space.edges.iter().flat_map(|edge| seen.edge(edge)));
+    marks.extend(space.marks.iter().flat_map(|mark| seen.mark(mark)));
+    marks
+}
+
+/// What is seen.
+struct Seen {
+    optics: Optics,
+    facets: FacetsInView,
+}
+
+/// A line's parts on the picture.
+struct Parted {
+    visible: Vec<[[f64; 2]; 2]>,
+    hidden: Vec<[[f64; 2]; 2]>,
+}
+
+impl Seen {
+    fn on_picture(&self, at: DVec3) -> [f64; 2] {
+        self.optics.picture_from_view(at)
+    }
+
+    /// A world point in the eye's axes, if it is seen.
+    fn in_view(&self, at: [f64; 3]) -> Option<DVec3> {
+        let view = self.optics.view_from_world(at.into());
+        let is_seen = view.z < -self.optics.near && view.z >= -self.optics.far;
+        is_seen.then_some(view)
+    }
+
+    /// The part of a segment that is neither too near nor too far.
+    fn cut(&self, ends: [[f64; 3]; 2]) -> Option<[DVec3; 2]> {
+        let ends = ends.map(|at| self.optics.view_from_world(at.into()));
+        let is_endless = self.optics.far.is_infinite();
+        let far = (!is_endless).then_some((DVec3::Z, -self.optics.far));
+        let planes = std::iter::once((DVec3::NEG_Z, self.optics.near)).chain(far);
+        let part = inside(ends, planes)?;
+        Some(part.map(|t| between(ends[0], ends[1], t)))
+    }
+
+    /// A segment that is no edge of the facets `but`.
+    fn parted(&self, ends: [[f64; 3]; 2], but: [Option<u32>; 2]) -> Parted {
+        let Some(ends) = self.cut(ends) else {
+            return Parted {
+                visible: Vec::new(),
+                hidden: Vec::new(),
+            };
+        };
+        let hidden = self.facets.hidden(ends, but);
+        let part = |&[from, to]: &[f64; 2]| {
+            [from, to].map(|t| self.on_picture(between(ends[0], ends[1], t)))
+        };
+        Parted {
+            visible: complement(&hidden).iter().map(part).collect(),
+            hidden: hidden.iter().map(part).collect(),
+        }
+    }
+}
+
+/// A line that is not to be seen as much as others.
+fn light(mark: Mark, points: f32, strength: f32) -> Mark {
+    mark.weighing(Weight { points, strength })
+}

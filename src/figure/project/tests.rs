@@ -1,0 +1,111 @@
+use super::*;
+use crate::{
+    figure::{Edge3, Facet, Mark3, Seer, Shape3},
+    geom::Orbit,
+};
+
+/// A cube from −1 to 1.
+fn cube() -> Vec<Facet> {
+    let face = |axis: usize, side: f64| {
+        let corner = |[u, v]: [f64; 2]| {
+            let mut at = [0.0; 3];
+            at[axis] = side;
+            at[(axis + 1) % 3] = u * side;
+            at[(axis + 2) % 3] = v;
+            at
+        };
+        let square = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+        Facet {
+            corners: square.map(corner).to_vec(),
+            role: Role::Accent,
+            link: None,
+        }
+    };
+    (0..3)
+        .flat_map(|axis| [-1.0, 1.0].map(|side| face(axis, side)))
+        .collect()
+}
+
+fn seen(marks: Vec<Mark3>, eye: &Orbit) -> Vec<Mark> {
+    let facets = cube();
+    let space = Space {
+        title: None,
+        seer: Seer::Eye(*eye),
+        edges: Edge3::of(&facets).into(),
+        facets: facets.into(),
+        marks,
+    };
+    project(&space, &Lens::Eye(*eye))
+}
+
+#[test]
+fn of_a_cube_nine_edges_are_seen_and_three_hidden() {
+    for angles in [[30.0, 20.0], [-50.0, -35.0], [200.0, 10.0]] {
+        let eye = Orbit::new([0.0; 3], angles, 8.0, 30.0);
+        let marks = seen(Vec::new(), &eye);
+        let n = |is: fn(&Mark) -> bool| marks.iter().filter(|mark| is(mark)).count();
+        let edges = [
+            n(|mark| matches!(mark.shape, Shape::Path(_)) && !mark.is_dashed),
+            n(|mark| mark.is_dashed),
+        ];
+        assert_eq!(edges, [9, 3], "{angles:?}");
+    }
+}
+
+#[test]
+fn a_segment_through_the_cube_is_dashed_inside_and_behind_it() {
+    let eye = Orbit::new([0.0; 3], [0.0, 0.0], 10.0, 30.0);
+    let line = Mark3::new(
+        Role::Signal,
+        Shape3::Segment([[-3.0, 0.0, 2.0], [3.0, 0.0, -2.0]]),
+    );
+    let marks = seen(vec![line], &eye);
+    let drawn: Vec<(bool, [[f64; 2]; 2])> = marks
+        .iter()
+        .filter_map(|mark| {
+            let ends = match &mark.shape {
+                Shape::Segment(ends) => *ends,
+                Shape::Path(points) => [points[0], points[1]],
+                _ => return None,
+            };
+            let is_level = ends[0][1] == 0.0 && ends[1][1] == 0.0;
+            is_level.then_some((mark.is_dashed, ends))
+        })
+        .collect();
+    // From the left edge of the front, behind which it goes in and comes out, to the right one.
+    let [(true, hidden), (false, before), (false, after)] = drawn[..] else {
+        panic!("one hidden part between two visible ones, not {drawn:?}");
+    };
+    assert_eq!([hidden[0], hidden[1]], [before[1], after[0]]);
+    for (end, side) in [-1.0, 1.0].into_iter().enumerate() {
+        let edge = eye.picture_from_view(eye.view_from_world([side, 0.0, 1.0]));
+        assert!(
+            (hidden[end][0] - edge[0]).abs() < 1e-9,
+            "{hidden:?}, not {edge:?}"
+        );
+    }
+}
+
+#[test]
+fn what_is_behind_the_eye_is_cut_off_before_it_is_divided() {
+    let eye = Orbit::new([0.0; 3], [0.0, 0.0], 10.0, 30.0);
+    let line = |from: f64, to: f64| {
+        let ends = [[2.0, 2.0, from], [2.0, 2.0, to]];
+        Mark3::new(Role::Signal, Shape3::Segment(ends))
+    };
+    let signal = |marks: Vec<Mark>| -> Vec<[[f64; 2]; 2]> {
+        let ends = marks.into_iter().filter_map(|mark| match mark.shape {
+            Shape::Segment(ends) if mark.role == Role::Signal => Some(ends),
+            _ => None,
+        });
+        ends.collect()
+    };
+    let [near, far] = [20.0, 30.0].map(|to| signal(seen(vec![line(0.0, to)], &eye)));
+    let end = |i: usize| (near[0][1][i] - far[0][1][i]).abs() / near[0][1][i].abs();
+    assert!(
+        end(0) < 1e-9 && end(1) < 1e-9,
+        "both end before the eye: {near:?} {far:?}"
+    );
+    assert!(near[0][1][0] > near[0][0][0], "{near:?}: not mirrored");
+    assert!(signal(seen(vec![line(12.0, 30.0)], &eye)).is_empty());
+}
