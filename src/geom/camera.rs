@@ -73,6 +73,14 @@ impl Camera {
         &self.volume
     }
 
+    /// The same with the angle from bottom to top taken for that from left to right, too.
+    pub(crate) const fn with_one_angle(&self) -> Self {
+        Self {
+            volume: self.volume.square(),
+            ..*self
+        }
+    }
+
     /// To the right, upwards and back from what is seen, each of length 1.
     #[must_use]
     pub fn axes(&self) -> [[f64; 3]; 3] {
@@ -104,6 +112,12 @@ impl Camera {
     #[must_use]
     pub fn clip_from_world(&self) -> Matrix {
         self.volume.clip_from_view().after(&self.view_from_world())
+    }
+
+    /// The corners of its volume in the world, numbered as [`ViewVolume::corners`] has them.
+    #[must_use]
+    pub fn corners_in_world(&self) -> [[f64; 3]; 8] {
+        self.volume.corners().map(|corner| self.world_from_view(corner))
     }
 
     /// The planes of its volume in the world, in the order of [`super::VolumeSide::ALL`].

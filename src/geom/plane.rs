@@ -47,6 +47,16 @@ impl Plane {
         Self { normal, d, length }
     }
 
+    /// The other side of it.
+    #[must_use]
+    pub fn turned(&self) -> Self {
+        Self {
+            normal: self.normal.map(|x| -x),
+            d: -self.d,
+            ..*self
+        }
+    }
+
     /// n, pointing inside.
     #[must_use]
     pub const fn normal(&self) -> [f64; 3] {

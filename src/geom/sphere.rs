@@ -88,6 +88,11 @@ impl Sphere {
         })
     }
 
+    /// As large, around another point, which is finite.
+    pub(crate) const fn moved_to(&self, center: [f64; 3]) -> Self {
+        Self { center, ..*self }
+    }
+
     /// c
     #[must_use]
     pub const fn center(&self) -> [f64; 3] {

@@ -162,6 +162,15 @@ impl ViewVolume {
         self.half_size
     }
 
+    /// As wide as it is high.
+    pub(super) const fn square(&self) -> Self {
+        let [_, height] = self.half_size;
+        Self {
+            half_size: [height; 2],
+            ..*self
+        }
+    }
+
     /// Distance of the near plane.
     #[must_use]
     pub const fn near(&self) -> f64 {

@@ -6,6 +6,7 @@ mod crossing_formulas;
 mod demo;
 mod difference;
 mod edit;
+pub mod frustum;
 mod handle;
 mod lab;
 pub mod lines;
@@ -32,4 +33,4 @@ pub(crate) use demo::{record, record_wrong};
 pub(crate) use words::vertex_symbol;
 
 /// Every lab, in the order in which they are taught.
-pub static LABS: [&dyn Lab; 2] = [lines::LAB, polygons::LAB];
+pub static LABS: [&dyn Lab; 3] = [lines::LAB, polygons::LAB, frustum::LAB];

@@ -10,6 +10,8 @@ lab-lines = Lines
 lab-lines-about = Clip a segment against a window.
 lab-polygons = Polygons
 lab-polygons-about = Clip a polygon against a window or another polygon.
+lab-frustum = Frustum
+lab-frustum-about = See what a camera sees, and what can be left out before it is drawn.
 
 ## Panels
 

@@ -10,6 +10,8 @@ lab-lines = Segmentos
 lab-lines-about = Recorta un segmento con una ventana.
 lab-polygons = Polígonos
 lab-polygons-about = Recorta un polígono con una ventana o con otro polígono.
+lab-frustum = Volumen de visión
+lab-frustum-about = Mira lo que ve una cámara y lo que se puede descartar antes de dibujarlo.
 
 ## Panels
 

@@ -10,6 +10,8 @@ lab-lines = Segmentos
 lab-lines-about = Recorte um segmento contra uma janela.
 lab-polygons = Polígonos
 lab-polygons-about = Recorte um polígono contra uma janela ou outro polígono.
+lab-frustum = Volume de visão
+lab-frustum-about = Veja o que uma câmera vê e o que se pode descartar antes de desenhar.
 
 ## Panels
 

@@ -32,6 +32,10 @@ error-uv-length = Uma malha precisa de tantas coordenadas de textura quantos sã
 
 ## Scenes
 
+error-no-objects = Uma cena precisa de pelo menos um objeto.
+error-too-many-objects = Uma cena aceita até { $limit } objetos; estes são { $count }.
+error-no-such-object = Não há objeto { $focus }: a cena tem { $count }.
+error-no-such-face = Não há face { $face }: o objeto tem { $count }.
 error-no-segments = Não há nenhum segmento.
 error-too-many-segments = Há segmentos demais: { $count }; são aceitos no máximo { $limit }.
 error-no-such-focus =

@@ -10,6 +10,8 @@ lab-lines = 线段
 lab-lines-about = 用裁剪窗口裁剪一条线段。
 lab-polygons = 多边形
 lab-polygons-about = 用裁剪窗口或另一个多边形裁剪多边形。
+lab-frustum = 视见体
+lab-frustum-about = 看相机看到什么，绘制之前可以舍去什么。
 
 ## Panels
 

@@ -32,6 +32,10 @@ error-uv-length = 网格的纹理坐标个数必须与顶点个数相同，或�
 
 ## Scenes
 
+error-no-objects = 场景至少需要一个物体。
+error-too-many-objects = 场景最多容纳 { $limit } 个物体；这里有 { $count } 个。
+error-no-such-object = 没有物体 { $focus }：场景中有 { $count } 个。
+error-no-such-face = 没有面 { $face }：该物体有 { $count } 个面。
 error-no-segments = 没有线段。
 error-too-many-segments = 线段太多：有 { $count } 条，最多可有 { $limit } 条。
 error-no-such-focus = 没有第 { $focus } 条线段：共有 { $count } 条，从 0 数起。

@@ -32,16 +32,21 @@
 //! assert!(!seen_from([5.0, 5.0, 0.0]).front, "edge-on");
 //! ```
 
+use std::marker::PhantomData;
+
 use serde::Serialize;
 
 use crate::{
+    algo::ring::Right,
     geom::sign_of_four,
     trace::{Algorithm, Real},
 };
 
-/// The algorithm; see the module.
+use super::CullRules;
+
+/// The algorithm; see the module. `L` are its rules.
 #[derive(Clone, Copy, Debug)]
-pub struct BackFace;
+pub struct BackFace<L = Right>(PhantomData<L>);
 
 /// A triangle, and who looks at it. All numbers are finite.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -115,13 +120,17 @@ pub struct BackFaceState {
     pub front: Option<bool>,
 }
 
-impl Algorithm for BackFace {
+impl<L: CullRules> Algorithm for BackFace<L> {
     type Input = BackFaceInput;
     type Output = BackFaceOutput;
     type Event = BackFaceEvent;
     type State = BackFaceState;
 
     fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Self::Output {
+        let input = &BackFaceInput {
+            triangle: taken(input.triangle, L::CLOCKWISE),
+            ..*input
+        };
         let [v0, v1, v2] = input.triangle.map(|v| v.map(R::new));
         let edges = [minus(v1, v0), minus(v2, v0)];
         let normal = cross(edges);
@@ -176,6 +185,15 @@ impl Algorithm for BackFace {
 
     fn max_events(_: &Self::Input) -> usize {
         4
+    }
+}
+
+/// The corners as they are taken to run counter-clockwise.
+const fn taken([v0, v1, v2]: [[f64; 3]; 3], clockwise: bool) -> [[f64; 3]; 3] {
+    if clockwise {
+        [v0, v2, v1]
+    } else {
+        [v0, v1, v2]
     }
 }
 

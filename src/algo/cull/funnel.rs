@@ -34,24 +34,27 @@
 //! # Ok::<(), clipscope::geom::SpaceError>(())
 //! ```
 
-use std::sync::Arc;
+use std::{marker::PhantomData, sync::Arc};
 
 use serde::Serialize;
 
 use crate::{
-    algo::volume::{ClipVertex, HomogeneousTriangle, SideCode},
-    geom::{Camera, Matrix, Mesh, Plane, Sight, SpaceError, Sphere},
+    algo::{
+        ring::Right,
+        volume::{ClipVertex, HomogeneousTriangle, SideCode},
+    },
+    geom::{Camera, Matrix, Mesh, Plane, Sight, SpaceError, Sphere, VolumeSide},
     trace::{Algorithm, Real, silent},
 };
 
 use super::{
-    BackFace, BackFaceInput, BackFaceOutput, Containment, SphereCull, SphereCullEvent,
+    BackFace, BackFaceInput, BackFaceOutput, Containment, CullRules, SphereCull, SphereCullEvent,
     SphereCullInput, SphereCullState, Viewer, funnel_levels::FunnelLevels,
 };
 
-/// The algorithm; see the module.
+/// The algorithm; see the module. `L` are its rules.
 #[derive(Clone, Copy, Debug)]
-pub struct Funnel;
+pub struct Funnel<L = Right>(PhantomData<L>);
 
 /// What is to be drawn, and by whom it is seen.
 #[derive(Clone, PartialEq, Debug)]
@@ -67,6 +70,8 @@ pub struct FunnelInput {
 pub struct FunnelObject {
     /// Around all of it.
     pub sphere: Sphere,
+    /// Where its model's origin lies: no test that is right asks for it.
+    pub origin: [f64; 3],
     /// Its faces, counter-clockwise as seen from outside.
     pub triangles: Arc<[[[f64; 3]; 3]]>,
 }
@@ -89,6 +94,7 @@ impl FunnelObject {
             .map(|&face| mesh.corners(face).map(placed));
         Ok(Self {
             sphere: Sphere::around_centroid(&points)?,
+            origin: placed([0.0; 3]),
             triangles: triangles.collect(),
         })
     }
@@ -102,8 +108,8 @@ pub enum TriangleFate {
     Outside,
     /// None lies beyond any.
     Inside,
-    /// It is clipped, to so many triangles; to none where it only seemed to straddle.
-    Cut(usize),
+    /// It is clipped: it may come to several triangles, or to none where it only seemed to straddle.
+    Cut,
 }
 
 /// What happens, in order.
@@ -119,11 +125,19 @@ pub enum FunnelEvent {
         /// With what it adds to the scene.
         levels: FunnelLevels,
     },
-    /// A plane is asked about its sphere, or all have been.
+    /// A plane is asked about its sphere.
+    Plane {
+        /// Which of the volume's.
+        side: VolumeSide,
+        /// Of the centre.
+        distance: f64,
+        /// What this plane says of the sphere.
+        class: Containment,
+    },
+    /// One plane has rejected its sphere, or none is left.
     Sphere {
-        /// As [`SphereCull`] tells it.
-        #[serde(flatten)]
-        told: SphereCullEvent,
+        /// What all planes say.
+        class: Containment,
         /// How much is left now.
         levels: FunnelLevels,
     },
@@ -135,6 +149,8 @@ pub enum FunnelEvent {
         codes: [SideCode; 3],
         /// What becomes of it.
         fate: TriangleFate,
+        /// How many triangles it comes to.
+        n_pieces: usize,
         /// How much is left now.
         levels: FunnelLevels,
     },
@@ -174,7 +190,7 @@ pub struct FunnelState {
     pub is_done: bool,
 }
 
-impl Algorithm for Funnel {
+impl<L: CullRules> Algorithm for Funnel<L> {
     type Input = FunnelInput;
     type Output = FunnelLevels;
     type Event = FunnelEvent;
@@ -182,9 +198,9 @@ impl Algorithm for Funnel {
 
     fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Self::Output {
         let asking = Asking {
-            planes: input.camera.planes_in_world().to_vec(),
+            planes: asked_planes::<L>(&input.camera),
             clip_from_world: input.camera.clip_from_world(),
-            viewer: viewer(&input.camera),
+            viewer: viewer::<L>(&input.camera),
         };
         let mut levels = FunnelLevels::default();
         for (object_idx, object) in input.objects.iter().enumerate() {
@@ -195,7 +211,7 @@ impl Algorithm for Funnel {
                 n_triangles,
                 levels,
             });
-            asking.object::<R>(object, &mut levels, &mut emit);
+            asking.object::<R, L>(object, &mut levels, &mut emit);
         }
         emit(FunnelEvent::Done);
         levels
@@ -236,7 +252,7 @@ struct Asking {
 }
 
 impl Asking {
-    fn object<R: Real>(
+    fn object<R: Real, L: CullRules>(
         &self,
         object: &FunnelObject,
         levels: &mut FunnelLevels,
@@ -244,15 +260,26 @@ impl Asking {
     ) {
         let input = SphereCullInput {
             planes: self.planes.clone(),
-            sphere: object.sphere,
+            sphere: asked_sphere::<L>(object),
         };
         let n_triangles = object.triangles.len();
-        let class = SphereCull::run::<R>(&input, |told| {
-            if let SphereCullEvent::Done { class } = told {
+        let class = SphereCull::<L>::run::<R>(&input, |told| match told {
+            SphereCullEvent::Plane {
+                plane_idx,
+                distance,
+                class,
+            } => emit(FunnelEvent::Plane {
+                side: VolumeSide::ALL[plane_idx],
+                distance,
+                class,
+            }),
+            SphereCullEvent::Done { class } => {
                 levels.spheres_done(class, n_triangles);
+                emit(FunnelEvent::Sphere {
+                    class,
+                    levels: *levels,
+                });
             }
-            let levels = *levels;
-            emit(FunnelEvent::Sphere { told, levels });
         })
         .class;
         if class == Containment::Outside {
@@ -271,7 +298,7 @@ impl Asking {
                     triangle: *triangle,
                     viewer: self.viewer,
                 };
-                let BackFaceOutput { dot, front, .. } = BackFace::run::<R>(&input, |_| {});
+                let BackFaceOutput { dot, front, .. } = BackFace::<L>::run::<R>(&input, |_| {});
                 if front {
                     levels.facing.triangles += n_pieces;
                     levels.facing.objects = before.facing.objects + 1;
@@ -308,7 +335,7 @@ impl Asking {
             (TriangleFate::Inside, 1)
         } else {
             let n = silent::<HomogeneousTriangle>(&corners).triangles().count();
-            (TriangleFate::Cut(n), n)
+            (TriangleFate::Cut, n)
         };
         if fate != TriangleFate::Outside {
             levels.vertices.triangles += 1;
@@ -322,17 +349,36 @@ impl Asking {
             triangle_idx,
             codes,
             fate,
+            n_pieces,
             levels: *levels,
         });
         n_pieces
     }
 }
 
+/// What spheres are asked of, by these rules.
+pub fn asked_planes<L: CullRules>(camera: &Camera) -> Vec<Plane> {
+    if L::ONE_ANGLE {
+        camera.with_one_angle().planes_in_world().to_vec()
+    } else {
+        camera.planes_in_world().to_vec()
+    }
+}
+
+/// What is asked of planes, by these rules.
+pub fn asked_sphere<L: CullRules>(object: &FunnelObject) -> Sphere {
+    if L::AROUND_ORIGIN {
+        object.sphere.moved_to(object.origin)
+    } else {
+        object.sphere
+    }
+}
+
 /// Who looks through a camera.
-fn viewer(camera: &Camera) -> Viewer {
+fn viewer<L: CullRules>(camera: &Camera) -> Viewer {
     match camera.volume().sight() {
-        Sight::Perspective => Viewer::Eye(camera.position()),
-        Sight::Parallel => {
+        Sight::Perspective if !L::CONSTANT_VIEW => Viewer::Eye(camera.position()),
+        Sight::Perspective | Sight::Parallel => {
             let [_, _, back] = camera.axes();
             Viewer::Direction(back.map(|x| -x))
         }
@@ -351,11 +397,12 @@ impl FunnelState {
                 self.faces.clear();
                 self.levels = levels;
             }
-            FunnelEvent::Sphere { told, levels } => {
-                SphereCull::apply(&mut self.sphere, told);
-                if let SphereCullEvent::Done { class } = told {
-                    self.classes.push(class);
-                }
+            FunnelEvent::Plane {
+                distance, class, ..
+            } => self.sphere.asked.push((distance, class)),
+            FunnelEvent::Sphere { class, levels } => {
+                self.sphere.class = Some(class);
+                self.classes.push(class);
                 self.levels = levels;
             }
             FunnelEvent::Triangle {

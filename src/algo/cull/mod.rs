@@ -5,8 +5,11 @@
 mod back_face;
 mod batch;
 mod box_cull;
+pub mod faulty;
 mod funnel;
 mod funnel_levels;
+mod point_planes;
+mod rules;
 mod sphere_cull;
 
 use serde::Serialize;
@@ -16,8 +19,14 @@ pub use back_face::{
 };
 pub use batch::SphereBatch;
 pub use box_cull::{BoxCull, BoxCullEvent, BoxCullInput, BoxCullOutput, BoxCullState};
-pub use funnel::{Funnel, FunnelEvent, FunnelInput, FunnelObject, FunnelState, TriangleFate};
+pub use funnel::{
+    Funnel, FunnelEvent, FunnelInput, FunnelObject, FunnelState, TriangleFate, asked_planes, asked_sphere,
+};
 pub use funnel_levels::{FunnelLevels, Level};
+pub use point_planes::{
+    PointPlanes, PointPlanesEvent, PointPlanesInput, PointPlanesOutput, PointPlanesState,
+};
+pub use rules::CullRules;
 pub use sphere_cull::{
     SphereCull, SphereCullEvent, SphereCullInput, SphereCullOutput, SphereCullState,
 };

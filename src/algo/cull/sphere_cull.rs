@@ -30,19 +30,21 @@
 //! # Ok::<(), clipscope::geom::SpaceError>(())
 //! ```
 
+use std::marker::PhantomData;
+
 use serde::Serialize;
 
 use crate::{
-    algo::volume::signed_distance,
+    algo::{ring::Right, volume::signed_distance},
     geom::{Plane, Sphere},
     trace::{Algorithm, Real},
 };
 
-use super::Containment;
+use super::{Containment, CullRules};
 
-/// The algorithm; see the module.
+/// The algorithm; see the module. `L` are its rules.
 #[derive(Clone, Copy, Debug)]
-pub struct SphereCull;
+pub struct SphereCull<L = Right>(PhantomData<L>);
 
 /// What to cull, and by what.
 #[derive(Clone, PartialEq, Debug)]
@@ -91,7 +93,7 @@ pub struct SphereCullState {
     pub class: Option<Containment>,
 }
 
-impl Algorithm for SphereCull {
+impl<L: CullRules> Algorithm for SphereCull<L> {
     type Input = SphereCullInput;
     type Output = SphereCullOutput;
     type Event = SphereCullEvent;
@@ -104,9 +106,10 @@ impl Algorithm for SphereCull {
         let mut all = Containment::Inside;
         for (plane_idx, plane) in planes.iter().enumerate() {
             let distance = signed_distance::<R>(plane, sphere.center());
-            let class = if distance < -radius {
+            let inwards = if L::TURNS_SIGN { -distance } else { distance };
+            let class = if inwards < -radius {
                 Containment::Outside
-            } else if distance < radius {
+            } else if inwards < radius {
                 Containment::Straddles
             } else {
                 Containment::Inside

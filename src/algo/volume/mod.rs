@@ -5,6 +5,7 @@ mod clip_vertex;
 mod homogeneous_triangle;
 mod point_plane;
 mod side_code;
+mod split;
 
 pub use clip_polygon::ClipPolygon;
 pub use clip_vertex::{Attributes, ClipVertex};
@@ -13,3 +14,4 @@ pub use homogeneous_triangle::{
 };
 pub use point_plane::{PlaneSide, signed_distance, weighted_sum};
 pub use side_code::SideCode;
+pub use split::split;

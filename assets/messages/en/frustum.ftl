@@ -1,0 +1,189 @@
+### What the frustum lab says: planes, spheres, boxes, faces, the funnel, and what goes wrong in it.
+
+## Sides of the view volume beyond those of a window
+
+side-near = near
+side-far = far
+
+## Views
+
+view-observer = Observer
+view-camera = Camera
+gauge-outside = out
+gauge-inside = in
+gauge-away = looks away
+gauge-faces-camera = faces the camera
+gauge-drawn = drawn
+gauge-culled = culled
+gauges-point = One point, six planes
+gauges-sphere = One sphere, { $planes } planes
+gauges-faces = Faces: { $faces }
+planes-from-matrix = Taken from the rows of the matrix they differ by at most { $apart }.
+column-plane = plane
+column-outside = out
+column-least = least
+column-most = most
+
+## What can be taken hold of
+
+handle-camera = Camera position
+handle-target = Camera target
+handle-near = Near plane
+handle-far = Far plane
+handle-top = Opening of the camera
+handle-point = Point P
+handle-object = Object { $number }
+
+## Methods
+
+alg-point-planes = Point against planes
+alg-sphere-cull = Bounding sphere
+alg-box-cull = Bounding box
+alg-back-face = Back-face test
+alg-funnel = Culling funnel
+alg-faulty-one-angle = Wrong: one angle for both axes
+alg-faulty-turned-sign = Wrong: the sign is turned
+alg-faulty-around-origin = Wrong: the sphere is around the origin
+alg-faulty-winding = Wrong: corners run clockwise
+alg-faulty-constant-view = Wrong: one direction of sight for all
+
+## A point
+
+point-opening = Is P inside all { $planes } planes?
+point-inside = P is inside the { $plane } plane.
+point-on = P is on the { $plane } plane, which counts as inside.
+point-outside = P is outside the { $plane } plane.
+point-done-inside = None of { $planes } planes has P outside: it is in the volume.
+point-done-outside = { $outside } of { $planes } planes have P outside: it is not in the volume.
+code-point-each = for each plane (n, D):
+code-point-distance = d ← n·P + D
+code-point-outside = if d < 0: outside
+code-point-inside = inside if no plane says outside
+words-point-each = Ask each plane in turn; its normal points inside.
+words-point-distance = The normal times the point, plus D, is the signed distance.
+words-point-outside = Negative is outside; zero is on the plane, and inside.
+words-point-inside = What no plane has outside is in the volume.
+
+## A bounding sphere
+
+sphere-opening = A sphere around all vertices answers for the object: { $planes } planes.
+sphere-inside = The sphere is inside the { $plane } plane.
+sphere-straddles = The sphere straddles the { $plane } plane.
+sphere-outside = The sphere is outside the { $plane } plane: culled whole.
+sphere-done-inside = All { $planes } planes have it inside: none of its triangles needs a test.
+sphere-done-straddles = It straddles { $cut } of { $planes } planes: its triangles are asked in turn.
+sphere-done-outside = The { $plane } plane has rejected it after { $planes } tests: nothing of it is drawn.
+code-sphere-each = for each plane (n, D):
+code-sphere-distance = d ← n·c + D
+code-sphere-outside = if d < −r: cull
+code-sphere-straddles = if d < r: straddles
+code-sphere-done = inside if none straddles
+words-sphere-each = Ask each plane in turn; its normal points inside.
+words-sphere-distance = The signed distance of the centre from the plane.
+words-sphere-outside = Farther out than the radius: all of it is outside.
+words-sphere-straddles = Nearer than the radius: the plane cuts the sphere.
+words-sphere-done = Inside all planes nothing more need be asked.
+class-inside = inside
+class-straddles = straddles
+class-outside = outside
+watch-class = class
+watch-object = object
+
+## A bounding box
+
+box-opening = A box around all vertices answers for the object: { $planes } planes, eight corners each.
+box-inside = All eight corners are inside the { $plane } plane ({ $outside } outside).
+box-straddles = { $outside } of 8 corners are outside the { $plane } plane: it straddles.
+box-outside = All { $outside } corners are outside the { $plane } plane: culled whole.
+box-meets = It straddles { $cut } planes, and something of it is inside them all.
+box-in-vain = It straddles { $cut } planes, and yet nothing of it is inside them all.
+box-done-inside = All { $planes } planes have it inside.
+box-done-straddles = No plane of { $planes } rejects it: its triangles are asked in turn.
+box-done-in-vain = The { $planes } planes keep it, and it would be drawn in vain: conservative, not wrong.
+box-done-outside = The { $plane } plane has rejected it after { $planes } tests: nothing of it is drawn.
+code-box-each = for each plane (n, D):
+code-box-corners = count corners with n·p + D < 0
+code-box-outside = if all eight: cull
+code-box-meets = is any point of it inside all?
+code-box-done = keep, or draw in vain
+words-box-each = Ask each plane in turn; its normal points inside.
+words-box-corners = Only the signs of the eight corners count.
+words-box-outside = All eight outside one plane: nothing of it can be seen.
+words-box-meets = A second test finds boxes that straddle planes and lie outside all the same.
+words-box-done = The planes never reject what can be seen; they may keep what cannot.
+
+## A face
+
+face-opening = Does face { $face } show its front to the camera?
+face-normal = Face { $face } runs counter-clockwise as seen from outside: its normal points outside.
+face-to-eye = From V₀ of face { $face } to the camera: e = eye − V₀.
+face-to-direction = Parallel: for face { $face } as for all, e is the way back along the line of sight.
+face-products = Face { $face }: the dot product, and as a determinant the same number.
+face-front = Face { $face } faces the camera: drawn.
+face-back = Face { $face } looks away from the camera: culled.
+face-edge-on = Face { $face } is edge-on: nothing of it is seen, culled.
+code-face-normal = n ← (V₁ − V₀) × (V₂ − V₀)
+code-face-viewer = e ← eye − V₀
+code-face-product = n·e = |e, V₁ − V₀, V₂ − V₀|
+code-face-decide = front if n·e > 0, else cull
+words-face-normal = The cross product of two edges is perpendicular to the face.
+words-face-viewer = In perspective the way to the eye differs from face to face.
+words-face-product = Its sign says on which side of the face the eye is.
+words-face-decide = Backs of closed solids are hidden by their fronts.
+
+## The funnel
+
+level-scene = in the scene
+level-spheres = after the spheres
+level-vertices = after the vertices
+level-cuts = after the cuts
+level-facing = facing the camera
+level-counts = { $triangles } triangles · { $objects } objects
+funnel-opening = { $objects } objects with { $triangles } triangles: which of them need be drawn?
+funnel-object = Object { $object }: { $triangles } triangles in one sphere.
+funnel-sphere-inside = Object { $object } is inside: its { $triangles } triangles need no clipping.
+funnel-sphere-straddles = Object { $object } straddles: its { $triangles } triangles are asked one by one.
+funnel-sphere-outside = Object { $object } is culled whole: { $triangles } triangles spared.
+funnel-triangle-inside = Triangle { $triangle }: { $inside } of 3 vertices are inside, kept whole.
+funnel-triangle-outside = Triangle { $triangle }: all vertices lie beyond one side ({ $inside } inside), culled.
+funnel-triangle-cut = Triangle { $triangle }: { $inside } of 3 vertices are inside, cut into { $pieces } triangles.
+funnel-triangle-across = Triangle { $triangle }: { $inside } vertices are inside, and yet it is seen: { $pieces } triangles.
+funnel-triangle-nothing = Triangle { $triangle }: { $inside } vertices are inside, and the clipper finds { $pieces } pieces.
+funnel-face-front = Triangle { $triangle } of object { $object } faces the camera: drawn.
+funnel-face-back = Triangle { $triangle } of object { $object } looks away: culled.
+funnel-face-edge-on = Triangle { $triangle } of object { $object } is edge-on: culled.
+funnel-done = { $facing } triangles of { $kept } objects are left to draw, of { $triangles } triangles of { $objects }.
+code-funnel-each = for each object:
+code-funnel-sphere = c, r ← sphere around the centroid
+code-funnel-plane = for each plane: d ← n·c + D
+code-funnel-cull = if d < −r: cull the object
+code-funnel-straddles = if any d < r: for each triangle:
+code-funnel-triangle = codes: cull, keep, or clip
+code-funnel-face = cull triangles with n·e ≤ 0
+code-funnel-draw = draw what is left
+words-funnel-each = Whole objects first: one test may spare all their triangles.
+words-funnel-sphere = Around the mean of the vertices, as far as the farthest.
+words-funnel-plane = Ask the six planes for the distance of the centre.
+words-funnel-cull = Farther out than the radius: leave the object out.
+words-funnel-straddles = Only what straddles goes down a level.
+words-funnel-triangle = Vertices beyond one side: cull; none beyond any: keep; else clip.
+words-funnel-face = What looks away from the camera is hidden by what faces it.
+words-funnel-draw = Every level has lost what the one before could tell.
+
+## Mistakes
+
+faulty-one-angle-differs = Step { $step } is the first that differs: the field of view from bottom to top was taken for that from left to right, too.
+faulty-turned-sign-differs = Step { $step } is the first that differs: the inner side of the plane was taken for the outer.
+faulty-around-origin-differs = Step { $step } is the first that differs: the sphere stands around the model’s origin, not around its centroid.
+faulty-winding-differs = Step { $step } is the first that differs: corners were taken to run clockwise, and the normal points inside.
+faulty-constant-view-differs = Step { $step } is the first that differs: one direction of sight was taken for all faces.
+code-faulty-one-angle = planes by one angle: d ← n·c + D
+words-faulty-one-angle = Planes whose sides open as wide as bottom and top.
+code-faulty-turned-sign = if d > r: cull the object
+words-faulty-turned-sign = What is on the side of the normal is left out.
+code-faulty-around-origin = c, r ← origin, radius about the centroid
+words-faulty-around-origin = Around the model’s origin, with the radius measured from the centroid.
+code-faulty-winding = n ← (V₂ − V₀) × (V₁ − V₀)
+words-faulty-winding = The normal of corners that run clockwise.
+code-faulty-constant-view = cull triangles with n·v ≥ 0, v constant
+words-faulty-constant-view = One direction of sight for every face.

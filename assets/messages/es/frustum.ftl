@@ -1,0 +1,189 @@
+### What the frustum lab says: planes, spheres, boxes, faces, the funnel, and what goes wrong in it.
+
+## Sides of the view volume beyond those of a window
+
+side-near = cercano
+side-far = lejano
+
+## Views
+
+view-observer = Observador
+view-camera = Cámara
+gauge-outside = fuera
+gauge-inside = dentro
+gauge-away = mira a otro lado
+gauge-faces-camera = mira a la cámara
+gauge-drawn = se dibuja
+gauge-culled = descartada
+gauges-point = Un punto, seis planos
+gauges-sphere = Una esfera, { $planes } planos
+gauges-faces = Caras: { $faces }
+planes-from-matrix = Tomados de las filas de la matriz difieren como mucho en { $apart }.
+column-plane = plano
+column-outside = fuera
+column-least = mínimo
+column-most = máximo
+
+## What can be taken hold of
+
+handle-camera = Posición de la cámara
+handle-target = Punto al que mira la cámara
+handle-near = Plano cercano
+handle-far = Plano lejano
+handle-top = Apertura de la cámara
+handle-point = Punto P
+handle-object = Objeto { $number }
+
+## Methods
+
+alg-point-planes = Punto contra planos
+alg-sphere-cull = Esfera envolvente
+alg-box-cull = Caja envolvente
+alg-back-face = Caras traseras
+alg-funnel = Embudo de descarte
+alg-faulty-one-angle = Erróneo: un solo ángulo para ambos ejes
+alg-faulty-turned-sign = Erróneo: signo invertido
+alg-faulty-around-origin = Erróneo: la esfera rodea el origen
+alg-faulty-winding = Erróneo: vértices en sentido horario
+alg-faulty-constant-view = Erróneo: una sola dirección de visión
+
+## A point
+
+point-opening = ¿Está P dentro de los { $planes } planos?
+point-inside = P está dentro del plano { $plane }.
+point-on = P está en el plano { $plane }, lo que cuenta como dentro.
+point-outside = P está fuera del plano { $plane }.
+point-done-inside = Ninguno de los { $planes } planos deja P fuera: está en el volumen.
+point-done-outside = { $outside } de { $planes } planos dejan P fuera: no está en el volumen.
+code-point-each = para cada plano (n, D):
+code-point-distance = d ← n·P + D
+code-point-outside = si d < 0: fuera
+code-point-inside = dentro si ningún plano dice fuera
+words-point-each = Pregunta a cada plano; su normal apunta hacia dentro.
+words-point-distance = La normal por el punto, más D, es la distancia con signo.
+words-point-outside = Negativa es fuera; cero es en el plano, y dentro.
+words-point-inside = Lo que ningún plano deja fuera está en el volumen.
+
+## A bounding sphere
+
+sphere-opening = Una esfera alrededor de todos los vértices responde por el objeto: { $planes } planos.
+sphere-inside = La esfera está dentro del plano { $plane }.
+sphere-straddles = La esfera cruza el plano { $plane }.
+sphere-outside = La esfera está fuera del plano { $plane }: se descarta entera.
+sphere-done-inside = Los { $planes } planos la tienen dentro: ningún triángulo necesita prueba.
+sphere-done-straddles = Cruza { $cut } de { $planes } planos: se pregunta a sus triángulos.
+sphere-done-outside = El plano { $plane } la rechaza tras { $planes } pruebas: no se dibuja nada.
+code-sphere-each = para cada plano (n, D):
+code-sphere-distance = d ← n·c + D
+code-sphere-outside = si d < −r: descartar
+code-sphere-straddles = si d < r: cruza
+code-sphere-done = dentro si ninguno cruza
+words-sphere-each = Pregunta a cada plano; su normal apunta hacia dentro.
+words-sphere-distance = La distancia con signo del centro al plano.
+words-sphere-outside = Más afuera que el radio: toda ella está fuera.
+words-sphere-straddles = Más cerca que el radio: el plano corta la esfera.
+words-sphere-done = Dentro de todos los planos no hay más que preguntar.
+class-inside = dentro
+class-straddles = cruza
+class-outside = fuera
+watch-class = clase
+watch-object = objeto
+
+## A bounding box
+
+box-opening = Una caja alrededor de todos los vértices responde por el objeto: { $planes } planos, ocho vértices cada uno.
+box-inside = Los ocho vértices están dentro del plano { $plane } ({ $outside } fuera).
+box-straddles = { $outside } de 8 vértices están fuera del plano { $plane }: la caja lo cruza.
+box-outside = Los { $outside } vértices están fuera del plano { $plane }: se descarta entera.
+box-meets = Cruza { $cut } planos, y algo de ella está dentro de todos.
+box-in-vain = Cruza { $cut } planos y, sin embargo, nada de ella está dentro de todos.
+box-done-inside = Los { $planes } planos la tienen dentro.
+box-done-straddles = Ninguno de los { $planes } planos la rechaza: se pregunta a sus triángulos.
+box-done-in-vain = Los { $planes } planos la conservan y se dibujaría en vano: es conservador, no erróneo.
+box-done-outside = El plano { $plane } la rechaza tras { $planes } pruebas: no se dibuja nada.
+code-box-each = para cada plano (n, D):
+code-box-corners = contar vértices con n·p + D < 0
+code-box-outside = si los ocho: descartar
+code-box-meets = ¿hay un punto dentro de todos?
+code-box-done = conservar, o dibujar en vano
+words-box-each = Pregunta a cada plano; su normal apunta hacia dentro.
+words-box-corners = Solo cuentan los signos de los ocho vértices.
+words-box-outside = Los ocho fuera de un plano: nada de ella se puede ver.
+words-box-meets = Una segunda prueba halla las cajas que cruzan planos y aun así están fuera.
+words-box-done = Los planos nunca rechazan lo visible; pueden conservar lo que no lo es.
+
+## A face
+
+face-opening = ¿Muestra la cara { $face } su frente a la cámara?
+face-normal = Vista desde fuera, la cara { $face } gira en sentido antihorario: su normal apunta hacia fuera.
+face-to-eye = Desde V₀ de la cara { $face } hasta la cámara: e = ojo − V₀.
+face-to-direction = Paralela: para la cara { $face }, como para todas, e vuelve por la línea de visión.
+face-products = Cara { $face }: el producto escalar y, como determinante, el mismo número.
+face-front = La cara { $face } mira a la cámara: se dibuja.
+face-back = La cara { $face } mira a otro lado: se descarta.
+face-edge-on = La cara { $face } se ve de canto: no se ve nada, se descarta.
+code-face-normal = n ← (V₁ − V₀) × (V₂ − V₀)
+code-face-viewer = e ← ojo − V₀
+code-face-product = n·e = |e, V₁ − V₀, V₂ − V₀|
+code-face-decide = frente si n·e > 0; si no, descartar
+words-face-normal = El producto vectorial de dos aristas es perpendicular a la cara.
+words-face-viewer = En perspectiva la dirección al ojo cambia de cara a cara.
+words-face-product = Su signo dice de qué lado de la cara está el ojo.
+words-face-decide = Los dorsos de sólidos cerrados quedan tapados por sus frentes.
+
+## The funnel
+
+level-scene = en la escena
+level-spheres = tras las esferas
+level-vertices = tras los vértices
+level-cuts = tras los cortes
+level-facing = de cara a la cámara
+level-counts = { $triangles } triángulos · { $objects } objetos
+funnel-opening = { $objects } objetos con { $triangles } triángulos: ¿cuáles hay que dibujar?
+funnel-object = Objeto { $object }: { $triangles } triángulos en una esfera.
+funnel-sphere-inside = El objeto { $object } está dentro: sus { $triangles } triángulos no necesitan recorte.
+funnel-sphere-straddles = El objeto { $object } cruza el borde: se pregunta a sus { $triangles } triángulos uno a uno.
+funnel-sphere-outside = El objeto { $object } se descarta entero: { $triangles } triángulos ahorrados.
+funnel-triangle-inside = Triángulo { $triangle }: { $inside } de 3 vértices dentro, se conserva entero.
+funnel-triangle-outside = Triángulo { $triangle }: todos los vértices más allá de un lado ({ $inside } dentro), se descarta.
+funnel-triangle-cut = Triángulo { $triangle }: { $inside } de 3 vértices dentro, recortado en { $pieces } triángulos.
+funnel-triangle-across = Triángulo { $triangle }: { $inside } vértices dentro y, sin embargo, se ve: { $pieces } triángulos.
+funnel-triangle-nothing = Triángulo { $triangle }: { $inside } vértices dentro, y el recorte deja { $pieces } piezas.
+funnel-face-front = El triángulo { $triangle } del objeto { $object } mira a la cámara: se dibuja.
+funnel-face-back = El triángulo { $triangle } del objeto { $object } mira a otro lado: se descarta.
+funnel-face-edge-on = El triángulo { $triangle } del objeto { $object } se ve de canto: se descarta.
+funnel-done = Quedan por dibujar { $facing } triángulos de { $kept } objetos, de { $triangles } triángulos de { $objects }.
+code-funnel-each = para cada objeto:
+code-funnel-sphere = c, r ← esfera alrededor del centroide
+code-funnel-plane = para cada plano: d ← n·c + D
+code-funnel-cull = si d < −r: descartar el objeto
+code-funnel-straddles = si algún d < r: para cada triángulo:
+code-funnel-triangle = códigos: descartar, conservar o recortar
+code-funnel-face = descartar triángulos con n·e ≤ 0
+code-funnel-draw = dibujar lo que queda
+words-funnel-each = Primero objetos enteros: una prueba puede ahorrar todos sus triángulos.
+words-funnel-sphere = Alrededor de la media de los vértices, hasta el más lejano.
+words-funnel-plane = Pregunta a los seis planos la distancia del centro.
+words-funnel-cull = Más afuera que el radio: deja fuera el objeto.
+words-funnel-straddles = Solo lo que cruza baja de nivel.
+words-funnel-triangle = Vértices más allá de un mismo lado: descartar; ninguno fuera: conservar; si no, recortar.
+words-funnel-face = Lo que mira a otro lado queda tapado por lo que mira a la cámara.
+words-funnel-draw = Cada nivel ha quitado lo que el anterior podía decidir.
+
+## Mistakes
+
+faulty-one-angle-differs = El paso { $step } es el primero que difiere: el ángulo de abajo arriba se tomó también de izquierda a derecha.
+faulty-turned-sign-differs = El paso { $step } es el primero que difiere: el lado interior del plano se tomó por el exterior.
+faulty-around-origin-differs = El paso { $step } es el primero que difiere: la esfera rodea el origen del modelo, no su centroide.
+faulty-winding-differs = El paso { $step } es el primero que difiere: los vértices se tomaron en sentido horario y la normal apunta hacia dentro.
+faulty-constant-view-differs = El paso { $step } es el primero que difiere: se tomó una sola dirección de visión para todas las caras.
+code-faulty-one-angle = planos con un solo ángulo: d ← n·c + D
+words-faulty-one-angle = Planos laterales tan abiertos como los de abajo y arriba.
+code-faulty-turned-sign = si d > r: descartar el objeto
+words-faulty-turned-sign = Se deja fuera lo que está del lado de la normal.
+code-faulty-around-origin = c, r ← origen, radio respecto al centroide
+words-faulty-around-origin = Alrededor del origen del modelo, con el radio medido desde el centroide.
+code-faulty-winding = n ← (V₂ − V₀) × (V₁ − V₀)
+words-faulty-winding = La normal de vértices en sentido horario.
+code-faulty-constant-view = descartar triángulos con n·v ≥ 0, v constante
+words-faulty-constant-view = Una sola dirección de visión para todas las caras.

@@ -1,0 +1,189 @@
+### What the frustum lab says: planes, spheres, boxes, faces, the funnel, and what goes wrong in it.
+
+## Sides of the view volume beyond those of a window
+
+side-near = próximo
+side-far = distante
+
+## Views
+
+view-observer = Observador
+view-camera = Câmera
+gauge-outside = fora
+gauge-inside = dentro
+gauge-away = olha para longe
+gauge-faces-camera = olha para a câmera
+gauge-drawn = desenhada
+gauge-culled = descartada
+gauges-point = Um ponto, seis planos
+gauges-sphere = Uma esfera, { $planes } planos
+gauges-faces = Faces: { $faces }
+planes-from-matrix = Tirados das linhas da matriz, diferem no máximo em { $apart }.
+column-plane = plano
+column-outside = fora
+column-least = mínimo
+column-most = máximo
+
+## What can be taken hold of
+
+handle-camera = Posição da câmera
+handle-target = Ponto para onde a câmera olha
+handle-near = Plano próximo
+handle-far = Plano distante
+handle-top = Abertura da câmera
+handle-point = Ponto P
+handle-object = Objeto { $number }
+
+## Methods
+
+alg-point-planes = Ponto contra planos
+alg-sphere-cull = Esfera envolvente
+alg-box-cull = Caixa envolvente
+alg-back-face = Faces traseiras
+alg-funnel = Funil de descarte
+alg-faulty-one-angle = Errado: um só ângulo para os dois eixos
+alg-faulty-turned-sign = Errado: sinal invertido
+alg-faulty-around-origin = Errado: a esfera fica em torno da origem
+alg-faulty-winding = Errado: vértices em sentido horário
+alg-faulty-constant-view = Errado: uma só direção de visão
+
+## A point
+
+point-opening = P está dentro dos { $planes } planos?
+point-inside = P está dentro do plano { $plane }.
+point-on = P está no plano { $plane }, o que conta como dentro.
+point-outside = P está fora do plano { $plane }.
+point-done-inside = Nenhum dos { $planes } planos deixa P fora: está no volume.
+point-done-outside = { $outside } de { $planes } planos deixam P fora: não está no volume.
+code-point-each = para cada plano (n, D):
+code-point-distance = d ← n·P + D
+code-point-outside = se d < 0: fora
+code-point-inside = dentro se nenhum plano diz fora
+words-point-each = Pergunte a cada plano; sua normal aponta para dentro.
+words-point-distance = A normal vezes o ponto, mais D, é a distância com sinal.
+words-point-outside = Negativa é fora; zero é no plano, e dentro.
+words-point-inside = O que nenhum plano deixa fora está no volume.
+
+## A bounding sphere
+
+sphere-opening = Uma esfera em torno de todos os vértices responde pelo objeto: { $planes } planos.
+sphere-inside = A esfera está dentro do plano { $plane }.
+sphere-straddles = A esfera cruza o plano { $plane }.
+sphere-outside = A esfera está fora do plano { $plane }: descartada inteira.
+sphere-done-inside = Os { $planes } planos a têm dentro: nenhum triângulo precisa de teste.
+sphere-done-straddles = Cruza { $cut } de { $planes } planos: pergunta-se aos seus triângulos.
+sphere-done-outside = O plano { $plane } a rejeita após { $planes } testes: nada é desenhado.
+code-sphere-each = para cada plano (n, D):
+code-sphere-distance = d ← n·c + D
+code-sphere-outside = se d < −r: descartar
+code-sphere-straddles = se d < r: cruza
+code-sphere-done = dentro se nenhum cruza
+words-sphere-each = Pergunte a cada plano; sua normal aponta para dentro.
+words-sphere-distance = A distância com sinal do centro ao plano.
+words-sphere-outside = Mais fora que o raio: toda ela está fora.
+words-sphere-straddles = Mais perto que o raio: o plano corta a esfera.
+words-sphere-done = Dentro de todos os planos não há mais o que perguntar.
+class-inside = dentro
+class-straddles = cruza
+class-outside = fora
+watch-class = classe
+watch-object = objeto
+
+## A bounding box
+
+box-opening = Uma caixa em torno de todos os vértices responde pelo objeto: { $planes } planos, oito cantos cada um.
+box-inside = Os oito cantos estão dentro do plano { $plane } ({ $outside } fora).
+box-straddles = { $outside } de 8 cantos estão fora do plano { $plane }: a caixa o cruza.
+box-outside = Os { $outside } cantos estão fora do plano { $plane }: descartada inteira.
+box-meets = Cruza { $cut } planos, e algo dela está dentro de todos.
+box-in-vain = Cruza { $cut } planos e, mesmo assim, nada dela está dentro de todos.
+box-done-inside = Os { $planes } planos a têm dentro.
+box-done-straddles = Nenhum dos { $planes } planos a rejeita: pergunta-se aos seus triângulos.
+box-done-in-vain = Os { $planes } planos a mantêm e ela seria desenhada em vão: é conservador, não errado.
+box-done-outside = O plano { $plane } a rejeita após { $planes } testes: nada é desenhado.
+code-box-each = para cada plano (n, D):
+code-box-corners = contar cantos com n·p + D < 0
+code-box-outside = se os oito: descartar
+code-box-meets = há um ponto dentro de todos?
+code-box-done = manter, ou desenhar em vão
+words-box-each = Pergunte a cada plano; sua normal aponta para dentro.
+words-box-corners = Só contam os sinais dos oito cantos.
+words-box-outside = Os oito fora de um plano: nada dela se pode ver.
+words-box-meets = Um segundo teste acha as caixas que cruzam planos e mesmo assim estão fora.
+words-box-done = Os planos nunca rejeitam o visível; podem manter o que não é.
+
+## A face
+
+face-opening = A face { $face } mostra sua frente à câmera?
+face-normal = Vista de fora, a face { $face } gira em sentido anti-horário: sua normal aponta para fora.
+face-to-eye = De V₀ da face { $face } até a câmera: e = olho − V₀.
+face-to-direction = Paralela: para a face { $face }, como para todas, e volta pela linha de visão.
+face-products = Face { $face }: o produto escalar e, como determinante, o mesmo número.
+face-front = A face { $face } olha para a câmera: desenhada.
+face-back = A face { $face } olha para longe da câmera: descartada.
+face-edge-on = A face { $face } está de perfil: nada se vê, descartada.
+code-face-normal = n ← (V₁ − V₀) × (V₂ − V₀)
+code-face-viewer = e ← olho − V₀
+code-face-product = n·e = |e, V₁ − V₀, V₂ − V₀|
+code-face-decide = frente se n·e > 0; senão, descartar
+words-face-normal = O produto vetorial de duas arestas é perpendicular à face.
+words-face-viewer = Em perspectiva a direção ao olho muda de face para face.
+words-face-product = O sinal diz de que lado da face está o olho.
+words-face-decide = As costas de sólidos fechados ficam tapadas pelas frentes.
+
+## The funnel
+
+level-scene = na cena
+level-spheres = após as esferas
+level-vertices = após os vértices
+level-cuts = após os cortes
+level-facing = de frente à câmera
+level-counts = { $triangles } triângulos · { $objects } objetos
+funnel-opening = { $objects } objetos com { $triangles } triângulos: quais é preciso desenhar?
+funnel-object = Objeto { $object }: { $triangles } triângulos em uma esfera.
+funnel-sphere-inside = O objeto { $object } está dentro: seus { $triangles } triângulos não precisam de recorte.
+funnel-sphere-straddles = O objeto { $object } cruza a borda: pergunta-se aos seus { $triangles } triângulos um a um.
+funnel-sphere-outside = O objeto { $object } é descartado inteiro: { $triangles } triângulos poupados.
+funnel-triangle-inside = Triângulo { $triangle }: { $inside } de 3 vértices dentro, mantido inteiro.
+funnel-triangle-outside = Triângulo { $triangle }: todos os vértices além de um lado ({ $inside } dentro), descartado.
+funnel-triangle-cut = Triângulo { $triangle }: { $inside } de 3 vértices dentro, recortado em { $pieces } triângulos.
+funnel-triangle-across = Triângulo { $triangle }: { $inside } vértices dentro e, mesmo assim, visível: { $pieces } triângulos.
+funnel-triangle-nothing = Triângulo { $triangle }: { $inside } vértices dentro, e o recorte deixa { $pieces } peças.
+funnel-face-front = O triângulo { $triangle } do objeto { $object } olha para a câmera: desenhado.
+funnel-face-back = O triângulo { $triangle } do objeto { $object } olha para longe: descartado.
+funnel-face-edge-on = O triângulo { $triangle } do objeto { $object } está de perfil: descartado.
+funnel-done = Restam a desenhar { $facing } triângulos de { $kept } objetos, de { $triangles } triângulos de { $objects }.
+code-funnel-each = para cada objeto:
+code-funnel-sphere = c, r ← esfera em torno do centroide
+code-funnel-plane = para cada plano: d ← n·c + D
+code-funnel-cull = se d < −r: descartar o objeto
+code-funnel-straddles = se algum d < r: para cada triângulo:
+code-funnel-triangle = códigos: descartar, manter ou recortar
+code-funnel-face = descartar triângulos com n·e ≤ 0
+code-funnel-draw = desenhar o que resta
+words-funnel-each = Primeiro objetos inteiros: um teste pode poupar todos os triângulos.
+words-funnel-sphere = Em torno da média dos vértices, até o mais distante.
+words-funnel-plane = Pergunte aos seis planos a distância do centro.
+words-funnel-cull = Mais fora que o raio: deixe o objeto de fora.
+words-funnel-straddles = Só o que cruza desce de nível.
+words-funnel-triangle = Vértices além de um mesmo lado: descartar; nenhum fora: manter; senão, recortar.
+words-funnel-face = O que olha para longe fica tapado pelo que olha para a câmera.
+words-funnel-draw = Cada nível tirou o que o anterior podia decidir.
+
+## Mistakes
+
+faulty-one-angle-differs = O passo { $step } é o primeiro que difere: o ângulo de baixo para cima foi usado também da esquerda para a direita.
+faulty-turned-sign-differs = O passo { $step } é o primeiro que difere: o lado de dentro do plano foi tomado pelo de fora.
+faulty-around-origin-differs = O passo { $step } é o primeiro que difere: a esfera fica em torno da origem do modelo, não do centroide.
+faulty-winding-differs = O passo { $step } é o primeiro que difere: os vértices foram tomados em sentido horário e a normal aponta para dentro.
+faulty-constant-view-differs = O passo { $step } é o primeiro que difere: uma só direção de visão foi usada para todas as faces.
+code-faulty-one-angle = planos com um só ângulo: d ← n·c + D
+words-faulty-one-angle = Planos laterais tão abertos quanto os de baixo e de cima.
+code-faulty-turned-sign = se d > r: descartar o objeto
+words-faulty-turned-sign = Deixa-se de fora o que está do lado da normal.
+code-faulty-around-origin = c, r ← origem, raio em relação ao centroide
+words-faulty-around-origin = Em torno da origem do modelo, com o raio medido a partir do centroide.
+code-faulty-winding = n ← (V₂ − V₀) × (V₁ − V₀)
+words-faulty-winding = A normal de vértices em sentido horário.
+code-faulty-constant-view = descartar triângulos com n·v ≥ 0, v constante
+words-faulty-constant-view = Uma só direção de visão para todas as faces.

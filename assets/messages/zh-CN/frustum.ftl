@@ -1,0 +1,189 @@
+### What the frustum lab says: planes, spheres, boxes, faces, the funnel, and what goes wrong in it.
+
+## Sides of the view volume beyond those of a window
+
+side-near = 近
+side-far = 远
+
+## Views
+
+view-observer = 观察者
+view-camera = 相机
+gauge-outside = 外
+gauge-inside = 内
+gauge-away = 背向
+gauge-faces-camera = 朝向相机
+gauge-drawn = 绘制
+gauge-culled = 剔除
+gauges-point = 一个点，六个平面
+gauges-sphere = 一个包围球，{ $planes } 个平面
+gauges-faces = 面数：{ $faces }
+planes-from-matrix = 从矩阵各行取出的平面与此最多相差 { $apart }。
+column-plane = 平面
+column-outside = 外
+column-least = 最小
+column-most = 最大
+
+## What can be taken hold of
+
+handle-camera = 相机位置
+handle-target = 相机目标点
+handle-near = 近平面
+handle-far = 远平面
+handle-top = 相机张角
+handle-point = 点 P
+handle-object = 物体 { $number }
+
+## Methods
+
+alg-point-planes = 点与平面
+alg-sphere-cull = 包围球剔除
+alg-box-cull = 包围盒剔除
+alg-back-face = 背面剔除
+alg-funnel = 剔除漏斗
+alg-faulty-one-angle = 错误：两个方向用同一个视角
+alg-faulty-turned-sign = 错误：符号取反
+alg-faulty-around-origin = 错误：球心取在原点
+alg-faulty-winding = 错误：把顶点当作顺时针
+alg-faulty-constant-view = 错误：所有面用同一视线方向
+
+## A point
+
+point-opening = P 是否在全部 { $planes } 个平面的内侧？
+point-inside = P 在{ $plane }平面的内侧。
+point-on = P 在{ $plane }平面上，算作内侧。
+point-outside = P 在{ $plane }平面的外侧。
+point-done-inside = { $planes } 个平面都不把 P 分到外侧：P 在视见体内。
+point-done-outside = { $planes } 个平面中有 { $outside } 个把 P 分到外侧：P 不在视见体内。
+code-point-each = 对每个平面 (n, D)：
+code-point-distance = d ← n·P + D
+code-point-outside = 若 d < 0：在外侧
+code-point-inside = 没有平面判为外侧：在内部
+words-point-each = 依次询问每个平面；法向量指向内侧。
+words-point-distance = 法向量点乘该点再加 D，就是有符号距离。
+words-point-outside = 为负在外侧；为零在平面上，算内侧。
+words-point-inside = 没有被任何平面分到外侧的点在视见体内。
+
+## A bounding sphere
+
+sphere-opening = 一个包住全部顶点的球代表物体：{ $planes } 个平面。
+sphere-inside = 球在{ $plane }平面的内侧。
+sphere-straddles = 球跨在{ $plane }平面上。
+sphere-outside = 球在{ $plane }平面的外侧：整个剔除。
+sphere-done-inside = { $planes } 个平面都判为内侧：三角形不必再测。
+sphere-done-straddles = 它跨在 { $planes } 个平面中的 { $cut } 个上：接着逐个测三角形。
+sphere-done-outside = 测了 { $planes } 次后被{ $plane }平面拒绝：全部不绘制。
+code-sphere-each = 对每个平面 (n, D)：
+code-sphere-distance = d ← n·c + D
+code-sphere-outside = 若 d < −r：剔除
+code-sphere-straddles = 若 d < r：跨界
+code-sphere-done = 无跨界则在内部
+words-sphere-each = 依次询问每个平面；法向量指向内侧。
+words-sphere-distance = 球心到平面的有符号距离。
+words-sphere-outside = 比半径更靠外：整个在外侧。
+words-sphere-straddles = 比半径更近：平面截到球。
+words-sphere-done = 在所有平面内侧，就不必再问。
+class-inside = 内部
+class-straddles = 跨界
+class-outside = 外部
+watch-class = 分类
+watch-object = 物体
+
+## A bounding box
+
+box-opening = 包住全部顶点的盒子代表物体：{ $planes } 个平面，每个测八个角。
+box-inside = 八个角都在{ $plane }平面内侧（外侧 { $outside } 个）。
+box-straddles = 8 个角中有 { $outside } 个在{ $plane }平面外侧：跨界。
+box-outside = 全部 { $outside } 个角都在{ $plane }平面外侧：整个剔除。
+box-meets = 它跨在 { $cut } 个平面上，确有一部分在所有平面内侧。
+box-in-vain = 它跨在 { $cut } 个平面上，却没有任何一点同时在所有平面内侧。
+box-done-inside = { $planes } 个平面都判为内侧。
+box-done-straddles = { $planes } 个平面都没有拒绝它：接着逐个测三角形。
+box-done-in-vain = { $planes } 个平面都保留它，画了也是白画：保守，但没有错。
+box-done-outside = 测了 { $planes } 次后被{ $plane }平面拒绝：全部不绘制。
+code-box-each = 对每个平面 (n, D)：
+code-box-corners = 数 n·p + D < 0 的角
+code-box-outside = 若八个全是：剔除
+code-box-meets = 有没有一点在所有平面内侧？
+code-box-done = 保留，或者白画
+words-box-each = 依次询问每个平面；法向量指向内侧。
+words-box-corners = 只看八个角的符号。
+words-box-outside = 八个角都在同一平面外侧：什么也看不到。
+words-box-meets = 第二个测试找出跨界却仍在外部的盒子。
+words-box-done = 平面测试从不拒绝看得见的，但可能保留看不见的。
+
+## A face
+
+face-opening = 第 { $face } 个面是否以正面朝向相机？
+face-normal = 从外面看第 { $face } 个面是逆时针：法向量指向外面。
+face-to-eye = 从第 { $face } 个面的 V₀ 指向相机：e = 视点 − V₀。
+face-to-direction = 平行投影：第 { $face } 个面与所有面一样，e 沿视线往回指。
+face-products = 第 { $face } 个面：点积；写成行列式是同一个数。
+face-front = 第 { $face } 个面朝向相机：绘制。
+face-back = 第 { $face } 个面背向相机：剔除。
+face-edge-on = 第 { $face } 个面正好侧对：看不见，剔除。
+code-face-normal = n ← (V₁ − V₀) × (V₂ − V₀)
+code-face-viewer = e ← 视点 − V₀
+code-face-product = n·e = |e, V₁ − V₀, V₂ − V₀|
+code-face-decide = n·e > 0 为正面，否则剔除
+words-face-normal = 两条边的叉积垂直于面。
+words-face-viewer = 透视投影中，指向视点的向量随面而异。
+words-face-product = 它的符号说明视点在面的哪一侧。
+words-face-decide = 封闭立体的背面总被正面挡住。
+
+## The funnel
+
+level-scene = 场景中
+level-spheres = 包围球之后
+level-vertices = 顶点之后
+level-cuts = 裁剪之后
+level-facing = 朝向相机
+level-counts = { $triangles } 个三角形 · { $objects } 个物体
+funnel-opening = { $objects } 个物体，{ $triangles } 个三角形：哪些需要绘制？
+funnel-object = 物体 { $object }：{ $triangles } 个三角形，一个包围球。
+funnel-sphere-inside = 物体 { $object } 在内部：{ $triangles } 个三角形都不必裁剪。
+funnel-sphere-straddles = 物体 { $object } 跨界：逐个测它的 { $triangles } 个三角形。
+funnel-sphere-outside = 物体 { $object } 整个剔除：省下 { $triangles } 个三角形。
+funnel-triangle-inside = 三角形 { $triangle }：3 个顶点中 { $inside } 个在内部，整个保留。
+funnel-triangle-outside = 三角形 { $triangle }：顶点都在同一面之外（内部 { $inside } 个），剔除。
+funnel-triangle-cut = 三角形 { $triangle }：3 个顶点中 { $inside } 个在内部，裁成 { $pieces } 个三角形。
+funnel-triangle-across = 三角形 { $triangle }：{ $inside } 个顶点在内部，却仍看得见：{ $pieces } 个三角形。
+funnel-triangle-nothing = 三角形 { $triangle }：{ $inside } 个顶点在内部，裁剪后剩 { $pieces } 块。
+funnel-face-front = 物体 { $object } 的三角形 { $triangle } 朝向相机：绘制。
+funnel-face-back = 物体 { $object } 的三角形 { $triangle } 背向相机：剔除。
+funnel-face-edge-on = 物体 { $object } 的三角形 { $triangle } 正好侧对：剔除。
+funnel-done = 剩下 { $kept } 个物体的 { $facing } 个三角形要画，原有 { $objects } 个物体、{ $triangles } 个三角形。
+code-funnel-each = 对每个物体：
+code-funnel-sphere = c, r ← 绕质心的包围球
+code-funnel-plane = 对每个平面：d ← n·c + D
+code-funnel-cull = 若 d < −r：剔除物体
+code-funnel-straddles = 若有 d < r：对每个三角形：
+code-funnel-triangle = 区域码：剔除、保留或裁剪
+code-funnel-face = 剔除 n·e ≤ 0 的三角形
+code-funnel-draw = 绘制剩下的
+words-funnel-each = 先测整个物体：一次测试可以省下全部三角形。
+words-funnel-sphere = 以顶点平均为心，以最远顶点为半径。
+words-funnel-plane = 向六个平面询问球心的距离。
+words-funnel-cull = 比半径更靠外：舍去该物体。
+words-funnel-straddles = 只有跨界的才往下一层。
+words-funnel-triangle = 顶点同在一面之外：剔除；都不在外：保留；否则裁剪。
+words-funnel-face = 背向相机的面被朝向相机的面挡住。
+words-funnel-draw = 每一层都去掉了上一层能判断的部分。
+
+## Mistakes
+
+faulty-one-angle-differs = 第 { $step } 步首次出现差别：把上下视角也当成了左右视角。
+faulty-turned-sign-differs = 第 { $step } 步首次出现差别：把平面的内侧当成了外侧。
+faulty-around-origin-differs = 第 { $step } 步首次出现差别：包围球以模型原点为心，而不是质心。
+faulty-winding-differs = 第 { $step } 步首次出现差别：把顶点顺序当成顺时针，法向量指向了里面。
+faulty-constant-view-differs = 第 { $step } 步首次出现差别：所有面用了同一个视线方向。
+code-faulty-one-angle = 用同一视角的平面：d ← n·c + D
+words-faulty-one-angle = 左右平面与上下平面张角相同。
+code-faulty-turned-sign = 若 d > r：剔除物体
+words-faulty-turned-sign = 舍去法向量一侧的物体。
+code-faulty-around-origin = c, r ← 原点，绕质心的半径
+words-faulty-around-origin = 以模型原点为心，用从质心量得的半径。
+code-faulty-winding = n ← (V₂ − V₀) × (V₁ − V₀)
+words-faulty-winding = 按顺时针顶点求法向量。
+code-faulty-constant-view = 剔除 n·v ≥ 0 的三角形，v 不变
+words-faulty-constant-view = 每个面都用同一视线方向。

@@ -1,0 +1,137 @@
+//! A point against the planes of a volume: the question that every other test here is made of.
+//!
+//! ```text
+//!            n ▲                n·p + d > 0    inside: in front of the plane
+//!              │   ● p
+//!   ───────────┴──────          n·p + d = 0    on it, which counts as inside
+//!          ●  ┊
+//!             ┊ (n·p + d)/|n|   n·p + d < 0    outside: behind it
+//! ```
+//!
+//! Inside the volume is what no plane has outside. Every plane is asked: a point has a distance from each of them.
+//!
+//! *Conventions*: planes in the order in which they are given; normals point inside; all is closed. *Bound*: one event a plane,
+//! and the end. *Cost*: three multiplications and three additions a plane, a division where the normal is not of length 1, and
+//! one or two comparisons.
+//!
+//! *Source*: I. E. Sutherland and G. W. Hodgman, "Reentrant polygon clipping", Communications of the ACM 17, 1974, pp. 32–42.
+//!
+//! ```
+//! use clipscope::{
+//!     algo::cull::{PointPlanes, PointPlanesInput},
+//!     geom::ViewVolume,
+//!     trace::silent,
+//! };
+//! let planes = ViewVolume::perspective(90.0, 1.0, 1.0, 10.0)?.planes().to_vec();
+//! let at = |point| silent::<PointPlanes>(&PointPlanesInput { planes: planes.clone(), point });
+//! assert!(at([0.0, 0.0, -1.0]).inside, "on the near plane");
+//! assert_eq!(at([0.0, 0.0, -12.0]).distances[1], -2.0);
+//! # Ok::<(), clipscope::geom::SpaceError>(())
+//! ```
+
+use serde::Serialize;
+
+use crate::{
+    algo::volume::{PlaneSide, signed_distance},
+    geom::Plane,
+    trace::{Algorithm, Real},
+};
+
+/// The algorithm; see the module.
+#[derive(Clone, Copy, Debug)]
+pub struct PointPlanes;
+
+/// What is asked, of what.
+#[derive(Clone, PartialEq, Debug)]
+pub struct PointPlanesInput {
+    /// Inside is what all of them have inside.
+    pub planes: Vec<Plane>,
+    /// p, finite.
+    pub point: [f64; 3],
+}
+
+/// What happens, in order.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
+#[serde(tag = "event", rename_all = "kebab-case")]
+pub enum PointPlanesEvent {
+    /// One plane is asked.
+    Plane {
+        /// As they were given.
+        plane_idx: usize,
+        /// (n·p + d) / |n|
+        distance: f64,
+        /// Which of the three answers it is.
+        side: PlaneSide,
+    },
+    /// All have been asked.
+    Done {
+        /// Has no plane the point outside?
+        inside: bool,
+    },
+}
+
+/// The answer.
+#[derive(Clone, PartialEq, Debug, Serialize)]
+pub struct PointPlanesOutput {
+    /// Has no plane the point outside?
+    pub inside: bool,
+    /// From each plane.
+    pub distances: Vec<f64>,
+}
+
+/// What the picture of a step needs.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct PointPlanesState {
+    /// Each asked plane's distance, and its answer.
+    pub asked: Vec<(f64, PlaneSide)>,
+    /// The answer, once known.
+    pub inside: Option<bool>,
+}
+
+impl Algorithm for PointPlanes {
+    type Input = PointPlanesInput;
+    type Output = PointPlanesOutput;
+    type Event = PointPlanesEvent;
+    type State = PointPlanesState;
+
+    fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Self::Output {
+        let mut distances = Vec::with_capacity(input.planes.len());
+        let mut inside = true;
+        for (plane_idx, plane) in input.planes.iter().enumerate() {
+            let distance = signed_distance::<R>(plane, input.point);
+            let side = PlaneSide::of(distance);
+            inside &= side != PlaneSide::Outside;
+            distances.push(distance.get());
+            emit(PointPlanesEvent::Plane {
+                plane_idx,
+                distance: distance.get(),
+                side,
+            });
+        }
+        emit(PointPlanesEvent::Done { inside });
+        PointPlanesOutput { inside, distances }
+    }
+
+    fn start(_: &Self::Input) -> Self::State {
+        PointPlanesState::default()
+    }
+
+    fn apply(state: &mut Self::State, event: Self::Event) {
+        match event {
+            PointPlanesEvent::Plane { distance, side, .. } => state.asked.push((distance, side)),
+            PointPlanesEvent::Done { inside } => state.inside = Some(inside),
+        }
+    }
+
+    fn finish(state: &Self::State) -> Self::Output {
+        PointPlanesOutput {
+            inside: state.inside.unwrap_or_default(),
+            distances: state.asked.iter().map(|&(distance, _)| distance).collect(),
+        }
+    }
+
+    /// One a plane, and the end.
+    fn max_events(input: &Self::Input) -> usize {
+        input.planes.len() + 1
+    }
+}

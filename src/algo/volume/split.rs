@@ -1,0 +1,90 @@
+//! A flat polygon in space against one plane.
+
+use crate::{
+    algo::{
+        parameter::Share,
+        ring::{Clip, Crossing, Happening, Limit, Right},
+    },
+    geom::Plane,
+    trace::Real,
+};
+
+use super::weighted_sum;
+
+impl Limit<[f64; 3]> for Plane {
+    #[inline]
+    fn distance<R: Real>(&self, vertex: &[f64; 3]) -> R {
+        weighted_sum(self, *vertex)
+    }
+
+    /// From the inside end to the outside one, whichever way the edge is walked.
+    fn crossing<R: Real>(
+        &self,
+        ends: [&[f64; 3]; 2],
+        distances: [R; 2],
+    ) -> Option<Crossing<[f64; 3]>> {
+        let is_leaving = distances[0].get() > 0.0;
+        let ([inside, outside], [d1, d2]) = if is_leaving {
+            (ends, distances)
+        } else {
+            ([ends[1], ends[0]], [distances[1], distances[0]])
+        };
+        let share = Share {
+            weights: [d1, -d2],
+            whole: d1 - d2,
+            raw: [-d1.get(), -d2.get(), 0.0],
+        };
+        let at = std::array::from_fn(|i| share.mean(inside[i], outside[i]));
+        let t = share.ratio(is_leaving);
+        (at != *inside).then_some(Crossing { at, t })
+    }
+}
+
+/// A convex polygon in two: what lies inside of a plane, and what lies outside; either may have no vertices. What is on the plane
+/// belongs to both.
+#[must_use]
+pub fn split(polygon: &[[f64; 3]], plane: &Plane) -> [Vec<[f64; 3]>; 2] {
+    [*plane, plane.turned()].map(|plane| {
+        let mut left = Vec::with_capacity(polygon.len() + 1);
+        let Some((&first, following)) = polygon.split_first() else {
+            return left;
+        };
+        let mut tell = |happening| {
+            if let Happening::Output(at) = happening {
+                left.push(at);
+            }
+        };
+        let mut clip = Clip::<_, _, f64>::begin::<Right>(plane, first, &mut tell);
+        for &vertex in following {
+            clip.vertex::<Right>(vertex, &mut tell);
+        }
+        clip.close::<Right>(&mut tell);
+        // What only touches the plane is no part of a polygon.
+        if left.len() < 3 {
+            left.clear();
+        }
+        left
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_parts_of_a_square_meet_in_the_cut() {
+        let square = [[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [-1.0, 1.0, 0.0]];
+        let plane = Plane::new([2.0, 0.0, 0.0, -1.0]).unwrap();
+        let [inside, outside] = split(&square, &plane);
+        assert_eq!(inside, [[0.5, -1.0, 0.0], [1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [0.5, 1.0, 0.0]]);
+        assert_eq!(outside, [[-1.0, -1.0, 0.0], [0.5, -1.0, 0.0], [0.5, 1.0, 0.0], [-1.0, 1.0, 0.0]]);
+    }
+
+    #[test]
+    fn what_touches_the_plane_is_not_cut() {
+        let triangle = [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0]];
+        let plane = Plane::new([1.0, 0.0, 0.0, 0.0]).unwrap();
+        let [inside, outside] = split(&triangle, &plane);
+        assert_eq!((inside.len(), outside.len()), (3, 0));
+    }
+}

@@ -1,0 +1,113 @@
+//! What a person can do to the frustum lab's scene, beyond what every lab knows.
+
+use crate::{
+    labs::{ChangeOf, Handle},
+    text::Diagnostic,
+};
+
+use super::{Model, Object, Opening, Scene, street::street};
+
+/// A number of the camera's.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum CameraNumber {
+    /// The angle from bottom to top in degrees, or of a parallel camera the height.
+    Opening,
+    /// Width over height.
+    Aspect,
+    /// Distance of the near plane.
+    Near,
+    /// Distance of the far plane.
+    Far,
+}
+
+/// One change to the scene.
+#[derive(Clone, PartialEq, Debug)]
+pub enum FrustumChange {
+    /// Looks at another object.
+    Focus(usize),
+    /// Looks at another face of the object in focus.
+    Face(usize),
+    /// Sets a number of the camera's.
+    Camera(CameraNumber, f64),
+    /// Side by side, or through the eye: as much is seen of what the camera looks at.
+    Parallel(bool),
+    /// One more, in front of the camera.
+    Add(Model),
+    /// Turns the object in focus, in degrees.
+    Turn([f64; 3]),
+    /// A street of boxes in place of the objects that there are.
+    Street {
+        /// How many.
+        count: usize,
+        /// The same seed gives the same street.
+        seed: u64,
+    },
+}
+
+impl ChangeOf for FrustumChange {
+    type Of = Scene;
+
+    fn make(&self, scene: &mut Scene) -> Result<Option<Handle>, Diagnostic> {
+        match self {
+            &Self::Focus(object_idx) => scene.set_focus(object_idx)?,
+            &Self::Face(face_idx) => scene.set_face(face_idx)?,
+            &Self::Camera(number, value) => set_number(scene, number, value)?,
+            &Self::Parallel(is_parallel) => set_parallel(scene, is_parallel)?,
+            Self::Add(model) => {
+                let [_, target, _] = scene.camera.places();
+                scene.add_object(Object::new(model.clone(), target, [0.0; 3], 1.0)?)?;
+            }
+            &Self::Turn(turn_deg) => {
+                let old = scene.focused();
+                let turned = Object::new(old.model().clone(), old.at(), turn_deg, old.size())?;
+                scene.set_object(scene.focus(), turned);
+            }
+            &Self::Street { count, seed } => scene.set_objects(street(count, seed))?,
+        }
+        Ok(None)
+    }
+
+    fn is_another(&self) -> bool {
+        matches!(self, Self::Street { .. })
+    }
+}
+
+fn set_number(scene: &mut Scene, number: CameraNumber, value: f64) -> Result<(), Diagnostic> {
+    let camera = &scene.camera;
+    let [near, far] = camera.depths();
+    scene.camera = match number {
+        CameraNumber::Opening => camera.opened(match camera.opening() {
+            Opening::FovY(_) => Opening::FovY(value),
+            Opening::Height(_) => Opening::Height(value),
+        }),
+        CameraNumber::Aspect => camera.shaped(value),
+        CameraNumber::Near => camera.deep([value, far]),
+        CameraNumber::Far => camera.deep([near, value]),
+    }?;
+    Ok(())
+}
+
+/// At the distance of the target both see as much.
+fn set_parallel(scene: &mut Scene, is_parallel: bool) -> Result<(), Diagnostic> {
+    let camera = scene.camera;
+    let [position, target, _] = camera.places().map(glam::DVec3::from);
+    let distance = position.distance(target);
+    let opening = match camera.opening() {
+        Opening::FovY(degrees) if is_parallel => {
+            Opening::Height(2.0 * distance * libm::tan(0.5 * degrees.to_radians()))
+        }
+        Opening::Height(height) if !is_parallel => {
+            Opening::FovY(2.0 * libm::atan(0.5 * height / distance).to_degrees())
+        }
+        as_it_is => as_it_is,
+    };
+    scene.camera = camera.opened(opening)?;
+    Ok(())
+}
+
+/// One like the object in focus, a little to its right.
+pub fn beside(scene: &Scene) -> Result<Object, Diagnostic> {
+    let focused = scene.focused();
+    let [x, y, z] = focused.at();
+    Ok(focused.moved([x + 2.5 * focused.size(), y, z])?)
+}

@@ -1,0 +1,83 @@
+//! What the frustum lab's scene shows, and how it is changed.
+
+use crate::{
+    figure::{Mark, Run},
+    labs::{Click, Document, Handle, Lab, MethodCard, Own},
+    text::Diagnostic,
+};
+
+use super::{LAB, Method, Scene, change::beside};
+
+impl Scene {
+    /// The methods on stage.
+    pub(super) fn on_stage(&self) -> impl Iterator<Item = Method> {
+        [Some(self.method), self.compare].into_iter().flatten()
+    }
+}
+
+impl Document for Scene {
+    fn lab(&self) -> &'static dyn Lab {
+        LAB
+    }
+
+    fn methods(&self) -> Vec<&'static MethodCard> {
+        self.on_stage().map(Method::card).collect()
+    }
+
+    fn set_method(&mut self, id: &str) {
+        if let Some(method) = Method::by_id(id) {
+            self.method = method;
+            self.compare = self.compare.filter(|&other| other != method);
+        }
+    }
+
+    fn set_compare(&mut self, id: Option<&str>) {
+        self.compare = id.and_then(Method::by_id);
+    }
+
+    fn record(&self) -> Vec<Box<dyn Run>> {
+        let record = |method: Method| method.info().record(self);
+        self.on_stage().map(record).collect()
+    }
+
+    /// Everything is in the views: what is seen depends on the step.
+    fn backdrop(&self, _: usize, _: bool) -> Vec<Mark> {
+        Vec::new()
+    }
+
+    /// Of a picture in space.
+    fn bounds(&self) -> [[f64; 2]; 2] {
+        [[-1.0; 2], [1.0; 2]]
+    }
+
+    fn handles(&self) -> Vec<Handle> {
+        self.all_handles()
+    }
+
+    fn position(&self, handle: Handle) -> Option<[f64; 3]> {
+        self.position_of(handle)
+    }
+
+    fn drag(&mut self, handle: Handle, to: [f64; 3]) -> Result<(), Diagnostic> {
+        self.drag_handle(handle, to)
+    }
+
+    fn add(&mut self, _after: Option<Handle>) -> Result<Option<Handle>, Diagnostic> {
+        self.add_object(beside(self)?)?;
+        Ok(None)
+    }
+
+    fn remove(&mut self, _handle: Option<Handle>) -> Result<(), Diagnostic> {
+        self.remove_object(self.focus());
+        Ok(())
+    }
+
+    fn click(&self, _: &Click<'_>) -> Option<Own> {
+        None
+    }
+
+    fn size(&self) -> usize {
+        let faces = |object: &super::Object| object.model().mesh().faces().len();
+        self.objects().iter().map(faces).sum()
+    }
+}

@@ -1,0 +1,111 @@
+//! What can be taken hold of in the frustum lab.
+
+use glam::DVec3;
+
+use crate::{
+    geom::Camera,
+    labs::{Handle, HandleKind, Motion},
+    text::{Diagnostic, Message},
+};
+
+use super::{Opening, Scene};
+
+const fn kind(
+    id: &'static str,
+    group: &'static str,
+    name: fn([usize; 2]) -> Message,
+) -> HandleKind {
+    HandleKind {
+        motion: Motion::FacingEye,
+        ..HandleKind::new(id, group, name)
+    }
+}
+
+static POSITION: HandleKind = kind("camera", "camera", |_| Message::new("handle-camera"));
+static TARGET: HandleKind = kind("target", "camera", |_| Message::new("handle-target"));
+static NEAR: HandleKind = kind("near", "volume", |_| Message::new("handle-near"));
+static FAR: HandleKind = kind("far", "volume", |_| Message::new("handle-far"));
+static TOP: HandleKind = kind("top", "volume", |_| Message::new("handle-top"));
+static POINT: HandleKind = HandleKind {
+    is_marked: true,
+    ..kind("point", "point", |_| Message::new("handle-point"))
+};
+static OBJECT: HandleKind = HandleKind {
+    is_vertex: true,
+    is_whole: true,
+    ..kind("object", "object", |[i, _]| {
+        Message::new("handle-object").with("number", i + 1)
+    })
+};
+
+/// The handle of an object.
+pub fn object(object_idx: usize) -> Handle {
+    OBJECT.at([object_idx, 0])
+}
+
+impl Scene {
+    pub(super) fn all_handles(&self) -> Vec<Handle> {
+        let mut handles: Vec<Handle> = Vec::new();
+        if self.on_stage().any(|method| method.info().asks_point) {
+            handles.push(POINT.at([0, 0]));
+        }
+        let camera = [&POSITION, &TARGET, &NEAR, &FAR, &TOP];
+        handles.extend(camera.map(|kind| kind.at([0, 0])));
+        handles.extend((0..self.objects().len()).map(object));
+        handles
+    }
+
+    pub(super) fn position_of(&self, handle: Handle) -> Option<[f64; 3]> {
+        let [position, target, _] = self.camera.places();
+        let [near, far] = self.camera.depths();
+        let camera = self.camera.camera();
+        Some(if handle.is(&POSITION) {
+            position
+        } else if handle.is(&TARGET) {
+            target
+        } else if handle.is(&NEAR) {
+            camera.world_from_view([0.0, 0.0, -near])
+        } else if handle.is(&FAR) {
+            camera.world_from_view([0.0, 0.0, -far])
+        } else if handle.is(&TOP) {
+            let [left, right] = [6, 7].map(|i| DVec3::from(camera.corners_in_world()[i]));
+            left.midpoint(right).into()
+        } else if handle.is(&POINT) {
+            self.point()
+        } else {
+            self.objects().get(handle.idx()[0])?.at()
+        })
+    }
+
+    pub(super) fn drag_handle(&mut self, handle: Handle, to: [f64; 3]) -> Result<(), Diagnostic> {
+        let camera = self.camera;
+        let [position, target, up] = camera.places();
+        let [near, far] = camera.depths();
+        let [_, height, depth] = in_view(camera.camera(), to);
+        if handle.is(&POSITION) {
+            self.camera = camera.placed([to, target, up])?;
+        } else if handle.is(&TARGET) {
+            self.camera = camera.placed([position, to, up])?;
+        } else if handle.is(&NEAR) {
+            self.camera = camera.deep([-depth, far])?;
+        } else if handle.is(&FAR) {
+            self.camera = camera.deep([near, -depth])?;
+        } else if handle.is(&TOP) {
+            self.camera = camera.opened(match camera.opening() {
+                Opening::FovY(_) => Opening::FovY(2.0 * libm::atan2(height, far).to_degrees()),
+                Opening::Height(_) => Opening::Height(2.0 * height),
+            })?;
+        } else if handle.is(&POINT) {
+            self.set_point(to)?;
+        } else if let Some(object) = self.objects().get(handle.idx()[0]) {
+            let moved = object.moved(to)?;
+            self.set_object(handle.idx()[0], moved);
+        }
+        Ok(())
+    }
+}
+
+/// A world point in the camera's own axes.
+fn in_view(camera: &Camera, at: [f64; 3]) -> [f64; 3] {
+    camera.view_from_world().point(at)
+}

@@ -1,0 +1,162 @@
+//! The funnel, shown: by the right rules and by those with a mistake.
+
+mod captions;
+mod faulty;
+mod marks;
+mod ribbon;
+mod variant;
+
+use serde_json::{Value as Json, json};
+
+use crate::{
+    algo::{
+        cull::{
+            Containment, CullRules, Funnel, FunnelEvent as Event, FunnelInput, FunnelLevels,
+            FunnelState as State, TriangleFate,
+        },
+        ring::Right,
+    },
+    figure::{
+        Body, Caption, Run, Tick, View, Watch, WatchRow, WatchSection,
+    },
+    labs::{Answer, CodeLine, Demo, Step, record, record_wrong},
+    text::Value,
+};
+
+use super::{
+    super::{OnScene, OnSceneInput, Scene, method_info::FrustumDemo, stage::side_link},
+    sphere_cull::{class_row, class_tick, plane_tick, sphere_gauges, sphere_rows},
+};
+use variant::Variant;
+
+type Input = OnSceneInput<FunnelInput>;
+type Shown<L> = OnScene<Funnel<L>>;
+
+const GAUGES_VIEW: &str = "distances";
+const RIBBON_VIEW: &str = "ribbon";
+
+impl Answer for FunnelLevels {
+    fn json(&self) -> Json {
+        json!(self)
+    }
+}
+
+impl<L: CullRules + Variant> FrustumDemo for Shown<L> {
+    fn input(scene: &Scene) -> Input {
+        let own = FunnelInput {
+            camera: *scene.camera.camera(),
+            objects: scene.objects().iter().map(super::super::Object::in_funnel).collect(),
+        };
+        OnSceneInput::of(scene, own)
+    }
+
+    fn record(scene: &Scene) -> Box<dyn Run> {
+        match L::DIFFERS_KEY {
+            None => record::<Self>(Self::input(scene)),
+            Some(_) => record_wrong::<Self, Shown<Right>>(Self::input(scene)),
+        }
+    }
+}
+
+impl<L: CullRules + Variant> Demo for Shown<L> {
+    const ID: &'static str = L::ID;
+    const NAME_KEY: &'static str = L::NAME_KEY;
+    const SOURCE: &'static str = "Clark, 1976";
+    const CODE: &'static [CodeLine] = &L::CODE;
+    const DIFFERS_KEY: Option<&'static str> = L::DIFFERS_KEY;
+
+    fn tick(event: &Event) -> Tick {
+        match event {
+            Event::Object { .. } => Tick::Phase,
+            Event::Plane { class, .. } => plane_tick(*class),
+            Event::Sphere { class, .. } => class_tick(*class),
+            Event::Triangle { fate, .. } => match fate {
+                TriangleFate::Inside => Tick::Test,
+                TriangleFate::Outside | TriangleFate::Cut => Tick::Cut,
+            },
+            Event::Face { front: true, .. } => Tick::Test,
+            Event::Face { front: false, .. } => Tick::Reject,
+            Event::Done => Tick::Accept,
+        }
+    }
+
+    fn code_line(event: &Event, _: &State) -> usize {
+        match event {
+            Event::Object { .. } => variant::EACH,
+            Event::Plane { .. } => variant::PLANE,
+            Event::Sphere { class, .. } => match class {
+                Containment::Outside => variant::CULL,
+                Containment::Inside | Containment::Straddles => variant::STRADDLES,
+            },
+            Event::Triangle { .. } => variant::TRIANGLE,
+            Event::Face { .. } => variant::FACE,
+            Event::Done => variant::DRAW,
+        }
+    }
+
+    fn caption(event: &Event, before: &State, input: &Input) -> Caption {
+        captions::caption::<L>(event, before, &input.own)
+    }
+
+    fn opening(input: &Input) -> Caption {
+        captions::opening(&input.own)
+    }
+
+    fn views(step: &Step<'_, Self>) -> Vec<View> {
+        let mut views = Vec::new();
+        let scenery = step.input.scenery.as_deref();
+        if let Some(scenery) = scenery {
+            views.push(marks::observer(step, scenery));
+            views.push(marks::camera(step, scenery));
+        }
+        let objects = &step.input.own.objects;
+        let object = step.state.object_idx.and_then(|i| objects.get(i));
+        let radius = object.map_or(0.0, |object| object.sphere.radius());
+        let distances = sphere_gauges(scenery, 6, radius, &step.state.sphere.asked, side_idx(step));
+        views.push(View::new(GAUGES_VIEW, Body::Gauges(distances)));
+        views.push(View::new(RIBBON_VIEW, Body::Ribbon(ribbon::ribbon(step))));
+        views
+    }
+
+    fn watch(step: &Step<'_, Self>) -> Watch {
+        let objects = &step.input.own.objects;
+        let mut rows = vec![WatchRow::new(
+            Value::Term("watch-object"),
+            step.state.object_idx.map(|i| Value::Count(i + 1)),
+        )];
+        if let Some(i) = step.state.object_idx
+            && let Some(object) = objects.get(i)
+        {
+            let scenery = step.input.scenery.as_deref();
+            let plane = scenery.zip(side_idx(step));
+            let plane = plane.and_then(|(scenery, side)| scenery.planes().get(side));
+            rows.extend(sphere_rows(&captions::sphere::<L>(object), plane));
+        }
+        rows.extend(step.state.sphere.class.map(class_row));
+        let asked = step.state.sphere.asked.iter().zip(crate::geom::VolumeSide::ALL);
+        let distances = asked.map(|(&(d, _), side)| {
+            WatchRow::new(super::super::stage::side_name(side), Some(d.into()))
+                .linked(side_link(side))
+        });
+        vec![
+            WatchSection::list(rows),
+            WatchSection::list(distances.collect()).seen_in(GAUGES_VIEW),
+            WatchSection::list(ribbon::level_rows(&step.state.levels)).seen_in(RIBBON_VIEW),
+        ]
+    }
+}
+
+/// The plane that is asked at this step.
+fn side_idx<L: CullRules>(step: &Step<'_, Shown<L>>) -> Option<usize> {
+    match step.event {
+        Some(Event::Plane { side, .. }) => Some(side as usize),
+        Some(
+            Event::Object { .. }
+            | Event::Sphere { .. }
+            | Event::Triangle { .. }
+            | Event::Face { .. }
+            | Event::Done,
+        )
+        | None => None,
+    }
+}

@@ -1,0 +1,124 @@
+//! What all methods that ask planes have in common.
+
+use glam::DVec3;
+
+use crate::{
+    algo::cull::Containment,
+    figure::{Gauge, Gauges, Link, Mark3, Role, Shape3},
+    geom::{Plane, VolumeSide},
+    text::{Formula, Message, Value},
+};
+
+use super::super::stage::{Fate, Scenery, side_link, side_name};
+
+/// A plane's name: its side's in a scene, a number where a case gives planes alone.
+pub fn plane_name(scenery: Option<&Scenery>, plane_idx: usize) -> Value {
+    match scenery.and(VolumeSide::ALL.get(plane_idx)) {
+        Some(&side) => side_name(side),
+        None => Value::Name((plane_idx + 1).to_string()),
+    }
+}
+
+/// What marks, rows and gauges about a plane have in common.
+pub fn plane_link(plane_idx: usize) -> Link {
+    let side = VolumeSide::ALL.get(plane_idx);
+    side.map_or(Link::nth("plane", plane_idx), |&side| side_link(side))
+}
+
+/// `d = n·c + D = 0.9 · (−5.5) + … = −3.4`, divided by |n| where that is not 1.
+pub fn distance_formula(symbol: [&'static str; 2], plane: &Plane, at: [f64; 3], d: f64) -> Formula {
+    let sum = Formula::default().sym(format!("{} = n·{} + D = ", symbol[0], symbol[1]));
+    let is_unit = plane.length() == 1.0;
+    let normal = plane.normal();
+    let terms = (0..3).filter(|&i| normal[i] != 0.0);
+    let mut formula = if is_unit { sum } else { Formula::default() };
+    for (n, i) in terms.enumerate() {
+        formula = if n == 0 {
+            formula.num(normal[i])
+        } else {
+            formula.sym(" + ").operand(normal[i])
+        };
+        formula = formula.sym(" · ").operand(at[i]);
+    }
+    formula = formula.sym(" + ").operand(plane.d());
+    if is_unit {
+        return formula.equals(d);
+    }
+    let symbol = format!("{} = (n·{} + D) / |n| = ", symbol[0], symbol[1]);
+    let quotient = Formula::default().sym(symbol);
+    let length = Formula::default().num(plane.length());
+    quotient.over(formula, length).equals(d)
+}
+
+/// `(1, −2, 0.5)`
+pub fn triple(symbol: &'static str, at: [f64; 3]) -> Formula {
+    let formula = Formula::default().sym(format!("{symbol} = ("));
+    formula.list(&at).sym(")")
+}
+
+/// A point in space as a value.
+pub fn place(at: [f64; 3]) -> Value {
+    Value::Formula(Formula::default().sym("(").list(&at).sym(")"))
+}
+
+/// What a test says of an object, as it is drawn.
+pub const fn fate_of(class: Option<Containment>) -> Fate {
+    match class {
+        None => Fate::ToCome,
+        Some(Containment::Inside) => Fate::Kept,
+        Some(Containment::Straddles) => Fate::Cut,
+        Some(Containment::Outside) => Fate::Culled,
+    }
+}
+
+/// How what a plane says is drawn, at the step where it says so and later.
+pub const fn role_of(class: Containment, is_current: bool) -> Role {
+    match class {
+        _ if is_current => Role::Signal,
+        Containment::Inside | Containment::Straddles => Role::Accent,
+        Containment::Outside => Role::Discarded,
+    }
+}
+
+/// Axes for the distances from all planes, those known so far filled in.
+pub fn gauges(
+    title: Message,
+    scenery: Option<&Scenery>,
+    n_planes: usize,
+    band: Option<f64>,
+    known: &[(f64, Role)],
+) -> Gauges {
+    let row = |plane_idx: usize| {
+        let known = known.get(plane_idx);
+        Gauge {
+            name: plane_name(scenery, plane_idx),
+            value: known.map(|&(d, _)| d),
+            verdict: None,
+            role: known.map_or(Role::Soft, |&(_, role)| role),
+            is_bar: false,
+            link: Some(plane_link(plane_idx)),
+        }
+    };
+    Gauges {
+        title,
+        sides: [Message::new("gauge-outside"), Message::new("gauge-inside")],
+        band,
+        rows: (0..n_planes).map(row).collect(),
+    }
+}
+
+/// The perpendicular from a point to a plane, and the square at its foot.
+pub fn perpendicular(plane: &Plane, at: [f64; 3], d: f64, label: Formula) -> Vec<Mark3> {
+    let from = DVec3::from(at);
+    let unit = DVec3::from(plane.normal()) / plane.length();
+    let foot = from - unit * d;
+    let aside = unit.any_orthonormal_vector();
+    let square = [foot, from, foot + aside].map(Into::into);
+    vec![
+        Mark3::new(Role::Signal, Shape3::Segment([at, foot.into()]))
+            .labelled(Value::Formula(label))
+            .strong(),
+        Mark3::new(Role::Signal, Shape3::RightAngle(square)),
+        Mark3::new(Role::Signal, Shape3::Dot(foot.into())),
+    ]
+}

@@ -1,0 +1,24 @@
+//! The frustum lab: what a camera sees of a scene, and what can be left out before it is drawn.
+
+mod change;
+mod document;
+mod handles;
+mod lab;
+mod method_info;
+mod methods;
+mod object;
+mod on_scene;
+mod registry;
+mod scene;
+mod stage;
+mod street;
+mod taught_camera;
+
+pub use change::{CameraNumber, FrustumChange};
+pub use lab::LAB;
+pub use method_info::MethodInfo;
+pub use on_scene::{OnScene, OnSceneInput};
+pub use object::{Model, NamedMesh, Object};
+pub use registry::METHODS;
+pub use scene::{MAX_OBJECTS, Method, Scene, SceneError};
+pub use taught_camera::{Opening, TaughtCamera};

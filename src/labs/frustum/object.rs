@@ -1,0 +1,151 @@
+//! What stands in a scene.
+
+use std::sync::{Arc, LazyLock};
+
+use crate::{
+    algo::cull::FunnelObject,
+    geom::{AlignedBox, Matrix, Mesh, Solid, SpaceError},
+};
+
+/// A mesh with a name: of a file, say.
+#[derive(Clone, PartialEq, Debug)]
+pub struct NamedMesh {
+    /// As the file is called.
+    pub name: String,
+    /// Its surface.
+    pub mesh: Mesh,
+}
+
+/// What an object looks like.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Model {
+    /// A generated solid.
+    Solid(Solid),
+    /// A mesh.
+    Mesh(Arc<NamedMesh>),
+}
+
+impl Model {
+    /// Its surface, about its own origin.
+    #[must_use]
+    pub fn mesh(&self) -> &Mesh {
+        static MESHES: LazyLock<Vec<(Solid, Mesh)>> =
+            LazyLock::new(|| Solid::ALL.map(|solid| (solid, solid.mesh())).into());
+        match self {
+            Self::Solid(solid) => {
+                let known = MESHES.iter().find(|(known, _)| known == solid);
+                &known.expect("all solids are in the list").1
+            }
+            Self::Mesh(named) => &named.mesh,
+        }
+    }
+}
+
+/// A model in the world: always valid.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Object {
+    model: Model,
+    at: [f64; 3],
+    turn_deg: [f64; 3],
+    size: f64,
+}
+
+impl Object {
+    /// A model, enlarged, turned about its x, y and z axis in degrees, in this order, and put at a place.
+    ///
+    /// # Errors
+    /// [`SpaceError::NotFinite`]; [`SpaceError::Height`] where the size is not above 0.
+    pub fn new(
+        model: Model,
+        at: [f64; 3],
+        turn_deg: [f64; 3],
+        size: f64,
+    ) -> Result<Self, SpaceError> {
+        if !(size > 0.0) {
+            return Err(SpaceError::Height(size));
+        }
+        let object = Self {
+            model,
+            at,
+            turn_deg,
+            size,
+        };
+        // Each vertex has to have a place.
+        object.bounds()?;
+        Ok(object)
+    }
+
+    /// What it looks like.
+    #[must_use]
+    pub const fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// Where its model's origin is.
+    #[must_use]
+    pub const fn at(&self) -> [f64; 3] {
+        self.at
+    }
+
+    /// About its x, y and z axis, in degrees.
+    #[must_use]
+    pub const fn turn_deg(&self) -> [f64; 3] {
+        self.turn_deg
+    }
+
+    /// How much larger than its model it is.
+    #[must_use]
+    pub const fn size(&self) -> f64 {
+        self.size
+    }
+
+    /// Elsewhere.
+    ///
+    /// # Errors
+    /// As for [`Object::new`].
+    pub fn moved(&self, at: [f64; 3]) -> Result<Self, SpaceError> {
+        Self::new(self.model.clone(), at, self.turn_deg, self.size)
+    }
+
+    /// From its model to the world.
+    #[must_use]
+    pub fn world_from_model(&self) -> Matrix {
+        let turned = Matrix::rotation(self.turn_deg.map(f64::to_radians));
+        let sized = turned.after(&Matrix::scale(self.size));
+        Matrix::translation(self.at).after(&sized)
+    }
+
+    /// Its vertices in the world.
+    pub fn points(&self) -> impl Iterator<Item = [f64; 3]> + '_ {
+        let world_from_model = self.world_from_model();
+        let positions = self.model.mesh().positions().iter();
+        positions.map(move |p| world_from_model.point(p.map(f64::from)))
+    }
+
+    /// Around it, along the axes of the world.
+    ///
+    /// # Errors
+    /// [`SpaceError::NotFinite`]: of one that is valid never.
+    pub fn bounds(&self) -> Result<AlignedBox, SpaceError> {
+        AlignedBox::around(self.points())
+    }
+
+    /// As the funnel asks of it.
+    ///
+    /// # Panics
+    /// Never: a valid object has finite vertices.
+    #[must_use]
+    pub fn in_funnel(&self) -> FunnelObject {
+        let object = FunnelObject::new(self.model.mesh(), &self.world_from_model());
+        object.expect("its vertices were looked at")
+    }
+
+    /// A face's corners in the world.
+    #[must_use]
+    pub fn face(&self, face_idx: usize) -> Option<[[f64; 3]; 3]> {
+        let mesh = self.model.mesh();
+        let world_from_model = self.world_from_model();
+        let face = *mesh.faces().get(face_idx)?;
+        Some(mesh.corners(face).map(|p| world_from_model.point(p)))
+    }
+}

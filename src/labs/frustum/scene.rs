@@ -1,0 +1,258 @@
+//! The frustum lab's document: a camera, and what it may see.
+
+use std::fmt;
+
+use crate::{
+    geom::{Orbit, Solid},
+    text::{Diagnostic, Message},
+};
+
+use super::{MethodInfo, Model, Object, Opening, TaughtCamera};
+
+/// More objects than this are refused: a frame could not draw them in time.
+pub const MAX_OBJECTS: usize = 10_000;
+
+/// One of the lab's methods.
+pub type Method = crate::labs::Method<MethodInfo>;
+
+/// Always valid: at least one object, the focus is one of them, and the face is one of that object's.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Scene {
+    /// What is stepped.
+    pub method: Method,
+    /// A second method on the same scene, side by side.
+    pub compare: Option<Method>,
+    /// Who culls.
+    pub camera: TaughtCamera,
+    /// Where the observer stands at first.
+    pub eye: Orbit,
+    /// A point that is asked of planes; finite.
+    point: [f64; 3],
+    objects: Vec<Object>,
+    focus: usize,
+    face: usize,
+}
+
+/// Why a scene is refused.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum SceneError {
+    /// A scene needs an object.
+    NoObjects,
+    /// More than [`MAX_OBJECTS`].
+    TooManyObjects(usize),
+    /// The focus is not the index of an object.
+    NoSuchObject {
+        /// As given.
+        focus: usize,
+        /// Objects that there are.
+        n_objects: usize,
+    },
+    /// The object in focus has no such face.
+    NoSuchFace {
+        /// As given.
+        face: usize,
+        /// Faces that it has.
+        n_faces: usize,
+    },
+    /// A coordinate of the point is NaN or infinite.
+    PointNotFinite,
+}
+
+impl From<SceneError> for Diagnostic {
+    fn from(error: SceneError) -> Self {
+        match error {
+            SceneError::NoObjects => Self::new(Message::new("error-no-objects")),
+            SceneError::TooManyObjects(count) => {
+                let message = Message::new("error-too-many-objects").with("count", count);
+                Self::new(message.with("limit", MAX_OBJECTS)).coded("too-large")
+            }
+            SceneError::NoSuchObject { focus, n_objects } => {
+                let message = Message::new("error-no-such-object").with("focus", focus.to_string());
+                Self::new(message.with("count", n_objects))
+            }
+            SceneError::NoSuchFace { face, n_faces } => {
+                let message = Message::new("error-no-such-face").with("face", face.to_string());
+                Self::new(message.with("count", n_faces))
+            }
+            SceneError::PointNotFinite => Self::new(Message::new("error-not-finite")),
+        }
+    }
+}
+
+impl fmt::Display for SceneError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        Diagnostic::from(*self).fmt(f)
+    }
+}
+
+impl Scene {
+    /// A scene with these objects, the first in focus.
+    ///
+    /// # Errors
+    /// [`SceneError`] where there is no object, or too many.
+    pub fn new(
+        method: Method,
+        camera: TaughtCamera,
+        eye: Orbit,
+        objects: Vec<Object>,
+    ) -> Result<Self, SceneError> {
+        check(&objects)?;
+        Ok(Self {
+            method,
+            compare: None,
+            camera,
+            eye,
+            point: [0.0; 3],
+            objects,
+            focus: 0,
+            face: 0,
+        })
+    }
+
+    /// What the lab opens on where there is no lesson.
+    ///
+    /// # Panics
+    /// Never: its numbers are valid.
+    #[must_use]
+    pub fn first() -> Self {
+        let method = Method::by_id("funnel").expect("in the registry");
+        let camera = TaughtCamera::new(
+            [[0.0, 2.0, 6.0], [0.0, 1.0, -2.0], [0.0, 1.0, 0.0]],
+            Opening::FovY(40.0),
+            1.6,
+            [2.0, 13.0],
+        );
+        let eye = Orbit::new([0.0, 1.0, -0.5], [-58.0, 24.0], 26.0, 26.0);
+        let object = |solid, at, turn, size| {
+            Object::new(Model::Solid(solid), at, [0.0, turn, 0.0], size).expect("finite")
+        };
+        let objects = vec![
+            object(Solid::Cube, [-0.4, 0.6, 1.0], 20.0, 0.6),
+            object(Solid::Octahedron, [1.6, 2.4, -2.5], 0.0, 0.9),
+            object(Solid::Cube, [3.2, 0.75, -1.5], 10.0, 0.75),
+            object(Solid::Tetrahedron, [-1.8, 1.4, -6.6], 30.0, 0.8),
+            object(Solid::Cube, [-6.5, 0.8, 0.5], 35.0, 0.8),
+            object(Solid::Octahedron, [5.6, 1.0, 3.0], 15.0, 0.8),
+        ];
+        let camera = camera.expect("constants that are valid");
+        Self::new(method, camera, eye, objects).expect("objects")
+    }
+
+    /// At least one.
+    #[must_use]
+    pub fn objects(&self) -> &[Object] {
+        &self.objects
+    }
+
+    /// Index of the object that is looked at.
+    #[must_use]
+    pub const fn focus(&self) -> usize {
+        self.focus
+    }
+
+    /// The object that is looked at.
+    #[must_use]
+    pub fn focused(&self) -> &Object {
+        &self.objects[self.focus]
+    }
+
+    /// Index of a face of the object that is looked at.
+    #[must_use]
+    pub const fn face(&self) -> usize {
+        self.face
+    }
+
+    /// A point that is asked of planes.
+    #[must_use]
+    pub const fn point(&self) -> [f64; 3] {
+        self.point
+    }
+
+    /// Asks another point.
+    ///
+    /// # Errors
+    /// [`SceneError::PointNotFinite`]
+    pub fn set_point(&mut self, point: [f64; 3]) -> Result<(), SceneError> {
+        if point.iter().any(|x| !x.is_finite()) {
+            return Err(SceneError::PointNotFinite);
+        }
+        self.point = point;
+        Ok(())
+    }
+
+    /// Looks at another object, at its first face.
+    ///
+    /// # Errors
+    /// [`SceneError::NoSuchObject`]
+    pub fn set_focus(&mut self, focus: usize) -> Result<(), SceneError> {
+        let n_objects = self.objects.len();
+        if focus >= n_objects {
+            return Err(SceneError::NoSuchObject { focus, n_objects });
+        }
+        (self.focus, self.face) = (focus, 0);
+        Ok(())
+    }
+
+    /// Looks at another face of the object in focus.
+    ///
+    /// # Errors
+    /// [`SceneError::NoSuchFace`]
+    pub fn set_face(&mut self, face: usize) -> Result<(), SceneError> {
+        let n_faces = self.focused().model().mesh().faces().len();
+        if face >= n_faces {
+            return Err(SceneError::NoSuchFace { face, n_faces });
+        }
+        self.face = face;
+        Ok(())
+    }
+
+    /// Replaces an object; an index that is none is ignored.
+    pub fn set_object(&mut self, object_idx: usize, object: Object) {
+        if let Some(old) = self.objects.get_mut(object_idx) {
+            let is_same = old.model() == object.model();
+            *old = object;
+            if object_idx == self.focus && !is_same {
+                self.face = 0;
+            }
+        }
+    }
+
+    /// Adds an object and puts it in focus.
+    ///
+    /// # Errors
+    /// [`SceneError::TooManyObjects`]
+    pub fn add_object(&mut self, object: Object) -> Result<(), SceneError> {
+        if self.objects.len() >= MAX_OBJECTS {
+            return Err(SceneError::TooManyObjects(self.objects.len() + 1));
+        }
+        self.objects.push(object);
+        (self.focus, self.face) = (self.objects.len() - 1, 0);
+        Ok(())
+    }
+
+    /// Takes an object out; the last one stays.
+    pub fn remove_object(&mut self, object_idx: usize) {
+        if self.objects.len() > 1 && object_idx < self.objects.len() {
+            self.objects.remove(object_idx);
+            (self.focus, self.face) = (self.focus.min(self.objects.len() - 1), 0);
+        }
+    }
+
+    /// Replaces all objects, the first in focus.
+    ///
+    /// # Errors
+    /// [`SceneError`] where there is none, or too many.
+    pub fn set_objects(&mut self, objects: Vec<Object>) -> Result<(), SceneError> {
+        check(&objects)?;
+        (self.objects, self.focus, self.face) = (objects, 0, 0);
+        Ok(())
+    }
+}
+
+const fn check(objects: &[Object]) -> Result<(), SceneError> {
+    match objects.len() {
+        0 => Err(SceneError::NoObjects),
+        1..=MAX_OBJECTS => Ok(()),
+        n => Err(SceneError::TooManyObjects(n)),
+    }
+}

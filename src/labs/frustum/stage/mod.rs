@@ -1,0 +1,10 @@
+//! What is drawn of a scene whatever the method: solids by what becomes of them, the view volume, the ground.
+
+mod ground;
+mod solids;
+mod views;
+mod volume;
+
+pub use solids::{Fate, Solids};
+pub use views::Scenery;
+pub use volume::{plane_at_work, side_link, side_name};

@@ -1,0 +1,233 @@
+//! Solids as facets and edges, drawn by what becomes of them.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use crate::{
+    algo::volume::split,
+    figure::{Edge3, Facet, Link, Role},
+    geom::{Camera, Plane},
+};
+
+use super::super::Object;
+
+/// What becomes of an object, as far as the run has come.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Fate {
+    /// It has not been asked.
+    ToCome,
+    /// All of it is kept.
+    Kept,
+    /// It straddles: what is beyond the volume is shown cut away.
+    Cut,
+    /// It is left out.
+    Culled,
+}
+
+/// Faces that meet at a smaller angle than this, by its cosine, make no crease: they stand for something round.
+const ROUND: f64 = 0.72;
+/// And these lie in one plane: there is no edge at all.
+const FLAT: f64 = 1.0 - 1e-9;
+
+/// Faces and edges of many solids.
+#[derive(Default)]
+pub struct Solids {
+    facets: Vec<Facet>,
+    edges: Vec<Edge3>,
+}
+
+impl Solids {
+    /// Shared, as a view holds them.
+    pub fn into_parts(self) -> (Arc<[Facet]>, Arc<[Edge3]>) {
+        (self.facets.into(), self.edges.into())
+    }
+
+    /// One more object, with a look for each of its faces where they differ.
+    pub fn object(
+        &mut self,
+        object: &Object,
+        link: Link,
+        fate: Fate,
+        planes: &[Plane; 6],
+        face_role: impl Fn(usize) -> Option<Role>,
+    ) {
+        let mesh = object.model().mesh();
+        let world_from_model = object.world_from_model();
+        let points: Vec<[f64; 3]> = object.points().collect();
+        // Of each face a part that has its plane.
+        let mut facet_of = Vec::with_capacity(mesh.faces().len());
+        for (face_idx, face) in mesh.faces().iter().enumerate() {
+            facet_of.push(self.facets.len() as u32);
+            let corners = face.map(|i| points[i as usize]).to_vec();
+            let link = Some(link);
+            match fate {
+                Fate::Cut => self.cut_face(corners, link, planes),
+                Fate::ToCome | Fate::Kept | Fate::Culled => {
+                    let role = face_role(face_idx).unwrap_or(fate.role());
+                    self.facets.push(Facet {
+                        corners,
+                        role,
+                        link,
+                    });
+                }
+            }
+        }
+        let normals: Vec<DVec3> = mesh
+            .faces()
+            .iter()
+            .map(|&face| DVec3::from(mesh.normal(face)).normalize_or_zero())
+            .collect();
+        for edge in mesh.edges() {
+            let cosine = match edge.faces {
+                [Some(a), Some(b)] => normals[a as usize].dot(normals[b as usize]),
+                _ => -1.0,
+            };
+            if cosine > FLAT {
+                continue;
+            }
+            let ends = edge.ends.map(|i| {
+                world_from_model.point(mesh.positions()[i as usize].map(f64::from))
+            });
+            let facets = edge.faces.map(|face| Some(facet_of[face? as usize]));
+            let drawn = |ends, role| Edge3 {
+                ends,
+                facets,
+                is_crease: cosine < ROUND,
+                role,
+            };
+            if fate == Fate::Cut {
+                let [inside, outside] = parts_of_segment(ends, planes);
+                let inside = inside.into_iter();
+                self.edges.extend(inside.map(|ends| drawn(ends, Role::Ink)));
+                let outside = outside.into_iter();
+                self.edges
+                    .extend(outside.map(|ends| drawn(ends, Role::Discarded)));
+            } else {
+                self.edges.push(drawn(ends, fate.edge_role()));
+            }
+        }
+    }
+
+    /// The part inside all planes, and what each plane cuts off.
+    fn cut_face(&mut self, corners: Vec<[f64; 3]>, link: Option<Link>, planes: &[Plane; 6]) {
+        let first = self.facets.len();
+        let mut left = corners;
+        for plane in planes {
+            let [inside, outside] = split(&left, plane);
+            if !outside.is_empty() {
+                self.facets.push(Facet {
+                    corners: outside,
+                    role: Role::Discarded,
+                    link,
+                });
+                for cut in cuts(&inside, plane) {
+                    self.edges.push(Edge3 {
+                        ends: cut,
+                        facets: [Some(first as u32), None],
+                        is_crease: true,
+                        role: Role::Accent,
+                    });
+                }
+            }
+            left = inside;
+        }
+        if !left.is_empty() {
+            self.facets.push(Facet {
+                corners: left,
+                role: Role::Accent,
+                link,
+            });
+        }
+    }
+
+    /// The small box that stands for a camera.
+    pub fn camera(&mut self, camera: &Camera, size: f64) {
+        let corner = |i: usize| {
+            let along = |axis: usize, low: f64, high: f64| {
+                size * if i >> axis & 1 == 1 { high } else { low }
+            };
+            let at = [
+                along(0, -0.6, 0.6),
+                along(1, -0.45, 0.45),
+                along(2, 0.0, 1.5),
+            ];
+            camera.world_from_view(at)
+        };
+        const FACES: [[usize; 4]; 6] = [
+            [0, 4, 6, 2],
+            [1, 3, 7, 5],
+            [0, 1, 5, 4],
+            [2, 6, 7, 3],
+            [0, 2, 3, 1],
+            [4, 5, 7, 6],
+        ];
+        self.facets.extend(FACES.map(|face| Facet {
+            corners: face.map(corner).to_vec(),
+            role: Role::Ink,
+            link: Some(Link::to("camera")),
+        }));
+    }
+}
+
+impl Fate {
+    const fn role(self) -> Role {
+        match self {
+            Self::ToCome => Role::Soft,
+            Self::Kept | Self::Cut => Role::Accent,
+            Self::Culled => Role::Discarded,
+        }
+    }
+
+    const fn edge_role(self) -> Role {
+        match self {
+            Self::ToCome | Self::Kept | Self::Cut => Role::Ink,
+            Self::Culled => Role::Discarded,
+        }
+    }
+}
+
+/// The edges of a polygon that lie in a plane that has cut it.
+fn cuts<'a>(polygon: &'a [[f64; 3]], plane: &'a Plane) -> impl Iterator<Item = [[f64; 3]; 2]> + 'a {
+    let n = polygon.len();
+    let is_on = |at: [f64; 3]| {
+        let distance: f64 = crate::algo::volume::signed_distance(plane, at);
+        distance.abs() < 1e-9 * (1.0 + at.iter().map(|x| x.abs()).sum::<f64>())
+    };
+    (0..n)
+        .map(move |i| [polygon[i], polygon[(i + 1) % n]])
+        .filter(move |ends| ends.iter().all(|&at| is_on(at)))
+}
+
+/// Of a segment what is inside of all planes, and what is not: one part, and up to two.
+fn parts_of_segment(
+    ends: [[f64; 3]; 2],
+    planes: &[Plane; 6],
+) -> [Vec<[[f64; 3]; 2]>; 2] {
+    let mut outside = Vec::new();
+    let mut left = vec![ends[0], ends[1]];
+    for plane in planes {
+        let distances = [left[0], left[1]].map(|at| {
+            let distance: f64 = crate::algo::volume::signed_distance(plane, at);
+            distance
+        });
+        let [d1, d2] = distances;
+        if d1 >= 0.0 && d2 >= 0.0 {
+            continue;
+        }
+        if d1 < 0.0 && d2 < 0.0 {
+            outside.push([left[0], left[1]]);
+            return [Vec::new(), outside];
+        }
+        let [a, b] = [left[0], left[1]].map(DVec3::from);
+        let cut: [f64; 3] = a.lerp(b, d1 / (d1 - d2)).into();
+        if d1 < 0.0 {
+            outside.push([left[0], cut]);
+            left[0] = cut;
+        } else {
+            outside.push([cut, left[1]]);
+            left[1] = cut;
+        }
+    }
+    [vec![[left[0], left[1]]], outside]
+}

@@ -1,0 +1,151 @@
+//! The two views that every method has: the observer's, and what the camera sees.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use crate::{
+    figure::{Body, Edge3, Facet, Link, Mark3, Role, Seer, Shape3, Space, View},
+    geom::Plane,
+    text::Value,
+};
+
+use super::{
+    super::Scene,
+    Fate, Solids,
+    ground::ground,
+    volume::volume,
+};
+
+/// The observer's, who goes round.
+pub const OBSERVER_VIEW: &str = "observer";
+/// What the camera sees.
+pub const CAMERA_VIEW: &str = "camera";
+
+/// Beyond so many objects their numbers only cover the picture.
+const MOST_NUMBERED: usize = 24;
+
+/// What stays the same through a run: what is drawn, and from where. Inputs carry it, so that a step knows its scene.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Scenery {
+    scene: Scene,
+    planes: [Plane; 6],
+}
+
+impl Scenery {
+    /// Of a scene.
+    pub fn new(scene: &Scene) -> Self {
+        Self {
+            scene: scene.clone(),
+            planes: scene.camera.camera().planes_in_world(),
+        }
+    }
+
+    /// What is drawn.
+    pub const fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// Of the camera's volume, in the world.
+    pub const fn planes(&self) -> &[Plane; 6] {
+        &self.planes
+    }
+
+    /// The observer's view: solids by their fates, and the step's own marks over them.
+    pub fn observer(&self, fate: impl Fn(usize) -> Fate, own: Vec<Mark3>) -> View {
+        self.observer_with(fate, |_, _| None, own)
+    }
+
+    /// The same with a look of their own for some faces.
+    pub fn observer_with(
+        &self,
+        fate: impl Fn(usize) -> Fate,
+        face_role: impl Fn(usize, usize) -> Option<Role>,
+        own: Vec<Mark3>,
+    ) -> View {
+        let camera = self.scene.camera.camera();
+        let (facets, edges) = self.solids(&fate, &face_role, true);
+        let mut marks = ground(&self.scene);
+        marks.extend(volume(camera));
+        marks.extend(self.numbers());
+        marks.extend(own);
+        let space = Space {
+            title: Some(Value::Term("view-observer")),
+            seer: Seer::Eye(self.scene.eye),
+            facets,
+            edges,
+            marks,
+        };
+        View::new(OBSERVER_VIEW, Body::Space(space))
+    }
+
+    /// What the camera sees of all that is not culled.
+    pub fn camera(
+        &self,
+        fate: impl Fn(usize) -> Fate,
+        face_role: impl Fn(usize, usize) -> Option<Role>,
+        marks: Vec<Mark3>,
+    ) -> View {
+        let seen = |i: usize| match fate(i) {
+            Fate::Cut => Fate::Kept,
+            other => other,
+        };
+        let (facets, edges) = self.solids(&seen, &face_role, false);
+        let space = Space {
+            title: Some(Value::Term("view-camera")),
+            seer: Seer::Camera(*self.scene.camera.camera()),
+            facets,
+            edges,
+            marks,
+        };
+        View::new(CAMERA_VIEW, Body::Space(space))
+    }
+
+    fn solids(
+        &self,
+        fate: &impl Fn(usize) -> Fate,
+        face_role: &impl Fn(usize, usize) -> Option<Role>,
+        is_observed: bool,
+    ) -> (Arc<[Facet]>, Arc<[Edge3]>) {
+        let mut solids = Solids::default();
+        for (i, object) in self.scene.objects().iter().enumerate() {
+            let fate = fate(i);
+            if is_observed || fate != Fate::Culled {
+                let role = |face| face_role(i, face);
+                solids.object(object, object_link(i), fate, &self.planes, role);
+            }
+        }
+        if is_observed {
+            solids.camera(self.scene.camera.camera(), self.glyph_size());
+        }
+        solids.into_parts()
+    }
+
+    /// A share of what the observer sees.
+    fn glyph_size(&self) -> f64 {
+        let eye = DVec3::from(self.scene.eye.position());
+        let [position, ..] = self.scene.camera.places();
+        0.022 * eye.distance(DVec3::from(position))
+    }
+
+    /// Each object's number over it.
+    fn numbers(&self) -> Vec<Mark3> {
+        let objects = self.scene.objects();
+        if objects.len() > MOST_NUMBERED {
+            return Vec::new();
+        }
+        let number = |(i, object): (usize, &super::super::Object)| {
+            let bounds = object.bounds().ok()?;
+            let [min, max] = [bounds.min(), bounds.max()];
+            let top = [0.5 * (min[0] + max[0]), max[1], 0.5 * (min[2] + max[2])];
+            let mark = Mark3::new(Role::Ink, Shape3::Label(top));
+            Some(mark.labelled(Value::Count(i + 1)).linked(object_link(i)))
+        };
+        objects.iter().enumerate().filter_map(number).collect()
+    }
+}
+
+/// What facets, marks and rows about an object have in common.
+pub fn object_link(object_idx: usize) -> Link {
+    Link::nth("object", object_idx)
+}

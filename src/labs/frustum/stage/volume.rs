@@ -1,0 +1,85 @@
+//! The view volume in the observer's view, and one of its planes at work.
+
+use glam::DVec3;
+
+use crate::{
+    figure::{Link, Mark3, Role, Shape3},
+    geom::{Camera, Sight, VolumeSide},
+    text::Value,
+};
+
+/// Catalogue key of a side of a view volume.
+pub const fn side_key(side: VolumeSide) -> &'static str {
+    match side {
+        VolumeSide::Near => "side-near",
+        VolumeSide::Far => "side-far",
+        VolumeSide::Left => "side-left",
+        VolumeSide::Right => "side-right",
+        VolumeSide::Bottom => "side-bottom",
+        VolumeSide::Top => "side-top",
+    }
+}
+
+/// The name of a side as it stands in a sentence.
+pub const fn side_name(side: VolumeSide) -> Value {
+    Value::Term(side_key(side))
+}
+
+/// What marks, rows and gauges about a side have in common.
+pub const fn side_link(side: VolumeSide) -> Link {
+    Link::nth("side", side as usize)
+}
+
+/// The corners of a side, going round it.
+fn outline(camera: &Camera, side: VolumeSide) -> Vec<[f64; 3]> {
+    let corners = camera.corners_in_world();
+    let has = |i: usize| (i >> side.axis() & 1 == 1) == side.is_high();
+    let mine: Vec<usize> = (0..8).filter(|&i| has(i)).collect();
+    // Numbered by bits: the last two change places.
+    [mine[0], mine[1], mine[3], mine[2]]
+        .map(|i| corners[i])
+        .to_vec()
+}
+
+/// Edges and ends of the volume, and its lines of sight.
+pub fn volume(camera: &Camera) -> Vec<Mark3> {
+    let corners = camera.corners_in_world();
+    let mut marks: Vec<Mark3> = [VolumeSide::Near, VolumeSide::Far]
+        .into_iter()
+        .flat_map(|side| {
+            let outline = outline(camera, side);
+            [
+                Mark3::new(Role::Accent, Shape3::Wash(outline.clone())),
+                Mark3::new(Role::Accent, Shape3::Outline(outline))
+                    .fine()
+                    .linked(side_link(side)),
+            ]
+        })
+        .collect();
+    for i in 0..4 {
+        let edge = Shape3::Segment([corners[i], corners[i + 4]]);
+        marks.push(Mark3::new(Role::Accent, edge).fine());
+        if camera.volume().sight() == Sight::Perspective {
+            let sight = Shape3::Segment([camera.position(), corners[i]]);
+            marks.push(Mark3::new(Role::Soft, sight).fine());
+        }
+    }
+    for (side, [a, b]) in [(VolumeSide::Near, [0, 1]), (VolumeSide::Far, [6, 7])] {
+        let middle = DVec3::from(corners[a]).midpoint(DVec3::from(corners[b]));
+        let name = Mark3::new(Role::Accent, Shape3::Label(middle.into()));
+        marks.push(name.labelled(side_name(side)));
+    }
+    marks
+}
+
+/// The side whose plane is asked at this step.
+pub fn plane_at_work(camera: &Camera, side: VolumeSide) -> Vec<Mark3> {
+    let outline = outline(camera, side);
+    vec![
+        Mark3::new(Role::Signal, Shape3::Wash(outline.clone())),
+        Mark3::new(Role::Signal, Shape3::Outline(outline))
+            .labelled(side_name(side))
+            .strong()
+            .linked(side_link(side)),
+    ]
+}
