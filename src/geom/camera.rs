@@ -117,7 +117,9 @@ impl Camera {
     /// The corners of its volume in the world, numbered as [`ViewVolume::corners`] has them.
     #[must_use]
     pub fn corners_in_world(&self) -> [[f64; 3]; 8] {
-        self.volume.corners().map(|corner| self.world_from_view(corner))
+        self.volume
+            .corners()
+            .map(|corner| self.world_from_view(corner))
     }
 
     /// The planes of its volume in the world, in the order of [`super::VolumeSide::ALL`].

@@ -20,7 +20,8 @@ pub use back_face::{
 pub use batch::SphereBatch;
 pub use box_cull::{BoxCull, BoxCullEvent, BoxCullInput, BoxCullOutput, BoxCullState};
 pub use funnel::{
-    Funnel, FunnelEvent, FunnelInput, FunnelObject, FunnelState, TriangleFate, asked_planes, asked_sphere,
+    Funnel, FunnelEvent, FunnelInput, FunnelObject, FunnelState, TriangleFate, asked_planes,
+    asked_sphere,
 };
 pub use funnel_levels::{FunnelLevels, Level};
 pub use point_planes::{

@@ -19,11 +19,7 @@ use crate::{
 };
 
 use super::{
-    super::{
-        OnScene, OnSceneInput, Scene,
-        method_info::FrustumDemo,
-        stage::Fate,
-    },
+    super::{OnScene, OnSceneInput, Scene, method_info::FrustumDemo, stage::Fate},
     planes::{place, triple},
 };
 
@@ -95,7 +91,8 @@ impl Demo for Shown {
     }
 
     fn caption(event: &Event, before: &State, input: &Input) -> Caption {
-        let say = |key: &'static str| Caption::new(Message::new(key).with("face", face_name(input)));
+        let say =
+            |key: &'static str| Caption::new(Message::new(key).with("face", face_name(input)));
         match *event {
             Event::Normal { edges, normal } => say("face-normal")
                 .so(triple("V₁ − V₀", edges[0]))
@@ -181,8 +178,14 @@ impl Demo for Shown {
         } = *step.state;
         rows.push(WatchRow::new(name("n"), normal.map(|(_, n)| place(n))));
         rows.push(WatchRow::new(name("e"), to_viewer.map(place)));
-        rows.push(WatchRow::new(name("n·e"), products.map(|[dot, _]| Value::Number(dot))));
-        rows.push(WatchRow::new(name("det"), products.map(|[_, det]| Value::Number(det))));
+        rows.push(WatchRow::new(
+            name("n·e"),
+            products.map(|[dot, _]| Value::Number(dot)),
+        ));
+        rows.push(WatchRow::new(
+            name("det"),
+            products.map(|[_, det]| Value::Number(det)),
+        ));
         let on_screen = step.input.scenery.as_deref().and_then(|scenery| {
             let camera = scenery.scene().camera.camera();
             turn_on_screen(camera, &step.input.own.triangle)
@@ -218,7 +221,9 @@ pub fn dot_formula(n: [f64; 3], e: [f64; 3], dot: f64) -> Formula {
 fn fronts(scene: &Scene) -> Vec<bool> {
     let n_faces = scene.focused().model().mesh().faces().len();
     let faces = (0..n_faces).filter_map(|face_idx| input_of(scene, face_idx));
-    faces.map(|input| silent::<BackFace>(&input).front).collect()
+    faces
+        .map(|input| silent::<BackFace>(&input).front)
+        .collect()
 }
 
 /// (B − A) × (C − A) of the corners on the camera's picture; none where one of them is not before the camera.
@@ -290,7 +295,11 @@ fn face_gauges(step: &Step<'_, Shown>, scene: &Scene) -> Gauges {
             name: Value::Count(face_idx + 1),
             value: answer.map(|answer| answer.dot),
             verdict: answer.map(|answer| {
-                Message::new(if answer.front { "gauge-drawn" } else { "gauge-culled" })
+                Message::new(if answer.front {
+                    "gauge-drawn"
+                } else {
+                    "gauge-culled"
+                })
             }),
             role,
             is_bar: true,
@@ -299,7 +308,10 @@ fn face_gauges(step: &Step<'_, Shown>, scene: &Scene) -> Gauges {
     };
     Gauges {
         title: Message::new("gauges-faces").with("faces", n_faces),
-        sides: [Message::new("gauge-away"), Message::new("gauge-faces-camera")],
+        sides: [
+            Message::new("gauge-away"),
+            Message::new("gauge-faces-camera"),
+        ],
         band: None,
         rows: shown.map(row).collect(),
     }

@@ -225,7 +225,12 @@ fn edges(bounds: &AlignedBox) -> impl Iterator<Item = [[f64; 3]; 2]> {
 /// For each plane how many corners are outside, and how far in and out they reach.
 fn corner_table(step: &Step<'_, Shown>) -> Table {
     let scenery = step.input.scenery.as_deref();
-    let header = ["column-plane", "column-outside", "column-least", "column-most"];
+    let header = [
+        "column-plane",
+        "column-outside",
+        "column-least",
+        "column-most",
+    ];
     let header = header.map(|key| Formula::default().term(key)).to_vec();
     let current = current(step);
     let row = |plane_idx: usize| {

@@ -108,7 +108,9 @@ impl Demo for Shown {
             }
             Event::Done { inside } => {
                 let asked = before.asked.iter();
-                let n_outside = asked.filter(|(_, side)| *side == PlaneSide::Outside).count();
+                let n_outside = asked
+                    .filter(|(_, side)| *side == PlaneSide::Outside)
+                    .count();
                 let key = if inside {
                     "point-done-inside"
                 } else {

@@ -8,9 +8,7 @@ use crate::{
         Containment, SphereCull, SphereCullEvent as Event, SphereCullInput, SphereCullOutput,
         SphereCullState as State,
     },
-    figure::{
-        Body, Caption, Mark3, Role, Shape3, Tick, View, Watch, WatchRow, WatchSection,
-    },
+    figure::{Body, Caption, Mark3, Role, Shape3, Tick, View, Watch, WatchRow, WatchSection},
     geom::{Plane, Sphere, VolumeSide},
     labs::{Answer, CodeLine, Demo, Step, code_line, words::name},
     text::{Formula, Message, Value},
@@ -107,7 +105,9 @@ impl Demo for Shown {
                     .with("planes", before.asked.len())
                     .with("cut", n_cut.count())
                     .with("plane", plane_name(input.scenery.as_deref(), last));
-                Caption::new(message).so(Formula::default().sym("r").equals(input.own.sphere.radius()))
+                Caption::new(message).so(Formula::default()
+                    .sym("r")
+                    .equals(input.own.sphere.radius()))
             }
         }
     }
@@ -116,7 +116,9 @@ impl Demo for Shown {
         let planes = input.own.planes.len();
         Caption::new(Message::new("sphere-opening").with("planes", planes))
             .so(triple("c", input.own.sphere.center()))
-            .so(Formula::default().sym("r").equals(input.own.sphere.radius()))
+            .so(Formula::default()
+                .sym("r")
+                .equals(input.own.sphere.radius()))
     }
 
     fn views(step: &Step<'_, Self>) -> Vec<View> {
@@ -126,7 +128,13 @@ impl Demo for Shown {
         if let Some(scenery) = scenery {
             let focus = scenery.scene().focus();
             let class = step.state.class;
-            let fate = |i: usize| if i == focus { fate_of(class) } else { Fate::ToCome };
+            let fate = |i: usize| {
+                if i == focus {
+                    fate_of(class)
+                } else {
+                    Fate::ToCome
+                }
+            };
             let current = current(step).zip(step.state.asked.last());
             let current = current.map(|(idx, &(d, class))| (idx, d, class));
             views.push(scenery.observer(fate, sphere_marks(scenery, sphere, current)));
@@ -240,8 +248,9 @@ pub fn sphere_marks(
     let unit = DVec3::from(plane.normal()) / plane.length();
     let towards = DVec3::from(center) - unit * sphere.radius() * d.signum();
     marks.push(
-        Mark3::new(Role::Ink, Shape3::Segment([center, towards.into()]))
-            .labelled(Value::Formula(Formula::default().sym("r").equals(sphere.radius()))),
+        Mark3::new(Role::Ink, Shape3::Segment([center, towards.into()])).labelled(Value::Formula(
+            Formula::default().sym("r").equals(sphere.radius()),
+        )),
     );
     marks
 }

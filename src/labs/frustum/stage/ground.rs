@@ -23,7 +23,10 @@ pub fn ground(scene: &Scene) -> Vec<Mark3> {
         }
     }
     // What stands on y = 0 stands on the ground; where something is lower, the ground is.
-    let lows = scene.objects().iter().filter_map(|object| object.bounds().ok());
+    let lows = scene
+        .objects()
+        .iter()
+        .filter_map(|object| object.bounds().ok());
     let level = lows.map(|bounds| bounds.min()[1]).fold(0.0, f64::min);
     let size = (max[0] - min[0]).max(max[2] - min[2]);
     let step = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0]

@@ -86,9 +86,9 @@ impl Solids {
             if cosine > FLAT {
                 continue;
             }
-            let ends = edge.ends.map(|i| {
-                world_from_model.point(mesh.positions()[i as usize].map(f64::from))
-            });
+            let ends = edge
+                .ends
+                .map(|i| world_from_model.point(mesh.positions()[i as usize].map(f64::from)));
             let facets = edge.faces.map(|face| Some(facet_of[face? as usize]));
             let drawn = |ends, role| Edge3 {
                 ends,
@@ -200,10 +200,7 @@ fn cuts<'a>(polygon: &'a [[f64; 3]], plane: &'a Plane) -> impl Iterator<Item = [
 }
 
 /// Of a segment what is inside of all planes, and what is not: one part, and up to two.
-fn parts_of_segment(
-    ends: [[f64; 3]; 2],
-    planes: &[Plane; 6],
-) -> [Vec<[[f64; 3]; 2]>; 2] {
+fn parts_of_segment(ends: [[f64; 3]; 2], planes: &[Plane; 6]) -> [Vec<[[f64; 3]; 2]>; 2] {
     let mut outside = Vec::new();
     let mut left = vec![ends[0], ends[1]];
     for plane in planes {

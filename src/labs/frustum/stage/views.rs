@@ -10,12 +10,7 @@ use crate::{
     text::Value,
 };
 
-use super::{
-    super::Scene,
-    Fate, Solids,
-    ground::ground,
-    volume::volume,
-};
+use super::{super::Scene, Fate, Solids, ground::ground, volume::volume};
 
 /// The observer's, who goes round.
 pub const OBSERVER_VIEW: &str = "observer";

@@ -116,7 +116,12 @@ fn plane_caption<L: CullRules>(
     let plane = &asked_planes::<L>(&input.camera)[side as usize];
     let formula = if L::TURNS_SIGN {
         let r = sphere::<L>(object).radius();
-        let d = super::super::planes::distance_formula(["d", "c"], plane, object.sphere.center(), distance);
+        let d = super::super::planes::distance_formula(
+            ["d", "c"],
+            plane,
+            object.sphere.center(),
+            distance,
+        );
         match class {
             Containment::Outside => d.sym(" > r").equals(r),
             Containment::Straddles => d.sym(",  −r < d ≤ r").equals(r),

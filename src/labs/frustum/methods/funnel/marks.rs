@@ -42,9 +42,7 @@ fn current_face<L: CullRules>(step: &Step<'_, Shown<L>>) -> Option<usize> {
         Some(Event::Triangle { triangle_idx, .. } | Event::Face { triangle_idx, .. }) => {
             Some(triangle_idx)
         }
-        Some(
-            Event::Object { .. } | Event::Plane { .. } | Event::Sphere { .. } | Event::Done,
-        )
+        Some(Event::Object { .. } | Event::Plane { .. } | Event::Sphere { .. } | Event::Done)
         | None => None,
     }
 }
@@ -57,30 +55,30 @@ fn triangle<L: CullRules>(step: &Step<'_, Shown<L>>) -> Option<[[f64; 3]; 3]> {
 
 pub fn observer<L: CullRules>(step: &Step<'_, Shown<L>>, scenery: &Scenery) -> View {
     let mut marks = Vec::new();
-    let object = step.state.object_idx.and_then(|i| step.input.own.objects.get(i));
+    let object = step
+        .state
+        .object_idx
+        .and_then(|i| step.input.own.objects.get(i));
     match (object, step.event) {
-        (
-            Some(object),
-            Some(Event::Object { .. } | Event::Plane { .. } | Event::Sphere { .. }),
-        ) => {
+        (Some(object), Some(Event::Object { .. } | Event::Plane { .. } | Event::Sphere { .. })) => {
             let known = side_idx(step).zip(step.state.sphere.asked.last());
             let current: Option<(usize, f64, Containment)> =
                 known.map(|(idx, &(d, class))| (idx, d, class));
             let sphere = captions::sphere::<L>(object);
             marks.extend(sphere_marks(scenery, &sphere, current));
         }
-        _ => marks.extend(triangle(step).map(|corners| {
-            Mark3::new(Role::Signal, Shape3::Outline(corners.to_vec()))
-        })),
+        _ => marks.extend(
+            triangle(step)
+                .map(|corners| Mark3::new(Role::Signal, Shape3::Outline(corners.to_vec()))),
+        ),
     }
     let role = |object, face| face_role(step, object, face);
     scenery.observer_with(|i| fate(step, i), role, marks)
 }
 
 pub fn camera<L: CullRules>(step: &Step<'_, Shown<L>>, scenery: &Scenery) -> View {
-    let outline = triangle(step).map(|corners| {
-        Mark3::new(Role::Signal, Shape3::Outline(corners.to_vec()))
-    });
+    let outline =
+        triangle(step).map(|corners| Mark3::new(Role::Signal, Shape3::Outline(corners.to_vec())));
     let role = |object, face| face_role(step, object, face);
     scenery.camera(|i| fate(step, i), role, outline.into_iter().collect())
 }

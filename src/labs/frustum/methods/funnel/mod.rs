@@ -16,9 +16,7 @@ use crate::{
         },
         ring::Right,
     },
-    figure::{
-        Body, Caption, Run, Tick, View, Watch, WatchRow, WatchSection,
-    },
+    figure::{Body, Caption, Run, Tick, View, Watch, WatchRow, WatchSection},
     labs::{Answer, CodeLine, Demo, Step, record, record_wrong},
     text::Value,
 };
@@ -45,7 +43,11 @@ impl<L: CullRules + Variant> FrustumDemo for Shown<L> {
     fn input(scene: &Scene) -> Input {
         let own = FunnelInput {
             camera: *scene.camera.camera(),
-            objects: scene.objects().iter().map(super::super::Object::in_funnel).collect(),
+            objects: scene
+                .objects()
+                .iter()
+                .map(super::super::Object::in_funnel)
+                .collect(),
         };
         OnSceneInput::of(scene, own)
     }
@@ -133,7 +135,12 @@ impl<L: CullRules + Variant> Demo for Shown<L> {
             rows.extend(sphere_rows(&captions::sphere::<L>(object), plane));
         }
         rows.extend(step.state.sphere.class.map(class_row));
-        let asked = step.state.sphere.asked.iter().zip(crate::geom::VolumeSide::ALL);
+        let asked = step
+            .state
+            .sphere
+            .asked
+            .iter()
+            .zip(crate::geom::VolumeSide::ALL);
         let distances = asked.map(|(&(d, _), side)| {
             WatchRow::new(super::super::stage::side_name(side), Some(d.into()))
                 .linked(side_link(side))
