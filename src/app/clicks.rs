@@ -3,7 +3,7 @@
 use egui::{Pos2, Ui};
 
 use crate::{
-    figure::{Lens, ViewId},
+    figure::{Lens, Link, ViewId},
     geom::Orbit,
     labs::{Click, Edit, Handle, Lock},
     paint::Viewport,
@@ -30,7 +30,10 @@ pub fn ask(
 ) {
     commands.extend(shown.view.and_then(|view| match lens {
         Lens::Plane => Some(Command::View(id, view)),
-        Lens::Eye(eye) => Some(Command::Turn(id, turned(eye, &shown.viewport, view))),
+        Lens::Eye(eye) => {
+            let moved = if shown.pans { panned } else { turned };
+            Some(Command::Turn(id, moved(eye, &shown.viewport, view)))
+        }
         // It is part of the scene.
         Lens::Camera(_) => None,
     }));
@@ -67,19 +70,25 @@ pub fn ask(
     let asked = model.scene.document().click(&Click {
         place: lens.world_from_drawing(place, [0.0; 3]),
         inserts: click.is_double || click.has_ctrl,
-        ..click_at(&shown.viewport, lens, locks, click.at)
+        ..click_at(&shown.viewport, lens, locks, (click.at, shown.pointed))
     });
     commands.extend(asked.map(|change| Command::Edit(Edit::Own(change), None)));
 }
 
 /// A plain click at a place on the screen.
-pub fn click_at<'a>(viewport: &Viewport, lens: Lens, locks: &'a [Lock], at: Pos2) -> Click<'a> {
+pub fn click_at<'a>(
+    viewport: &Viewport,
+    lens: Lens,
+    locks: &'a [Lock],
+    (at, link): (Pos2, Option<Link>),
+) -> Click<'a> {
     let at = lens.world_from_drawing(viewport.to_world(at), [0.0; 3]);
     Click {
         at,
         place: at,
         reach: CLICK_REACH / viewport.scale,
         inserts: false,
+        link,
         locks,
     }
 }
@@ -88,4 +97,11 @@ pub fn click_at<'a>(viewport: &Viewport, lens: Lens, locks: &'a [Lock], at: Pos2
 fn turned(eye: Orbit, seen: &Viewport, to: PanZoom) -> Orbit {
     let by = [0, 1].map(|i| TURN_DEG * (to.centre[i] - seen.centre[i]));
     eye.turned(by).zoomed(to.scale / seen.scale)
+}
+
+/// Where an eye has gone that was moved sideways, and drawn nearer.
+fn panned(eye: Orbit, seen: &Viewport, to: PanZoom) -> Orbit {
+    // The picture's half height is 1, whatever part of it is seen.
+    let by = [0, 1].map(|i| to.centre[i] - seen.centre[i]);
+    eye.panned(by).zoomed(to.scale / seen.scale)
 }

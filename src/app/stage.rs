@@ -1,6 +1,8 @@
 //! The stage: the drawing with its handles, and what else the figure's layout has. Two of each where two methods stand
 //! side by side.
 
+use std::borrow::Cow;
+
 use egui::{
     Align2, Button, CursorIcon, Id, InputState, Rect, RichText, Stroke, Ui, UiBuilder, pos2, vec2,
 };
@@ -13,7 +15,7 @@ use crate::{
     text::Message,
     widgets::{
         Canvas, CanvasShown, Spot, StepWords, TEXT_PTS, beside_the_drawing, caption_text, gripped,
-        headline, rect_of, slot_of,
+        headline, link_at, projected, rect_of, slot_of, title_of_space,
     },
 };
 
@@ -224,14 +226,16 @@ impl Column<'_> {
         &self,
         model: &Model<'_>,
         ui: &Ui,
-        state: &StageState,
+        is_drawing: bool,
         (viewport, lens): (&Viewport, Lens),
+        marks: &[Mark],
     ) -> Option<Mark> {
-        if state.sketch.is_some() || !ui.rect_contains_pointer(viewport.rect) {
+        if is_drawing || !ui.rect_contains_pointer(viewport.rect) {
             return None;
         }
         let pointer = ui.input(|input| input.pointer.hover_pos())?;
-        let click = clicks::click_at(viewport, lens, self.hands.locks, pointer);
+        let there = (pointer, link_at(viewport, marks, pointer));
+        let click = clicks::click_at(viewport, lens, self.hands.locks, there);
         let shape = model.scene.document().pointed(&click)?;
         Some(Mark::new(Role::Accent, shape))
     }
@@ -251,6 +255,13 @@ impl Column<'_> {
         let id = Id::unique(("stage", self.index));
         let is_flat = drawing.1 == Lens::Plane;
         let spots = self.spots(model, ui, state, id, (&viewport, drawing.1));
+        let is_drawing = state.sketch.is_some();
+        let space = frame.space();
+        let seen = space.map(|space| projected(ui.ctx(), id, space, &drawing.1));
+        let marks = match &seen {
+            Some(seen) => Cow::Borrowed(&seen[..]),
+            None => state.marks(self.index, model, frame),
+        };
         let shown = Canvas {
             id,
             viewport,
@@ -263,12 +274,15 @@ impl Column<'_> {
             spots: &spots,
             snap: model.settings.snap && is_flat,
             has_grid: is_flat,
-            pointed: self.pointed(model, ui, state, (&viewport, drawing.1)),
-            marks: &state.marks(self.index, model, frame, drawing.1),
+            pointed: self.pointed(model, ui, is_drawing, (&viewport, drawing.1), &marks),
+            marks: &marks,
             lit,
             look,
         }
         .show(ui);
+        if let Some(space) = space {
+            title_of_space(ui, look, rect, space);
+        }
         state.canvas_ids.push(id);
         let ids = spots.iter().map(|spot| id.with(spot.index));
         state.handle_ids.extend(ids);

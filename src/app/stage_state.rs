@@ -5,7 +5,7 @@ use std::{borrow::Cow, collections::BTreeMap};
 use egui::{Context, Id, Pos2, Rect};
 
 use crate::{
-    figure::{Body, Frame, Lens, Link, Mark, Seer, Slot, View, ViewId, project},
+    figure::{Body, Frame, Lens, Link, Mark, Seer, Slot, View, ViewId},
     geom::Orbit,
     labs::{Handle, MethodCard, Scene, Sketch},
     paint::Viewport,
@@ -111,7 +111,9 @@ impl StageState {
                 let under =
                     |(_, seen): &(_, &Viewport)| pointer.is_some_and(|at| seen.rect.contains(at));
                 let pointed = self.seen.iter().find(under);
-                if let Some((&id, seen)) = pointed.or_else(|| self.seen.iter().next()) {
+                if let Some((id, Lens::Eye(eye))) = self.drawn {
+                    self.turned.insert(id, eye.zoomed(factor));
+                } else if let Some((&id, seen)) = pointed.or_else(|| self.seen.iter().next()) {
                     let around = pointer.filter(|_| pointed.is_some());
                     let around = around.unwrap_or_else(|| seen.rect.center());
                     let zoomed = PanZoom::of(seen).zoomed(seen.rect, factor, around);
@@ -201,24 +203,14 @@ impl StageState {
     pub fn viewport(&self, (id, lens): (ViewId, Lens), rect: Rect) -> Viewport {
         let bounds = match lens {
             Lens::Plane => self.bounds,
-            Lens::Eye(_) => [[-1.0; 2], [1.0; 2]],
-            Lens::Camera(_) => return picture_viewport(rect, &lens),
+            Lens::Eye(_) | Lens::Camera(_) => return picture_viewport(rect, &lens),
         };
         let moved = self.moved.get(&id);
         moved.map_or_else(|| Viewport::fit(rect, bounds), |moved| moved.on(rect))
     }
 
     /// What is drawn in a column: the backdrop, and this step's marks over it.
-    pub fn marks(
-        &mut self,
-        column: usize,
-        model: &Model<'_>,
-        frame: &Frame,
-        lens: Lens,
-    ) -> Cow<'_, [Mark]> {
-        if let Some(Body::Space(space)) = frame.views.first().map(|view| &view.body) {
-            return Cow::Owned(project(space, &lens));
-        }
+    pub fn marks(&mut self, column: usize, model: &Model<'_>, frame: &Frame) -> Cow<'_, [Mark]> {
         let transport = model.playback.transport();
         let step = transport.position();
         let method = model

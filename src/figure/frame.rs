@@ -5,7 +5,7 @@ use crate::{
     trace::Counts,
 };
 
-use super::{Body, Link, Mark, Role, View, ViewId, Watch};
+use super::{Body, Link, Mark, Role, Space, View, ViewId, Watch};
 
 /// One sentence: the decision, then the arithmetic that led to it.
 #[derive(Clone, PartialEq, Debug)]
@@ -60,13 +60,33 @@ impl Frame {
         plane.unwrap_or_default()
     }
 
+    /// The space that is the drawing, where it is one.
+    #[must_use]
+    pub fn space(&self) -> Option<&Space> {
+        self.views.first().and_then(|view| match &view.body {
+            Body::Space(space) => Some(space),
+            Body::Plane(_)
+            | Body::Raster(_)
+            | Body::Bits(_)
+            | Body::Table(_)
+            | Body::Lists(_)
+            | Body::Products(_)
+            | Body::NumberLine(_)
+            | Body::Clippers(_)
+            | Body::Gauges(_)
+            | Body::Ribbon(_) => None,
+        })
+    }
+
     /// What this step is about, the drawing's first: the links of marks and of values that stand out.
     pub fn focus(&self) -> impl Iterator<Item = Link> {
-        let marks = self.marks().iter();
-        let marks = marks.filter(|mark| mark.role == Role::Signal);
+        let marks = self.marks().iter().map(|mark| (mark.role, mark.link));
+        let in_space = self.space().into_iter().flat_map(|space| &space.marks);
+        let marks = marks.chain(in_space.map(|mark| (mark.role, mark.link)));
+        let marks = marks.filter(|(role, _)| *role == Role::Signal);
         let rows = self.watch.iter().flat_map(|section| &section.rows);
         let rows = rows.filter(|row| row.has_changed());
-        let of_marks = marks.filter_map(|mark| mark.link);
+        let of_marks = marks.filter_map(|(_, link)| link);
         of_marks.chain(rows.filter_map(|row| row.link))
     }
 }

@@ -42,7 +42,7 @@ pub use raster::{Pixel, Raster};
 pub use ribbon::{Ribbon, RibbonStage};
 pub use role::{Link, Role};
 pub use run::{Run, Tick};
-pub use solids::Solids;
+pub use solids::{SolidMesh, SolidPicture, Solids};
 pub use space::{Edge3, Facet, Mark3, Seer, Shape3, Space};
 pub use table::{Cell, Table, TableNote, TableRow};
 pub use view::{

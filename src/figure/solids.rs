@@ -1,8 +1,12 @@
-//! Solids as they are seen: which facet at each pixel.
+//! Solids as they are seen: which facet at each sample of a picture.
 
-use std::sync::Arc;
+use std::{ops::Range, sync::Arc};
 
-use super::{Facet, Lens};
+use glam::DVec3;
+
+use crate::algo::surface::{Cull, MeshRef, ScreenTriangle, Viewport, assemble, draw_rows};
+
+use super::{Facet, Lens, Link, lens::Optics};
 
 /// The faces of solids, and what they are seen through.
 #[derive(Clone, PartialEq, Debug)]
@@ -11,4 +15,148 @@ pub struct Solids {
     pub facets: Arc<[Facet]>,
     /// What they are seen through.
     pub lens: Lens,
+    /// They have more edges than are drawn one by one: outlines are found between the samples.
+    pub is_outlined: bool,
+}
+
+impl Solids {
+    /// What is seen at a place of the picture is about this.
+    #[must_use]
+    pub fn link_at(&self, at: [f64; 2]) -> Option<Link> {
+        let optics = Optics::of(&self.lens)?;
+        let distances = self.facets.iter().filter_map(|facet| {
+            let corners = facet.corners.iter();
+            let corners: Vec<DVec3> = corners
+                .map(|&at| optics.view_from_world(at.into()))
+                .collect();
+            Some((distance(&corners, &optics, at)?, facet))
+        });
+        let (_, nearest) = distances.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        nearest.link
+    }
+}
+
+/// How far away a facet is met by the sight line through a place of the picture.
+fn distance(corners: &[DVec3], optics: &Optics, at: [f64; 2]) -> Option<f64> {
+    let (start, along) = optics.sight_line(at);
+    let &first = corners.first()?;
+    let fan = corners.windows(2).skip(1);
+    let normal: DVec3 = fan
+        .map(|pair| (pair[0] - first).cross(pair[1] - first))
+        .sum();
+    let mut turns = [false; 2];
+    for (i, &a) in corners.iter().enumerate() {
+        let b = corners[(i + 1) % corners.len()];
+        let side = optics.toward_eye(a).cross(b - a).dot(start + along - a);
+        turns[usize::from(side < 0.0)] |= side != 0.0;
+    }
+    let depth = normal.dot(first - start) / normal.dot(along);
+    let is_met = turns != [true; 2] && depth > optics.near && depth <= optics.far;
+    is_met.then_some(depth)
+}
+
+/// Facets as triangles.
+#[derive(Clone, PartialEq, Debug)]
+pub struct SolidMesh {
+    positions: Vec<[f32; 3]>,
+    triangles: Vec<[u32; 3]>,
+    /// Of each triangle.
+    facets: Vec<u32>,
+}
+
+impl SolidMesh {
+    /// Each facet as a fan.
+    #[must_use]
+    pub fn of(facets: &[Facet]) -> Self {
+        let n_corners = facets.iter().map(|facet| facet.corners.len()).sum();
+        let mut mesh = Self {
+            positions: Vec::with_capacity(n_corners),
+            triangles: Vec::with_capacity(n_corners),
+            facets: Vec::with_capacity(n_corners),
+        };
+        for (idx, facet) in (0..).zip(facets) {
+            let first = mesh.positions.len() as u32;
+            let corners = facet.corners.iter();
+            mesh.positions
+                .extend(corners.map(|at| at.map(|x| x as f32)));
+            for second in first + 1..(mesh.positions.len() as u32).saturating_sub(1) {
+                mesh.triangles.push([first, second, second + 1]);
+                mesh.facets.push(idx);
+            }
+        }
+        mesh
+    }
+}
+
+/// Solids on a picture of some size, ready to be drawn row by row.
+pub struct SolidPicture<'a> {
+    mesh: &'a SolidMesh,
+    triangles: Vec<ScreenTriangle<0>>,
+    viewport: Viewport,
+}
+
+impl<'a> SolidPicture<'a> {
+    /// No picture has more columns, nor rows.
+    pub const MAX_SIDE: u32 = Viewport::MAX_SIDE;
+
+    /// The part of the picture from `min` to `max`, in so many columns and rows. `None` where there is nothing to see.
+    #[must_use]
+    pub fn new(
+        mesh: &'a SolidMesh,
+        lens: &Lens,
+        part: [[f64; 2]; 2],
+        size: [u32; 2],
+    ) -> Option<Self> {
+        let optics = Optics::of(lens)?;
+        let viewport = Viewport::new(size, Viewport::PICTURE_BITS)?;
+        let clip_from_world = optics.clip_from_world(part, depths(mesh, &optics)?)?;
+        let mut triangles = Vec::with_capacity(mesh.triangles.len());
+        let mesh_ref = MeshRef {
+            positions: &mesh.positions,
+            attributes: &vec![[]; mesh.positions.len()],
+            faces: &mesh.triangles,
+            first_id: 0,
+        };
+        // What is cut open shows its inner side.
+        assemble(
+            &mesh_ref,
+            &clip_from_world,
+            &viewport,
+            Cull::Nothing,
+            &mut triangles,
+        );
+        Some(Self {
+            mesh,
+            triangles,
+            viewport,
+        })
+    }
+
+    /// Puts the facets that are seen in some rows into `facets`, one for each sample, and how far away they are, from 0 to
+    /// 1, into `depths`; where there is none, both stay.
+    pub fn draw_rows(&self, rows: Range<u32>, depths: &mut [f32], facets: &mut [u32]) {
+        draw_rows(
+            &self.triangles,
+            &self.viewport,
+            rows,
+            depths,
+            |at, triangle, []| facets[at] = self.mesh.facets[triangle as usize],
+        );
+    }
+}
+
+/// A little less than the distance of the nearest corner, and more than that of the farthest, as far as they are seen.
+fn depths(mesh: &SolidMesh, optics: &Optics) -> Option<[f64; 2]> {
+    let far = |at: &[f32; 3]| -optics.view_from_world(at.map(f64::from).into()).z;
+    let [mut nearest, mut farthest] = [f64::INFINITY, f64::NEG_INFINITY];
+    for distance in mesh.positions.iter().map(far) {
+        nearest = nearest.min(distance);
+        farthest = farthest.max(distance);
+    }
+    let air = 0.01 * (farthest - nearest).max(farthest.abs() * 1e-3);
+    let [near, far] = [
+        optics.near.max(nearest - air),
+        optics.far.min(farthest + air),
+    ];
+    (near < far).then_some([near, far])
 }

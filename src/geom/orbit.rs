@@ -63,6 +63,16 @@ impl Orbit {
         Self::new(self.target.into(), angles, distance, self.fov_y_deg)
     }
 
+    /// Moved sideways, by so much of half the picture's height: what is seen goes the other way.
+    #[must_use]
+    pub fn panned(self, [x, y]: [f64; 2]) -> Self {
+        let [right, up, _] = self.basis();
+        let half = self.distance * self.half_height();
+        let target = self.target + (right * x + up * y) * half;
+        let angles = [self.yaw_deg, self.pitch_deg];
+        Self::new(target.into(), angles, self.distance, self.fov_y_deg)
+    }
+
     /// Where the eye is, in world coordinates.
     #[must_use]
     pub fn position(&self) -> [f64; 3] {
@@ -167,10 +177,23 @@ mod tests {
     }
 
     #[test]
+    fn what_is_looked_at_goes_the_other_way_by_as_much_as_the_eye_is_moved() {
+        for eye in eyes() {
+            let moved = eye.panned([0.25, -0.5]);
+            let at = moved.picture_from_view(moved.view_from_world([1.0, -2.0, 3.0]));
+            let off = [at[0] + 0.25, at[1] - 0.5];
+            assert!(off.iter().all(|x| x.abs() < 1e-12), "{eye:?}: {at:?}");
+        }
+    }
+
+    #[test]
     fn nothing_that_is_asked_for_makes_an_eye_that_cannot_see() {
         let odd = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.0, -1.0];
         for x in odd {
-            let eye = Orbit::new([x; 3], [x; 2], x, x).turned([x; 2]).zoomed(x);
+            let eye = Orbit::new([x; 3], [x; 2], x, x)
+                .turned([x; 2])
+                .zoomed(x)
+                .panned([x; 2]);
             assert!(eye.position().iter().all(|c| c.is_finite()), "{x}: {eye:?}");
         }
     }

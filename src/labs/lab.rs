@@ -4,7 +4,7 @@
 use std::{any::Any, fmt, sync::Arc};
 
 use crate::{
-    figure::{Mark, Run, Shape},
+    figure::{Link, Mark, Run, Shape},
     text::{Diagnostic, Message},
     trace::Counts,
 };
@@ -185,6 +185,8 @@ pub struct Click<'a> {
     pub reach: f64,
     /// The second of two, or with Ctrl held: puts something in.
     pub inserts: bool,
+    /// What is there is about this: the nearest mark, or the face of a solid.
+    pub link: Option<Link>,
     /// What the open lesson step locks.
     pub locks: &'a [Lock],
 }

@@ -90,7 +90,7 @@ fn stop_short(theme: &Theme, pieces: &mut [LayeredPart<'_>]) {
         let Part::Marker(marker, at) = piece.part else {
             return None;
         };
-        Some((at, radius(theme, marker, piece.mark.role)))
+        Some((at, radius(theme, marker, piece.mark)))
     };
     let markers: Vec<(Pos2, f32)> = pieces.iter().filter_map(room).collect();
     for piece in pieces {

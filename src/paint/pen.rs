@@ -20,6 +20,10 @@ const FEW: usize = 3;
 /// And so many can still be told apart.
 const SOME: usize = 50;
 
+/// A line thinner than this has shorter dashes, by this factor.
+const THIN: f32 = 1.9;
+const THIN_DASH: f32 = 0.6;
+
 /// What a mark is drawn with.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Pen {
@@ -27,6 +31,8 @@ pub struct Pen {
     pub stroke: Stroke,
     /// Are its lines dashed?
     pub is_dashed: bool,
+    /// Of the dashes, as a part of those of a thick line.
+    pub dash: f32,
     /// Of areas.
     pub wash: Color32,
     /// Of its label.
@@ -43,11 +49,18 @@ impl Pen {
         } else {
             stroke_colour(theme, mark.role)
         };
-        let is_dashed = mark.is_dashed || matches!(mark.role, Role::Discarded | Role::Faint);
+        // What has a weight of its own is dashed where it says so.
+        let is_quiet = matches!(mark.role, Role::Discarded | Role::Faint) && mark.weight.is_none();
+        let (width, colour) = match mark.weight {
+            Some(weight) => (weight.points, colour.gamma_multiply(weight.strength)),
+            None => (width(mark), colour),
+        };
         Self {
-            stroke: theme.stroke(width(mark), colour),
-            is_dashed,
-            wash: wash(theme, mark.role),
+            stroke: theme.stroke(width, colour),
+            is_dashed: mark.is_dashed || is_quiet,
+            dash: if width < THIN { THIN_DASH } else { 1.0 },
+            wash: wash(theme, mark.role)
+                .gamma_multiply(mark.weight.map_or(1.0, |weight| weight.strength)),
             text: text_colour(theme, mark.role),
         }
     }
@@ -151,10 +164,10 @@ fn width(mark: &Mark) -> f32 {
 
 /// Room that a marker takes around its point, in points; a bound reaches to one side only.
 #[must_use]
-pub fn radius(theme: &Theme, marker: Marker, role: Role) -> f32 {
-    let is_small = matches!(role, Role::Soft | Role::Faint);
+pub fn radius(theme: &Theme, marker: Marker, mark: &Mark) -> f32 {
+    let is_small = matches!(mark.role, Role::Soft | Role::Faint);
     let radius = match marker {
-        Marker::Vertex => SMALL_DOT_RADIUS,
+        Marker::Vertex => mark.weight.map_or(SMALL_DOT_RADIUS, |weight| weight.points),
         Marker::Dot if is_small => SMALL_DOT_RADIUS,
         Marker::Dot => DOT_RADIUS,
         Marker::Circle => RING_RADIUS,

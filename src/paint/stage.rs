@@ -3,7 +3,7 @@
 use egui::{Color32, Painter, Pos2, Shape as Egui, Stroke, vec2};
 
 use crate::{
-    figure::{Link, Mark, Role},
+    figure::{Link, Mark},
     text::Catalog,
 };
 
@@ -18,6 +18,7 @@ use super::{
     line::Line,
     parts::{HEAD, Marker, Part},
     pen::{Pen, radius},
+    solids::solids,
 };
 
 /// Draws the marks, then their labels where they cover nothing: where they stand. What is about `lit` stands out; labels
@@ -84,7 +85,7 @@ impl Stage<'_> {
             Part::Texture(triangles) => {
                 textured(self.painter.ctx(), self.theme, self.viewport, triangles)
             }
-            Part::Solids(_) => return,
+            Part::Solids(shown) => solids(self.painter.ctx(), self.theme, self.viewport, shown),
             Part::Crowd(segments) => {
                 let pen = Pen::of_crowd(self.theme, mark, segments.len());
                 return crowd(self.painter, self.theme, self.viewport, segments, &pen);
@@ -97,14 +98,14 @@ impl Stage<'_> {
                 self.head([*from, *tip], pen.stroke.color)
             }
             Part::Head(ends) => self.head(*ends, pen.stroke.color),
-            Part::Marker(marker, at) => return self.marker(*marker, *at, mark.role, &pen),
+            Part::Marker(marker, at) => return self.marker(*marker, *at, mark, &pen),
         };
         self.painter.add(shape);
     }
 
     fn line(&self, line: &Line, pen: &Pen) {
         if pen.is_dashed {
-            line.dash(self.painter, pen.stroke, self.theme.stroke_scale);
+            line.dash(self.painter, pen.stroke, pen.dash * self.theme.stroke_scale);
         } else {
             line.draw(self.painter, pen.stroke);
         }
@@ -131,8 +132,8 @@ impl Stage<'_> {
         Egui::convex_polygon(corners, colour, Stroke::NONE)
     }
 
-    fn marker(&self, marker: Marker, at: Pos2, role: Role, pen: &Pen) {
-        let radius = radius(self.theme, marker, role);
+    fn marker(&self, marker: Marker, at: Pos2, mark: &Mark, pen: &Pen) {
+        let radius = radius(self.theme, marker, mark);
         let background = self.theme.background;
         match marker {
             Marker::Dot | Marker::Vertex => {
@@ -165,7 +166,7 @@ impl Stage<'_> {
                 Line::new(ends, false).draw(self.painter, glow);
             }
             Part::Marker(marker, at) => {
-                let radius = radius(self.theme, *marker, mark.role) + 6.0;
+                let radius = radius(self.theme, *marker, mark) + 6.0;
                 let rim = self.theme.stroke(1.5, self.theme.accent);
                 self.painter
                     .circle(*at, radius, self.theme.accent_wash, rim);

@@ -20,6 +20,9 @@ use super::{
 /// Grid dots are at least this far apart, in points.
 const GRID_PTS: f64 = 40.0;
 
+/// The wheel draws a space nearer by this part of its distance for a point of its turn.
+const PER_POINT: f32 = 0.002;
+
 /// A stage to be shown.
 pub struct Canvas<'a> {
     /// Its widget id; handles derive theirs from it.
@@ -77,6 +80,8 @@ pub struct CanvasShown {
     pub viewport: Viewport,
     /// The view that the person asked for by panning or zooming.
     pub view: Option<PanZoom>,
+    /// It was pushed with the middle button, or with Shift held: an eye goes sideways then, and not round.
+    pub pans: bool,
     /// A handle was moved.
     pub moved: Option<Moved>,
     /// The drag of a handle has ended.
@@ -154,6 +159,8 @@ impl Canvas<'_> {
         CanvasShown {
             viewport,
             view,
+            pans: response.dragged_by(PointerButton::Middle)
+                || ui.input(|input| input.modifiers.shift),
             moved,
             released: holds_handle && response.drag_stopped(),
             clicked: click(ui, &response, &handles),
@@ -224,9 +231,14 @@ fn pan_and_zoom(
     }
     if let Some(at) = response.hover_pos() {
         let (factor, scroll) = ui.input(|i| (i.zoom_delta(), i.smooth_scroll_delta()));
-        view = view
-            .zoomed(viewport.rect, f64::from(factor), at)
-            .panned(scroll);
+        // Of a space the wheel draws nearer what is in the middle.
+        view = if canvas.has_grid {
+            view.zoomed(viewport.rect, f64::from(factor), at)
+                .panned(scroll)
+        } else {
+            let factor = factor * libm::expf(scroll.y * PER_POINT);
+            view.zoomed(viewport.rect, f64::from(factor), viewport.rect.center())
+        };
     }
     (view != PanZoom::of(viewport)).then_some(view)
 }

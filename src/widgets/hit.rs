@@ -3,7 +3,7 @@
 use egui::Pos2;
 
 use crate::{
-    figure::{Link, Mark},
+    figure::{Link, Mark, Shape},
     geom::distance_to_segment,
     paint::{Part, Viewport, parts},
 };
@@ -11,7 +11,7 @@ use crate::{
 /// How near the pointer has to be to a line or a point, in points.
 const REACH: f32 = 8.0;
 
-/// The link of the topmost mark with one within reach of a place on the screen.
+/// The link of the topmost mark with one within reach of a place on the screen; else of the face of a solid there.
 #[must_use]
 pub fn link_at(viewport: &Viewport, marks: &[Mark], at: Pos2) -> Option<Link> {
     let mut nearby = Vec::new();
@@ -25,7 +25,14 @@ pub fn link_at(viewport: &Viewport, marks: &[Mark], at: Pos2) -> Option<Link> {
     }
     // Points are drawn over lines, and are harder to hit.
     let point = nearby.iter().find(|(is_point, _)| *is_point);
-    point.or(nearby.first()).map(|&(_, link)| link)
+    let mark = point.or(nearby.first()).map(|&(_, link)| link);
+    mark.or_else(|| {
+        let mut solids = marks.iter().rev().filter_map(|mark| match &mark.shape {
+            Shape::Solids(solids) => Some(solids),
+            _ => None,
+        });
+        solids.find_map(|solids| solids.link_at(viewport.to_world(at)))
+    })
 }
 
 fn distance(part: &Part<'_>, at: Pos2) -> f32 {
@@ -57,7 +64,7 @@ mod tests {
     use egui::{Rect, pos2, vec2};
 
     use super::*;
-    use crate::figure::{Role, Shape};
+    use crate::figure::Role;
 
     #[test]
     fn the_topmost_mark_within_reach_is_found() {

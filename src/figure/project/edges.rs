@@ -21,7 +21,7 @@ enum Kind {
 const SILHOUETTE: (f32, f32) = (1.25, 1.0);
 const CREASE: (f32, f32) = (1.0, 1.0);
 const FACET: (f32, f32) = (0.6, 0.33);
-const HIDDEN: (f32, f32) = (1.0, 0.55);
+const HIDDEN: (f32, f32) = (0.9, 0.5);
 const CUT: (f32, f32) = (2.0, 1.0);
 
 impl Seen {
@@ -63,6 +63,7 @@ impl Seen {
     fn kind(&self, edge: &Edge3) -> Kind {
         let faces_eye = |facet: Option<u32>| facet.and_then(|facet| self.facets.faces_eye(facet));
         match edge.facets.map(faces_eye) {
+            [None, None] if !edge.is_crease => Kind::Facet,
             [Some(true), Some(true)] if edge.is_crease => Kind::Crease,
             [Some(true), Some(true)] => Kind::Facet,
             [Some(false), Some(false)] => Kind::Behind,

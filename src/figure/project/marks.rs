@@ -12,6 +12,8 @@ const FINE_FAINT: (f32, f32) = (1.0, 0.35);
 const FINE_HIDDEN: (f32, f32) = (1.0, 0.5);
 /// What is hidden of a line that is taught.
 const HIDDEN: (f32, f32) = (1.5, 0.7);
+/// Radius of a point where a line of construction ends.
+const FINE_DOT: f32 = 2.2;
 /// A ball's outline.
 const BALL: (f32, f32) = (1.75, 1.0);
 
@@ -29,7 +31,13 @@ impl Seen {
         let kept = cut_at(&view, -self.optics.near * (1.0 + 1e-9));
         let corners: Vec<[f64; 2]> = kept.into_iter().map(|at| self.on_picture(at)).collect();
         let tint = Mark::new(mark.role, Shape::Fill(vec![corners]));
-        Some(named(tint, mark))
+        // Several lie over each other.
+        let strength = match mark.role {
+            Role::Signal => 1.0,
+            Role::Ink | Role::Soft | Role::Faint | Role::Discarded => 0.5,
+            Role::Accent | Role::Accepted => 0.3,
+        };
+        Some(named(light(tint, 0.0, strength), mark))
     }
 
     /// All that a mark comes to, but a tint.
@@ -46,6 +54,10 @@ impl Seen {
             Shape3::Ball(centre, radius) => self.ball(mark, *centre, *radius),
             Shape3::RightAngle(points) => self.right_angle(mark, *points),
             Shape3::Angle(points) => self.angle(mark, *points),
+            Shape3::Dot(at) if mark.is_fine => {
+                let drawn = self.point(mark, *at, Shape::Vertex).into_iter();
+                drawn.map(|dot| light(dot, FINE_DOT, 1.0)).collect()
+            }
             Shape3::Dot(at) => self.point(mark, *at, Shape::Dot),
             Shape3::Ring(at) => self.point(mark, *at, Shape::Ring),
             Shape3::Label(at) => self.point(mark, *at, Shape::Label),

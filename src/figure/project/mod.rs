@@ -18,6 +18,9 @@ use super::{Lens, Mark, Role, Shape, Solids, Space, Weight, lens::Optics};
 use facets::FacetsInView;
 use interval::{between, complement, inside};
 
+/// More edges than these are not drawn one by one.
+const MOST_EDGES: usize = 3_000;
+
 /// What is seen of a space: tints, then the solids with their edges, then the marks, each in parts where a solid hides
 /// some of it.
 #[must_use]
@@ -34,10 +37,13 @@ pub fn project(space: &Space, lens: &Lens) -> Vec<Mark> {
         let solids = Solids {
             facets: space.facets.clone(),
             lens: *lens,
+            is_outlined: space.edges.len() > MOST_EDGES,
         };
         marks.push(Mark::new(Role::Ink, Shape::Solids(solids)));
     }
-    marks.extend(space.edges.iter().flat_map(|edge| seen.edge(edge)));
+    if space.edges.len() <= MOST_EDGES {
+        marks.extend(space.edges.iter().flat_map(|edge| seen.edge(edge)));
+    }
     marks.extend(space.marks.iter().flat_map(|mark| seen.mark(mark)));
     marks
 }

@@ -70,7 +70,7 @@ impl Anchor {
             | Shape::RightAngle(_) => parts
                 .iter()
                 .find_map(|part| match part {
-                    Part::Marker(marker, at) => Some((*at, radius(theme, *marker, mark.role))),
+                    Part::Marker(marker, at) => Some((*at, radius(theme, *marker, mark))),
                     Part::Arrow([_, tip]) | Part::Head([_, tip]) => Some((*tip, 2.0)),
                     Part::Stroke(points) => points.get(points.len() / 2).map(|&at| (at, 2.0)),
                     Part::Wash(_)

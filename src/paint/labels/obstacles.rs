@@ -18,6 +18,8 @@ const MOST: usize = 2_000;
 const MOST_OF_AN_OUTLINE: usize = 500;
 /// A crowd of more segments than this is a texture behind the figure.
 const MOST_OF_A_CROWD: usize = 50;
+/// Lines that are weaker than this are not kept off.
+const QUIET: f32 = 0.6;
 /// White space that a label likes to have around it, in points.
 const CLEAR: f32 = 4.0;
 
@@ -94,7 +96,10 @@ pub fn obstacles(viewport: &Viewport, theme: &Theme, pieces: &[LayeredPart<'_>])
 fn of_piece(viewport: &Viewport, theme: &Theme, piece: &LayeredPart<'_>) -> Vec<Obstacle> {
     let LayeredPart { mark, part, .. } = piece;
     let half = 0.5 * Pen::of(theme, mark).stroke.width;
+    // What may be missed may be written over.
+    let is_quiet = mark.weight.is_some_and(|weight| weight.strength < QUIET);
     let strokes = match part {
+        Part::Stroke(_) | Part::Ring(_) if is_quiet => vec![],
         Part::Stroke(points) | Part::Ring(points) if points.len() > MOST_OF_AN_OUTLINE => vec![],
         _ => edges_of(part),
     };
@@ -106,7 +111,7 @@ fn of_piece(viewport: &Viewport, theme: &Theme, piece: &LayeredPart<'_>) -> Vec<
             obstacles.push(Obstacle::Disc(middle, 0.5 * HEAD * theme.stroke_scale));
         }
         Part::Marker(marker, at) => {
-            let radius = radius(theme, *marker, mark.role);
+            let radius = radius(theme, *marker, mark);
             obstacles.push(Obstacle::Disc(*at, radius));
         }
         Part::Crowd(segments) if segments.len() <= MOST_OF_A_CROWD => {

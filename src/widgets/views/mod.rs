@@ -22,7 +22,7 @@ use egui::{Rect, Role, Sense, Ui, WidgetInfo};
 use crate::figure::{Body, Link, View};
 
 use super::Look;
-pub use space::{picture_viewport, title as title_of_space};
+pub use space::{picture_viewport, projected, title as title_of_space};
 
 use links::Links;
 use on_slate::OnSlate;

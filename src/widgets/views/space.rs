@@ -1,9 +1,11 @@
 //! Space as a camera or an eye sees it: a picture in a frame, with its title over it.
 
-use egui::{Align2, Rect, Role, Sense, StrokeKind, Ui, WidgetInfo, vec2};
+use std::sync::Arc;
+
+use egui::{Align2, Context, Id, Rect, Role, Sense, StrokeKind, Ui, WidgetInfo, vec2};
 
 use crate::{
-    figure::{Lens, Link, Space, ViewId, project},
+    figure::{Lens, Link, Mark, Space, ViewId, project},
     paint::{self, Viewport},
     widgets::{Look, hit},
 };
@@ -14,19 +16,51 @@ use super::slate::{Face, Slate};
 const FRAME: f32 = 1.5;
 const TITLE_PTS: f32 = 13.0;
 
-/// The picture of a lens, whose lower edge is at −1 and upper at 1, as large as it fits in `rect`.
+/// Width over height that what an eye sees has room for, at least.
+const ASPECT: f32 = 1.4;
+
+/// The picture of a lens, whose lower edge is at −1 and upper at 1, as large as it fits in `rect`: all of a camera's, and
+/// of an eye's as much as there is room for.
 #[must_use]
 pub fn picture_viewport(rect: Rect, lens: &Lens) -> Viewport {
-    let width = lens.aspect().map(|aspect| rect.height() * aspect as f32);
-    let width = width.unwrap_or_else(|| rect.width());
-    let size = vec2(width, rect.height());
-    let part = (rect.width() / width).min(1.0);
-    let rect = Rect::from_center_size(rect.center(), size * part);
+    let aspect = lens.aspect().map(|aspect| aspect as f32);
+    let height = rect.height().min(rect.width() / aspect.unwrap_or(ASPECT));
+    let seen =
+        aspect.map(|aspect| Rect::from_center_size(rect.center(), vec2(aspect, 1.0) * height));
     Viewport {
-        rect,
+        rect: seen.unwrap_or(rect),
         centre: [0.0; 2],
-        scale: f64::from(rect.height()) / 2.0,
+        scale: f64::from(height) / 2.0,
     }
+}
+
+/// What was seen last, and what it came to: nothing is projected again that has not changed.
+#[derive(Clone)]
+struct Projected {
+    space: Space,
+    lens: Lens,
+    marks: Arc<[Mark]>,
+}
+
+/// What is seen of a space, as marks: under this name those of the last frame, if they still hold.
+#[must_use]
+pub fn projected(ctx: &Context, id: Id, space: &Space, lens: &Lens) -> Arc<[Mark]> {
+    let id = id.with("projected");
+    let known: Option<Projected> = ctx.data(|data| data.get_temp(id));
+    if let Some(known) = known
+        && known.lens == *lens
+        && known.space.is_same(space)
+    {
+        return known.marks;
+    }
+    let marks: Arc<[Mark]> = project(space, lens).into();
+    let now = Projected {
+        space: space.clone(),
+        lens: *lens,
+        marks: marks.clone(),
+    };
+    ctx.data_mut(|data| data.insert_temp(id, now));
+    marks
 }
 
 /// Draws what is seen; what is under the pointer.
@@ -42,7 +76,7 @@ pub fn space(
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, look.say("panel-stage")));
     let lens = shown.seer.into();
     let viewport = picture_viewport(rect, &lens);
-    let marks = project(shown, &lens);
+    let marks = projected(ui.ctx(), id, shown, &lens);
     let painter = ui.painter_at(viewport.rect);
     painter.rect_filled(viewport.rect, 0.0, look.theme.background);
     let Look { theme, catalog } = look;
@@ -61,14 +95,11 @@ pub fn title(ui: &Ui, look: Look<'_>, rect: Rect, shown: &Space) {
     let Some(title) = &shown.title else { return };
     let mut slate = Slate::new(ui.painter(), look);
     let title = slate.value(title, (Face::Strong, TITLE_PTS, look.theme.ink));
-    let gap = slate.pts(5.0);
     if Lens::from(shown.seer).aspect().is_some() {
-        slate.put(
-            &title,
-            rect.left_top() - vec2(0.0, gap),
-            Align2::LEFT_BOTTOM,
-        );
+        let above = rect.left_top() - vec2(0.0, slate.pts(5.0));
+        slate.put(&title, above, Align2::LEFT_BOTTOM);
     } else {
-        slate.put(&title, rect.left_top() + vec2(gap, gap), Align2::LEFT_TOP);
+        let inside = rect.left_top() + vec2(slate.pts(16.0), slate.pts(14.0));
+        slate.put(&title, inside, Align2::LEFT_TOP);
     }
 }
