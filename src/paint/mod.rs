@@ -14,6 +14,7 @@ mod layers;
 mod line;
 mod parts;
 mod pen;
+mod solid_outlines;
 mod solid_samples;
 mod solid_tones;
 mod solids;

@@ -12,15 +12,15 @@ const LIGHT: DVec3 = DVec3::new(-0.35, 0.8, 0.48);
 /// Cosines of the angle to it: what is turned to it more than the first is lit, more than the second half.
 const LIT: [f64; 2] = [0.62, 0.15];
 
-/// One for each.
-pub fn tones(theme: &Theme, facets: &[Facet]) -> Vec<Color32> {
+/// One for each facet and its normal.
+pub fn tones(theme: &Theme, facets: &[Facet], normals: &[DVec3]) -> Vec<Color32> {
     let light = LIGHT.normalize();
-    let tone = |facet: &Facet| {
-        let cosine = facet.normal().dot(light);
+    let tone = |(facet, normal): (&Facet, &DVec3)| {
+        let cosine = normal.dot(light);
         let darkness = LIT.iter().filter(|least| cosine <= **least).count();
         tone(theme, facet.role, darkness)
     };
-    facets.iter().map(tone).collect()
+    facets.iter().zip(normals).map(tone).collect()
 }
 
 /// Of a role: lit, half lit, or turned away.

@@ -7,6 +7,8 @@ use egui::{
     Color32, ColorImage, Context, Id, Mesh, Rect, Shape, TextureHandle, TextureOptions, Vec2, pos2,
 };
 
+use glam::DVec3;
+
 use crate::figure::{Facet, SolidMesh, SolidPicture, Solids};
 
 use super::{Theme, Viewport, solid_samples::Samples, solid_tones::tones};
@@ -33,6 +35,8 @@ struct Drawn {
 #[derive(Clone)]
 struct Surface {
     mesh: Arc<SolidMesh>,
+    /// Of facets: of length 1.
+    normals: Arc<[[f32; 3]]>,
     tones: Arc<[Color32]>,
 }
 
@@ -153,9 +157,11 @@ impl Drawn {
 
 impl Surface {
     fn of(facets: &[Facet], theme: &Theme) -> Self {
+        let normals: Vec<DVec3> = facets.iter().map(Facet::normal).collect();
         Self {
             mesh: Arc::new(SolidMesh::of(facets)),
-            tones: tones(theme, facets).into(),
+            normals: normals.iter().map(|n| n.as_vec3().to_array()).collect(),
+            tones: tones(theme, facets, &normals).into(),
         }
     }
 }
@@ -169,13 +175,14 @@ fn image(surface: &Surface, solids: &Solids, place: Place, fine: u32, theme: &Th
     if let Some(picture) = picture {
         let samples = Samples {
             picture: &picture,
-            facets: &solids.facets,
             tones: &surface.tones,
-            outline: solids.is_outlined.then_some(theme.ink),
-            width,
+            outline: solids
+                .is_outlined
+                .then_some((theme.ink, &surface.normals[..])),
+            size: place.size,
             fine,
         };
-        samples.draw(height, &mut pixels);
+        samples.draw(&mut pixels);
     }
     ColorImage::new([width as usize, height as usize], pixels)
 }

@@ -9,6 +9,8 @@ mod facets;
 mod interval;
 mod marks;
 #[cfg(test)]
+mod oracle;
+#[cfg(test)]
 mod tests;
 
 use glam::DVec3;

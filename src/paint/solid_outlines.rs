@@ -1,0 +1,97 @@
+//! Outlines and creases of solids with very many edges, found between the samples of their picture.
+
+/// No facet is seen at a sample.
+pub const NONE: u32 = u32::MAX;
+
+/// Facets that turn from one another by more than this meet in a crease: the cosine, of 40°.
+const CREASE: f32 = 0.77;
+/// One surface is behind the other where depth changes by so many times what it changes on either side,
+const STEP: f32 = 3.0;
+/// and by so much at least.
+const LEAST_STEP: f32 = 0.002;
+
+/// What is seen at the samples of some rows.
+pub struct Seen {
+    /// Samples in a row.
+    pub n_columns: usize,
+    /// From 0 to 1.
+    pub depths: Vec<f32>,
+    /// [`NONE`] where there is none.
+    pub facets: Vec<u32>,
+}
+
+/// Which samples lie beside a line, on either side of it; `normals` are those of the facets, of length 1.
+pub fn outlines(seen: &Seen, normals: &[[f32; 3]]) -> Vec<bool> {
+    let n = seen.n_columns.max(1);
+    let mut is_dark = vec![false; seen.facets.len()];
+    for at in 0..seen.facets.len() {
+        let is_last_column = at % n == n - 1;
+        for (step, is_edge) in [(1, is_last_column), (n, false)] {
+            if !is_edge && at + step < seen.facets.len() && seen.is_parted(at, step, normals) {
+                is_dark[at] = true;
+                is_dark[at + step] = true;
+            }
+        }
+    }
+    is_dark
+}
+
+impl Seen {
+    /// Is there a line between a sample and the one so many further on?
+    fn is_parted(&self, at: usize, step: usize, normals: &[[f32; 3]]) -> bool {
+        let [a, b] = [at, at + step].map(|at| self.facets[at]);
+        if a == b {
+            return false;
+        }
+        if a == NONE || b == NONE {
+            return true;
+        }
+        let [n, m] = [a, b].map(|facet| normals[facet as usize]);
+        let cosine = n[0] * m[0] + n[1] * m[1] + n[2] * m[2];
+        cosine < CREASE || self.has_step(at, step)
+    }
+
+    fn has_step(&self, at: usize, step: usize) -> bool {
+        // Outside, and where there is nothing, depth is as it is beside it.
+        let depth = |at: Option<usize>, beside: usize| {
+            let known = at.filter(|&at| self.facets.get(at).is_some_and(|&facet| facet != NONE));
+            self.depths[known.unwrap_or(beside)]
+        };
+        let [a, b] = [self.depths[at], self.depths[at + step]];
+        let before = (a - depth(at.checked_sub(step), at)).abs();
+        let after = (depth(Some(at + 2 * step), at + step) - b).abs();
+        (b - a).abs() > STEP * (before + after) + LEAST_STEP
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two rows of five samples.
+    fn seen(facets: [u32; 5], depths: [f32; 5]) -> Seen {
+        Seen {
+            n_columns: 5,
+            depths: [depths, depths].concat(),
+            facets: [facets, facets].concat(),
+        }
+    }
+
+    fn dark(facets: [u32; 5], depths: [f32; 5]) -> [bool; 5] {
+        // 0 and 1 lie in one plane, 2 stands across it.
+        let normals = [[0.0, 0.0, 1.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]];
+        let found = outlines(&seen(facets, depths), &normals);
+        assert_eq!(found[..5], found[5..], "both rows are alike");
+        std::array::from_fn(|i| found[i])
+    }
+
+    #[test]
+    fn lines_are_where_a_solid_ends_where_it_turns_and_where_it_is_before_another() {
+        let even = [0.1, 0.2, 0.3, 0.4, 0.5];
+        assert_eq!(dark([0, 0, 1, 1, 1], even), [false; 5], "one plane");
+        let ends = [false, false, true, true, false];
+        assert_eq!(dark([0, 0, 0, NONE, NONE], even), ends);
+        assert_eq!(dark([0, 0, 0, 2, 2], even), ends);
+        assert_eq!(dark([0, 0, 0, 1, 1], [0.1, 0.1, 0.1, 0.5, 0.5]), ends);
+    }
+}
