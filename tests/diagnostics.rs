@@ -5,7 +5,7 @@ use std::io::{self, ErrorKind};
 use clipscope::{
     figure::MomentError,
     geom::{Axis, GeomError, MeshError, SpaceError},
-    labs::{lines, polygons},
+    labs::{frustum, lines, polygons},
     lesson::FileError,
     text::{Catalog, Diagnostic, Lang, SystemError},
 };
@@ -53,6 +53,7 @@ fn space() -> Vec<SpaceError> {
         | SpaceError::TargetAtPosition
         | SpaceError::UpAlongView
         | SpaceError::FieldOfView(_)
+        | SpaceError::Size(_)
         | SpaceError::Height(_)
         | SpaceError::Aspect(_)
         | SpaceError::Near(_)
@@ -78,6 +79,7 @@ fn space() -> Vec<SpaceError> {
         SpaceError::TargetAtPosition,
         SpaceError::UpAlongView,
         SpaceError::FieldOfView(180.0),
+        SpaceError::Size(0.0),
         SpaceError::Height(-4.0),
         SpaceError::Aspect(0.0),
         SpaceError::Near(-1.0),
@@ -108,6 +110,7 @@ fn meshes() -> Vec<MeshError> {
 }
 
 fn scenes() -> Vec<Diagnostic> {
+    use frustum::SceneError as Frustum;
     use lines::SceneError as Lines;
     use polygons::SceneError as Polygons;
     let lines = |error: Lines| match error {
@@ -116,7 +119,25 @@ fn scenes() -> Vec<Diagnostic> {
     let polygons = |error: Polygons| match error {
         Polygons::TooManyVertices(_) | Polygons::TooFewVertices => error.into(),
     };
+    let frustum = |error: Frustum| match error {
+        Frustum::NoObjects
+        | Frustum::TooManyObjects(_)
+        | Frustum::NoSuchObject { .. }
+        | Frustum::NoSuchFace { .. }
+        | Frustum::PointNotFinite => error.into(),
+    };
     vec![
+        frustum(Frustum::NoObjects),
+        frustum(Frustum::TooManyObjects(7)),
+        frustum(Frustum::NoSuchObject {
+            focus: 3,
+            n_objects: 2,
+        }),
+        frustum(Frustum::NoSuchFace {
+            face: 12,
+            n_faces: 12,
+        }),
+        frustum(Frustum::PointNotFinite),
         lines(Lines::NoSegments),
         lines(Lines::TooManySegments(7)),
         lines(Lines::NoSuchFocus {

@@ -2,7 +2,7 @@
 #![no_main]
 
 use clipscope::{
-    case::{Case, CaseLine, Detail, Format, Lines, Solvers, Style, read, trace},
+    case::{Case, CaseLine, CaseLines, Detail, Format, Solvers, Style, read, trace},
     text::Lang,
 };
 use libfuzzer_sys::fuzz_target;
@@ -13,7 +13,7 @@ fuzz_target!(|bytes: &[u8]| {
     let without = answers(bytes, Format::Json, Detail::Answers);
     let (with_steps, without) = (parsed(&with_steps), parsed(&without));
 
-    let mut lines = Lines::new(bytes);
+    let mut lines = CaseLines::new(bytes);
     let mut n_lines = 0;
     while let Some((_, line)) = lines.next_line().expect("memory can be read") {
         let answer = &with_steps[n_lines];
@@ -89,6 +89,9 @@ fn check_answer(line: CaseLine<'_>, case: &Case, answer: &Json) {
     if given["polygon"].is_array() {
         return check_polygons(&given, answer);
     }
+    if answer["output"]["segment"].is_null() && answer["output"]["visible"].is_null() {
+        return check_sphere(&given, answer);
+    }
     let visible = &answer["output"]["segment"];
     assert_eq!(answer["output"]["visible"], json!(!visible.is_null()));
     let [xmin, ymin, xmax, ymax] = bounds(&given);
@@ -113,6 +116,30 @@ fn check_polygons(given: &Json, answer: &Json) {
         let inside = (xmin..=xmax).contains(&vertex[0]) && (ymin..=ymax).contains(&vertex[1]);
         assert!(inside, "{vertex:?} lies outside in {answer}");
     }
+}
+
+/// A sphere is outside where one plane says so, and inside where all do; nothing is asked here of a box or a face.
+fn check_sphere(given: &Json, answer: &Json) {
+    let (Some(class), [.., radius]) = (
+        answer["output"]["class"].as_str(),
+        numbers(&given["sphere"])[..],
+    ) else {
+        return;
+    };
+    let told = &answer["output"]["distances"];
+    let distances = numbers(told);
+    if told.as_array().is_none_or(|told| told.len() > distances.len()) {
+        // Beyond the range of an f64.
+        return;
+    }
+    let expected = if distances.iter().any(|&d| d < -radius) {
+        "outside"
+    } else if distances.iter().all(|&d| d >= radius) {
+        "inside"
+    } else {
+        "straddles"
+    };
+    assert_eq!(class, expected, "{answer}");
 }
 
 /// Clipping the reversed segment gives the mirror image, bit for bit.

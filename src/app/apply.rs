@@ -249,6 +249,10 @@ impl App {
             self.notices.clear();
             return;
         }
+        #[cfg(not(target_arch = "wasm32"))]
+        if self.give_mesh_up(ctx.input(|input| input.time)) {
+            return;
+        }
         if self.exporting.take().is_some()
             || self.stage.typing.take().is_some()
             || self.shown.dialog.take().is_some()

@@ -62,10 +62,10 @@ impl App {
 
     /// Asks the system. Where it has no dialog, or the last one has not been heard of, the path is typed.
     fn ask(&mut self, ctx: &Context, dialog: Dialog) {
-        let (title_key, opens, ending) = match &dialog {
-            Dialog::Open(_) => ("open-title", true, "toml"),
-            Dialog::Save(_) => ("save-title", false, "toml"),
-            Dialog::Export(..) => ("export-title", false, "png"),
+        let (title_key, opens, endings): (_, _, &[&str]) = match &dialog {
+            Dialog::Open(_) => ("open-title", true, &["toml", "obj"]),
+            Dialog::Save(_) => ("save-title", false, &["toml"]),
+            Dialog::Export(..) => ("export-title", false, &["png"]),
             Dialog::Help => return,
         };
         let is_waiting = self.asked.take().is_some();
@@ -78,7 +78,7 @@ impl App {
             title: self.catalog().message(&Message::new(title_key)),
             path: target.path,
             opens,
-            ending,
+            endings,
         };
         self.platform.ask(&question, ctx);
         self.asked = Some(dialog);

@@ -64,7 +64,9 @@ impl Chooser {
 fn dialog(question: &Question) -> AsyncFileDialog {
     let path = Path::new(&question.path);
     let mut dialog = AsyncFileDialog::new().set_title(&question.title);
-    dialog = dialog.add_filter(format!("*.{}", question.ending), &[question.ending]);
+    let endings = question.endings.iter().map(|ending| format!("*.{ending}"));
+    let shown = endings.collect::<Vec<_>>().join(", ");
+    dialog = dialog.add_filter(shown, question.endings);
     if let Some(folder) = path.parent() {
         dialog = dialog.set_directory(folder);
     }

@@ -66,7 +66,7 @@ pub struct Question {
     /// Is a file to be opened, or to be written?
     pub opens: bool,
     /// How the names of such files end: `toml`.
-    pub ending: &'static str,
+    pub endings: &'static [&'static str],
 }
 
 /// What came of a dialog of the system.

@@ -8,10 +8,12 @@ use crate::{
     text::{Catalog, Diagnostic, Message},
 };
 
+#[cfg(not(target_arch = "wasm32"))]
+use super::is_mesh;
 use super::{App, notice::Notice};
 
 impl App {
-    /// Opens a scene or a folder of lessons that was dropped, or says what is wrong with it.
+    /// Opens a scene, a mesh or a folder of lessons that was dropped, or says what is wrong with it.
     pub(super) fn take_dropped_files(&mut self, ctx: &Context) {
         let now = ctx.input(|input| input.time);
         let dropped = ctx.input_mut(|input| std::mem::take(&mut input.raw.dropped_files));
@@ -19,6 +21,11 @@ impl App {
             #[cfg(not(target_arch = "wasm32"))]
             if file.path().is_dir() {
                 self.open_folder(file.path(), ctx);
+                continue;
+            }
+            #[cfg(not(target_arch = "wasm32"))]
+            if is_mesh(file.path()) {
+                self.load_mesh(&file.path().display().to_string(), ctx);
                 continue;
             }
             let name = file.path().display().to_string();
@@ -46,13 +53,16 @@ impl App {
                 self.notices.clear();
                 self.open_scene(name, read, now);
             }
-            Err(problems) => {
-                let mut text = self.listing(&problems);
-                text.push('\n');
-                text.push_str(&self.catalog().term("status-kept"));
-                self.notices.push(Notice::problem(text));
-            }
+            Err(problems) => self.report_unfit(&problems),
         }
+    }
+
+    /// Says what is wrong with a file, and that all is as it was.
+    pub(super) fn report_unfit(&mut self, problems: &[Problem]) {
+        let mut text = self.listing(problems);
+        text.push('\n');
+        text.push_str(&self.catalog().term("status-kept"));
+        self.notices.push(Notice::problem(text));
     }
 
     /// Shows a file's scene in the free scene of its lab; undo brings back what was there.

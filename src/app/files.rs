@@ -93,11 +93,16 @@ impl App {
         ctx.request_repaint();
     }
 
-    /// Opens a scene, or a folder of lessons.
+    /// Opens a scene, a mesh, or a folder of lessons.
     fn open(&mut self, path: &str, ctx: &Context, now: f64) {
         #[cfg(not(target_arch = "wasm32"))]
         if std::path::Path::new(path).is_dir() {
             self.open_folder(std::path::Path::new(path), ctx);
+            return;
+        }
+        #[cfg(not(target_arch = "wasm32"))]
+        if super::is_mesh(std::path::Path::new(path)) {
+            self.load_mesh(path, ctx);
             return;
         }
         match self.platform.read(path) {

@@ -16,6 +16,8 @@ pub enum UndoGroup {
     Drag(usize),
     /// Presses of arrow keys on this handle, until there is a pause.
     Nudge(usize),
+    /// This number of a menu, dragged or typed, until there is a pause.
+    Number(usize),
 }
 
 /// The document as it is now, with what can be undone and done again.
@@ -67,7 +69,7 @@ impl<S: Clone + PartialEq> History<S> {
     ) -> Result<bool, E> {
         let continues = match (gesture, self.open) {
             (Some(now @ UndoGroup::Drag(_)), Some((open, _))) => now == open,
-            (Some(now @ UndoGroup::Nudge(_)), Some((open, at))) => {
+            (Some(now @ (UndoGroup::Nudge(_) | UndoGroup::Number(_))), Some((open, at))) => {
                 now == open && time - at <= PAUSE_SECS
             }
             _ => false,

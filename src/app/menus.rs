@@ -11,6 +11,7 @@ use crate::{
 
 use super::{
     Command, PathOf,
+    history::UndoGroup,
     model::Model,
     room::{BESIDE_TRANSPORT, transport_has_room},
 };
@@ -156,6 +157,7 @@ fn files(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
 pub fn asked_of(asked: PanelAsk) -> Command {
     match asked {
         PanelAsk::Edit(edit) => Command::Edit(edit, None),
+        PanelAsk::Tune(edit, number) => Command::Edit(edit, Some(UndoGroup::Number(number))),
         PanelAsk::Draw(outline) => Command::Draw(outline),
     }
 }

@@ -32,6 +32,8 @@ mod keys;
 mod kit;
 mod layout;
 mod menus;
+#[cfg(not(target_arch = "wasm32"))]
+mod mesh_loading;
 mod model;
 #[cfg(not(target_arch = "wasm32"))]
 mod native;
@@ -62,6 +64,8 @@ pub use command::{BINDINGS, Binding, Command, PathOf};
 pub use desk::{Page, StoredWork};
 pub use dialog::{Answer, Dialog, Figures, Question, Target};
 pub use kit::Kit;
+#[cfg(not(target_arch = "wasm32"))]
+pub use mesh_loading::is_mesh;
 #[cfg(not(target_arch = "wasm32"))]
 pub use native::{Opening, run_native};
 #[cfg(not(target_arch = "wasm32"))]
@@ -113,6 +117,9 @@ pub struct App {
     exporting: Option<files::Export>,
     #[cfg(not(target_arch = "wasm32"))]
     reload: Option<reload::Reload>,
+    /// A mesh that is being read.
+    #[cfg(not(target_arch = "wasm32"))]
+    loading: Option<mesh_loading::MeshLoading>,
 }
 
 /// What of the window is shown.
@@ -192,6 +199,8 @@ impl App {
             exporting: None,
             #[cfg(not(target_arch = "wasm32"))]
             reload: None,
+            #[cfg(not(target_arch = "wasm32"))]
+            loading: None,
         };
         app.lay_out(stored);
         app.enter();
@@ -260,6 +269,8 @@ impl App {
         self.take_answer(&ctx, now);
         #[cfg(not(target_arch = "wasm32"))]
         self.take_changed_course(now);
+        #[cfg(not(target_arch = "wasm32"))]
+        self.take_mesh(now);
         self.pass_time(&ctx, now);
         let is_dragging = self.history.is_in_gesture();
         if self.playback.is_late() && !is_dragging {

@@ -22,6 +22,8 @@ pub struct Opening {
     pub folder: Option<Folder>,
     /// A file and its scene, instead of what was open last.
     pub scene: Option<(String, SceneFile)>,
+    /// The path of a mesh, which is read while the window is there.
+    pub mesh: Option<String>,
 }
 
 /// Opens the window, and comes back when it has been closed.
@@ -74,6 +76,9 @@ fn create(creation: &CreationContext<'_>, opening: Opening) -> App {
     let mut app = App::new(course, settings).with_platform(Desktop::with_dialogs());
     if let Some((file, scene)) = opening.scene {
         app = app.with_scene(&file, scene);
+    }
+    if let Some(path) = opening.mesh {
+        app.load_mesh(&path, ctx);
     }
     if let Some(folder) = opening.folder {
         app.report(&loaded.unwrap_or_default().problems);

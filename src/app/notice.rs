@@ -26,6 +26,16 @@ impl Notice {
         }
     }
 
+    /// Stays while something goes on.
+    #[must_use]
+    pub const fn lasting(text: String) -> Self {
+        Self {
+            text,
+            is_problem: false,
+            until: None,
+        }
+    }
+
     /// Goes away by itself.
     #[must_use]
     pub const fn passing(text: String, now: f64) -> Self {

@@ -49,8 +49,10 @@ impl Field {
     }
 }
 
-/// The fields of one case, after a check against those that its algorithm takes.
+/// The fields of one case, after a check against those that its algorithm takes; or those of an object in it.
 pub struct Fields<'a> {
+    /// The object that they are fields of, where it is not the case itself.
+    within: Option<&'a Path<'a>>,
     given: Vec<(&'static str, &'a RawValue)>,
     detail: Detail,
 }
@@ -64,14 +66,45 @@ impl<'a> Fields<'a> {
         pairs: &Pairs<'a>,
         detail: Detail,
     ) -> Result<Self, Refusal> {
+        let is_own = |name: &str| !matches!(name, "id" | "algorithm");
+        let pairs = pairs.0.iter().filter(|(name, _)| is_own(name));
+        Self::checked(None, name_key, takes, pairs, detail)
+    }
+
+    /// Those of an object, which is called by this key.
+    ///
+    /// # Errors
+    /// `wrong-type`, `bad-json` where a field is given twice, `unknown-field` or `missing-field`
+    pub fn of(
+        node: &'a Node<'a>,
+        name_key: &'static str,
+        takes: &'static [Field],
+        detail: Detail,
+    ) -> Result<Self, Refusal> {
+        let pairs = node.pairs()?;
+        if let Some(name) = pairs.repeated() {
+            let problem = Message::new("case-repeated-field").with("name", short(name));
+            let place = Path::Member(&node.path, name);
+            return Err(Refusal::at(Code::BadJson, &place, problem));
+        }
+        Self::checked(Some(&node.path), name_key, takes, pairs.0.iter(), detail)
+    }
+
+    fn checked<'p>(
+        within: Option<&'a Path<'a>>,
+        name_key: &'static str,
+        takes: &'static [Field],
+        pairs: impl Iterator<Item = &'p (String, &'a RawValue)>,
+        detail: Detail,
+    ) -> Result<Self, Refusal>
+    where
+        'a: 'p,
+    {
         let mut given: Vec<(&'static str, &'a RawValue)> = Vec::with_capacity(takes.len());
-        for (name, raw) in &pairs.0 {
-            if matches!(name.as_str(), "id" | "algorithm") {
-                continue;
-            }
+        for (name, raw) in pairs {
             match takes.iter().find(|field| field.name == name) {
                 Some(field) => given.push((field.name, raw)),
-                None => return Err(unknown(name, name_key, takes)),
+                None => return Err(unknown(&path(within, name), name_key, takes)),
             }
         }
         let is_given = |name: &str| given.iter().any(|(given, _)| *given == name);
@@ -80,14 +113,16 @@ impl<'a> Fields<'a> {
         let (first, second) = (chosen.next(), chosen.next());
         for field in takes {
             match field.need {
-                Presence::Required if !is_given(field.name) => return Err(missing(field.name)),
+                Presence::Required if !is_given(field.name) => {
+                    return Err(missing(&path(within, field.name)));
+                }
                 Presence::Choice if first.is_none() => {
                     let names: Vec<&str> = choices.by_ref().map(|f| f.name).collect();
                     let problem = Message::new("case-missing-choice")
                         .with("fields", quoted(names.into_iter()));
                     return Err(Refusal::at(
                         Code::MissingField,
-                        &Path::Field(field.name),
+                        &path(within, field.name),
                         problem,
                     ));
                 }
@@ -100,11 +135,15 @@ impl<'a> Fields<'a> {
                 .with("other", second.name.to_owned());
             return Err(Refusal::at(
                 Code::UnknownField,
-                &Path::Field(second.name),
+                &path(within, second.name),
                 problem,
             ));
         }
-        Ok(Self { given, detail })
+        Ok(Self {
+            within,
+            given,
+            detail,
+        })
     }
 
     /// How much is written of the case, and so how large it may be: see [`Detail::limit`].
@@ -117,7 +156,7 @@ impl<'a> Fields<'a> {
     #[must_use]
     pub fn get(&self, name: &'static str) -> Option<Node<'a>> {
         let (_, raw) = self.given.iter().find(|(given, _)| *given == name)?;
-        let path = Path::Field(name);
+        let path = path(self.within, name);
         Some(Node { path, raw })
     }
 
@@ -126,22 +165,31 @@ impl<'a> Fields<'a> {
     /// # Errors
     /// `missing-field`
     pub fn need(&self, name: &'static str) -> Result<Node<'a>, Refusal> {
-        self.get(name).ok_or_else(|| missing(name))
+        self.get(name)
+            .ok_or_else(|| missing(&path(self.within, name)))
+    }
+}
+
+/// Where a field stands: of the case, or of an object in it.
+const fn path<'p>(within: Option<&'p Path<'p>>, name: &'p str) -> Path<'p> {
+    match within {
+        Some(object) => Path::Member(object, name),
+        None => Path::Field(name),
     }
 }
 
 /// A field that must be there and is not.
-pub(super) fn missing(name: &'static str) -> Refusal {
-    let problem = Message::new("case-missing-field").with("name", name.to_owned());
-    Refusal::at(Code::MissingField, &Path::Field(name), problem)
+pub(super) fn missing(place: &Path<'_>) -> Refusal {
+    let problem = Message::new("case-missing-field").with("name", place.to_string());
+    Refusal::at(Code::MissingField, place, problem)
 }
 
-fn unknown(name: &str, name_key: &'static str, takes: &[Field]) -> Refusal {
+fn unknown(place: &Path<'_>, name_key: &'static str, takes: &[Field]) -> Refusal {
     let problem = Message::new("case-unknown-field")
-        .with("name", short(name))
+        .with("name", short(&place.to_string()))
         .with("algorithm", Value::Term(name_key))
         .with("expected", quoted(takes.iter().map(|f| f.name)));
-    Refusal::at(Code::UnknownField, &Path::Field(name), problem)
+    Refusal::at(Code::UnknownField, place, problem)
 }
 
 fn quoted(names: impl Iterator<Item = &'static str>) -> String {

@@ -55,7 +55,7 @@ impl<A: LineDemo> Solve for A {
         let window = match (window, &clip) {
             (Some(window), _) => window,
             (None, Some(clip)) => bounds(clip)?,
-            (None, None) => return Err(missing("window")),
+            (None, None) => return Err(missing(&Path::Field("window"))),
         };
         let method = Method::by_id(A::ID).ok_or_else(impossible)?;
         let mut scene = Scene::new(method, window, vec![segment]).map_err(|_| impossible())?;

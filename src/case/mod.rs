@@ -28,6 +28,7 @@
 
 mod answer;
 mod fields;
+mod frustum;
 mod given;
 mod line;
 mod lines;
@@ -58,7 +59,8 @@ impl Solvers {
     /// Those of all labs.
     #[must_use]
     pub const fn standard() -> Self {
-        static TABLES: [&[Solver]; 2] = [&lines::SOLVERS, &polygons::SOLVERS];
+        static TABLES: [&[Solver]; 3] =
+            [&lines::SOLVERS, &polygons::SOLVERS, &frustum::SOLVERS];
         Self::new(&TABLES)
     }
 }

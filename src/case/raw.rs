@@ -62,6 +62,26 @@ impl<'a> Node<'a> {
         Ok(numbers)
     }
 
+    /// A list of exactly `R` points with `N` coordinates each.
+    ///
+    /// # Errors
+    /// `wrong-type`, `wrong-length` or `not-finite`
+    pub fn rows<const R: usize, const N: usize>(&self) -> Result<[[f64; N]; R], Refusal> {
+        let elements = self.elements("json-points")?;
+        if elements.len() != R {
+            let problem = Message::new("case-wrong-points")
+                .with("expected", R)
+                .with("found", elements.len());
+            return Err(Refusal::at(Code::WrongLength, &self.path, problem));
+        }
+        let mut rows = [[0.0; N]; R];
+        for (i, (row, raw)) in rows.iter_mut().zip(elements).enumerate() {
+            let path = Path::Index(&self.path, i);
+            *row = Node { path, raw }.numbers()?;
+        }
+        Ok(rows)
+    }
+
     /// A list of any number of points with `N` coordinates each, at most `max` of them.
     ///
     /// # Errors
@@ -119,6 +139,11 @@ impl<'a> Node<'a> {
                 .with("found", short(&text));
             Refusal::at(Code::WrongType, &self.path, problem)
         })
+    }
+
+    /// An object's fields.
+    pub(super) fn pairs(&self) -> Result<Pairs<'a>, Refusal> {
+        serde_json::from_str(self.raw.get()).map_err(|_| self.wrong_type("json-object"))
     }
 
     fn elements(&self, expected: &'static str) -> Result<Vec<&'a RawValue>, Refusal> {

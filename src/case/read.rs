@@ -106,7 +106,7 @@ fn pairs(text: &str) -> Result<Pairs<'_>, Refusal> {
 
 fn algorithm(solvers: Solvers, raw: Option<&RawValue>) -> Result<&'static Solver, Refusal> {
     let path = Path::Field("algorithm");
-    let raw = raw.ok_or_else(|| missing("algorithm"))?;
+    let raw = raw.ok_or_else(|| missing(&path))?;
     let name = Node { path, raw }.text()?;
     solvers.by_id(&name).ok_or_else(|| {
         let known: Vec<&str> = solvers.iter().map(Solver::id).collect();

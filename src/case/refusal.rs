@@ -1,7 +1,7 @@
 //! Why a case is refused.
 
 use crate::{
-    geom::GeomError,
+    geom::{GeomError, SpaceError},
     text::{Catalog, Diagnostic, Lang, Message},
 };
 
@@ -71,6 +71,27 @@ impl From<GeomError> for Code {
     }
 }
 
+impl From<SpaceError> for Code {
+    fn from(error: SpaceError) -> Self {
+        match error {
+            SpaceError::NotFinite { .. } => Self::NotFinite,
+            SpaceError::EmptyBox { .. } => Self::EmptyWindow,
+            SpaceError::ZeroNormal
+            | SpaceError::NegativeRadius(_)
+            | SpaceError::NoVertices
+            | SpaceError::TargetAtPosition
+            | SpaceError::UpAlongView
+            | SpaceError::FieldOfView(_)
+            | SpaceError::Size(_)
+            | SpaceError::Height(_)
+            | SpaceError::Aspect(_)
+            | SpaceError::Near(_)
+            | SpaceError::Far { .. }
+            | SpaceError::NotAffine => Self::Degenerate,
+        }
+    }
+}
+
 /// Why a case is refused, and where.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Refusal {
@@ -123,6 +144,12 @@ impl Refusal {
             Some(idx) => Self::at(error.into(), &Path::Index(field, idx), problem),
             None => Self::at(error.into(), field, problem),
         }
+    }
+
+    /// The same in space, at the very place that is to blame.
+    #[must_use]
+    pub fn space(place: &Path<'_>, error: SpaceError) -> Self {
+        Self::at(error.into(), place, Diagnostic::from(error).message)
     }
 
     /// The sentence of the JSON answer: English, like its keys.

@@ -7,7 +7,7 @@ use std::{
 };
 
 use crate::{
-    app::{Opening, Settings, run_native},
+    app::{Opening, Settings, is_mesh, run_native},
     lesson::{Folder, SceneFormats},
     text::{Catalog, Diagnostic, Message},
 };
@@ -29,7 +29,7 @@ pub(super) fn open_app(path: Option<PathBuf>) -> ExitCode {
     }
 }
 
-/// A folder is a course or a lesson; a file is a scene.
+/// A folder is a course or a lesson; a file is a scene, or a mesh, which is read when the window is there.
 fn opening(path: &Path, catalog: &Catalog) -> Result<Opening, String> {
     if path.is_dir() {
         return Ok(Opening {
@@ -38,12 +38,20 @@ fn opening(path: &Path, catalog: &Catalog) -> Result<Opening, String> {
         });
     }
     let name = path.display().to_string();
-    let bytes = fs::read(path).map_err(|error| {
+    let unread = |error| {
         let message = Message::new("status-open-failed")
             .with("path", name.clone())
             .with("reason", Diagnostic::from(error));
         catalog.message(&message)
-    })?;
+    };
+    if is_mesh(path) {
+        fs::File::open(path).map_err(unread)?;
+        return Ok(Opening {
+            mesh: Some(name),
+            ..Opening::default()
+        });
+    }
+    let bytes = fs::read(path).map_err(unread)?;
     let scene = SceneFormats::standard()
         .read(&name, &bytes)
         .map_err(|problems| {

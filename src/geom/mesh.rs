@@ -94,6 +94,24 @@ impl Mesh {
         })
     }
 
+    /// Around the origin, and as large as fits from −1 to 1 along every axis.
+    #[must_use]
+    pub fn fitted(mut self) -> Self {
+        let Ok(bounds) = self.bounds() else {
+            return self;
+        };
+        let (min, max) = (bounds.min(), bounds.max());
+        let center: [f64; 3] = std::array::from_fn(|axis| min[axis].midpoint(max[axis]));
+        let half = (0..3).map(|axis| max[axis] - center[axis]).fold(0.0, f64::max);
+        let scale = if half > 0.0 { half } else { 1.0 };
+        for position in &mut self.positions {
+            for (x, center) in position.iter_mut().zip(center) {
+                *x = ((f64::from(*x) - center) / scale) as f32;
+            }
+        }
+        self
+    }
+
     /// Of the vertices.
     #[must_use]
     pub fn positions(&self) -> &[[f32; 3]] {

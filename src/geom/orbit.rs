@@ -48,6 +48,30 @@ impl Orbit {
         }
     }
 
+    /// What it goes round.
+    #[must_use]
+    pub fn target(&self) -> [f64; 3] {
+        self.target.into()
+    }
+
+    /// Yaw and pitch, in degrees.
+    #[must_use]
+    pub const fn angles_deg(&self) -> [f64; 2] {
+        [self.yaw_deg, self.pitch_deg]
+    }
+
+    /// From its target.
+    #[must_use]
+    pub const fn distance(&self) -> f64 {
+        self.distance
+    }
+
+    /// From bottom to top, in degrees.
+    #[must_use]
+    pub const fn fov_y_deg(&self) -> f64 {
+        self.fov_y_deg
+    }
+
     /// Gone round by these angles, in degrees: what is seen turns with the pointer.
     #[must_use]
     pub fn turned(self, [yaw_deg, pitch_deg]: [f64; 2]) -> Self {

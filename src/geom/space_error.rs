@@ -34,6 +34,8 @@ pub enum SpaceError {
     UpAlongView,
     /// A field of view, in degrees, that is not between 0 and 180.
     FieldOfView(f64),
+    /// Something enlarged by a factor that is not above 0.
+    Size(f64),
     /// A parallel volume of no height.
     Height(f64),
     /// A width over height that is not above 0.
@@ -64,6 +66,7 @@ impl SpaceError {
             | Self::TargetAtPosition
             | Self::UpAlongView
             | Self::FieldOfView(_)
+            | Self::Size(_)
             | Self::Height(_)
             | Self::Aspect(_)
             | Self::Near(_)

@@ -38,11 +38,11 @@ pub use files::{FileError, Files, MAX_FILE_BYTES, MAX_LESSONS};
 pub use folder::Folder;
 pub use load::Loaded;
 pub use markdown::{Block, BlockMarker, Inline};
-pub use mesh_file::{ObjFile, read_mtl, read_obj};
+pub use mesh_file::{ObjFile, read_mtl, read_obj, read_obj_while};
 pub use problem::{Place, Problem, Severity};
 #[cfg(all(test, feature = "gui"))]
 pub(crate) use scene_file::SceneFormat;
-pub use scene_file::{SceneFile, SceneFormats};
+pub use scene_file::{SceneFile, SceneFormats, spot};
 pub use step::{CodeView, LessonStep};
 #[cfg(all(test, feature = "gui"))]
 pub(crate) use {

@@ -3,6 +3,7 @@
 use egui::{Context, Ui};
 
 use crate::{
+    geom::Mesh,
     labs::{Edit, Lab, OutlineKind, Scene},
     widgets::Look,
 };
@@ -12,6 +13,8 @@ use crate::{
 pub enum PanelAsk {
     /// A change of the scene.
     Edit(Edit),
+    /// One of many while a number is dragged, of which this is the place in the menu: they are undone together.
+    Tune(Edit, usize),
     /// To draw an outline by clicking.
     Draw(&'static OutlineKind),
 }
@@ -23,6 +26,11 @@ pub trait LabPanel {
 
     /// Its part of the scene menu; what was asked for.
     fn menu(&mut self, ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk>;
+
+    /// What puts a mesh of this name into its scenes, if the lab shows meshes. It lies around the origin, between −1 and 1.
+    fn add_mesh(&self, _name: &str, _mesh: &Mesh) -> Option<Edit> {
+        None
+    }
 
     /// Has it methods that give the same answer, so that their costs can be measured?
     fn measures(&self) -> bool {

@@ -1,8 +1,10 @@
 //! What each lab adds to the window; [`all`] is the table that a lab joins.
 
+mod frustum;
 mod lab_panel;
 mod lines;
 mod moved;
+mod number_field;
 mod pickers;
 mod polygons;
 mod seeded;
@@ -10,6 +12,7 @@ mod spots;
 
 pub use lab_panel::{Bench, LabPanel, PanelAsk, panel_of, work};
 pub use moved::moved_to;
+pub use number_field::number_field;
 pub use pickers::{compare_choices, compare_picker, method_picker};
 pub use seeded::Seeded;
 pub use spots::{Reach, spots};
@@ -20,5 +23,6 @@ pub fn all() -> Vec<Box<dyn LabPanel>> {
     vec![
         Box::<lines::LinesPanel>::default(),
         Box::<polygons::PolygonsPanel>::default(),
+        Box::<frustum::FrustumPanel>::default(),
     ]
 }

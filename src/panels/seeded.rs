@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use egui::{DragValue, Ui};
+use egui::{DragValue, Response, Ui};
 
 use crate::widgets::Look;
 
@@ -31,13 +31,25 @@ impl Seeded {
         &mut self,
         ui: &mut Ui,
         look: Look<'_>,
-        [count_key, make_key]: [&str; 2],
+        keys: [&str; 2],
         range: RangeInclusive<usize>,
+    ) -> bool {
+        self.show_with(ui, look, keys, |ui, count| {
+            ui.add(DragValue::new(count).range(range).speed(1.0))
+        })
+    }
+
+    /// The same with another field for how many.
+    pub fn show_with(
+        &mut self,
+        ui: &mut Ui,
+        look: Look<'_>,
+        [count_key, make_key]: [&str; 2],
+        field: impl FnOnce(&mut Ui, &mut usize) -> Response,
     ) -> bool {
         ui.horizontal(|ui| {
             let label = ui.label(look.say(count_key));
-            let count = DragValue::new(&mut self.count).range(range).speed(1.0);
-            ui.add(count).labelled_by(label.id);
+            field(ui, &mut self.count).labelled_by(label.id);
         });
         ui.horizontal(|ui| {
             let label = ui.label(look.say("batch-seed"));

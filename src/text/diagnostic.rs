@@ -119,6 +119,7 @@ impl From<SpaceError> for Diagnostic {
             SpaceError::FieldOfView(degrees) => {
                 Message::new("error-field-of-view").with("degrees", degrees)
             }
+            SpaceError::Size(size) => Message::new("error-size").with("size", size),
             SpaceError::Height(height) => Message::new("error-height").with("height", height),
             SpaceError::Aspect(aspect) => Message::new("error-aspect").with("aspect", aspect),
             SpaceError::Near(near) => Message::new("error-near").with("near", near),

@@ -116,6 +116,13 @@ status-save-failed = The scene could not be saved: { $reason }
 status-open-failed = { $path } could not be opened: { $reason }
 status-no-window = The window could not be opened: it needs a display and OpenGL. Without them, clipscope export draws the figures to files. The system says: “{ $reason }”
 status-kept = The scene is as it was.
+status-mesh-reading = Reading { $path }… Escape gives it up.
+status-mesh-given-up = { $path } was given up: the scene is as it was.
+status-mesh-added =
+    { $count ->
+        [one] { $name }, of { $count } triangle, stands in the scene.
+       *[other] { $name }, of { $count } triangles, stands in the scene.
+    }
 status-reloaded = { $path } changed and was read again.
 
 ## For screen readers

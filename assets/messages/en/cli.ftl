@@ -53,8 +53,11 @@ case-both = “{ $one }” is given already: give “{ $one }” or “{ $other 
 case-wrong-type = Expected { $expected }, found { $found }.
 case-wrong-word = Expected one of { $expected }, found “{ $found }”.
 case-wrong-length = Expected { $expected } numbers, found { $found }.
+case-wrong-points = Expected { $expected } points, found { $found }.
+case-no-planes = Expected at least one plane.
+case-zero-direction = The direction of view must not be zero.
 case-not-finite = { $number } is beyond the range of a 64-bit number: every coordinate must be finite.
-case-too-many = { $found } vertices: a report of every step takes at most { $max }. With --events false any number is taken, and the answer given alone.
+case-too-many = The list has { $found } entries: a report of every step takes at most { $max }. With --events false any number is taken, and the answer given alone.
 case-too-many-pairs = { $found } pairs of an edge and a clip edge: a report of every step takes at most { $max }. With --events false any number is taken, and the answer given alone.
 case-uv-length = Expected one [u, v] for each of the { $expected } vertices, found { $found }.
 json-number = a number
@@ -73,6 +76,13 @@ case-touch = Visible in one point: { $at }.
 case-invisible = Nothing is visible.
 case-nothing-left = Nothing is left.
 case-no-area = What is left has no area: nothing to fill.
+case-cull-inside = Inside: no plane cuts it.
+case-cull-outside = Outside: plane { $plane } rejects it, at a distance of { $distance }.
+case-box-outside = Outside: one plane has all eight corners on its outer side.
+case-cull-straddles = Straddles: at least one plane cuts it, and none rejects it.
+case-cull-in-vain = Straddles by the planes, and yet no point of it lies inside: kept in vain.
+case-front = Shows its front: n·e = { $dot }.
+case-back = Shows no front: n·e = { $dot }.
 case-polygons =
     { $n ->
         [one] One polygon: { $rings }

@@ -21,6 +21,7 @@ error-no-vertices = Without a vertex there is no bounding volume.
 error-target-at-position = The camera has no direction: it stands where its target is.
 error-up-along-view = The camera’s up vector must not be zero, nor parallel to its direction of view.
 error-field-of-view = The field of view must lie between 0° and 180°, both excluded, but it is { $degrees }°.
+error-size = A size must be greater than 0, but this one is { $size }.
 error-height = The height of the view volume must be greater than 0, but it is { $height }.
 error-aspect = The aspect ratio, width over height, must be greater than 0 and leave the view volume a width, but it is { $aspect }.
 error-near = The near plane must lie before the eye, at a distance greater than 0, but it lies at { $near }.

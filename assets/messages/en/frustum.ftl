@@ -187,3 +187,33 @@ code-faulty-winding = n ← (V₂ − V₀) × (V₁ − V₀)
 words-faulty-winding = The normal of corners that run clockwise.
 code-faulty-constant-view = cull triangles with n·v ≥ 0, v constant
 words-faulty-constant-view = One direction of sight for every face.
+
+## Menu
+
+camera-title = Camera
+camera-perspective = Perspective
+camera-parallel = Parallel
+camera-fov = Field of view
+camera-height = Height
+camera-aspect = Aspect ratio
+camera-near = Near plane
+camera-far = Far plane
+object-add = Add an object
+object-remove = Remove the object in focus
+object-numbers = Object in focus
+object-focus = Object
+object-face = Face
+object-turn-x = Turned about x
+object-turn-y = Turned about y
+object-turn-z = Turned about z
+object-size = Size
+solid-cube = Cube
+solid-tetrahedron = Tetrahedron
+solid-octahedron = Octahedron
+solid-sphere = Sphere
+solid-torus = Torus
+solid-angle = L-shaped block
+solid-spot = Spot the cow
+street-title = Street of boxes
+street-count = Boxes
+street-make = Build the street

@@ -9,6 +9,13 @@ object-polygon = polygon
 object-hole = hole
 object-uv = texture coordinates
 object-outcode = outcode
+object-planes = planes
+object-view-volume = view volume
+object-sphere = sphere
+object-box = box
+object-triangle = triangle
+object-eye = eye
+object-view-direction = direction of view
 
 ## The window’s edges, as nouns; the sides alone agree with “edge”
 

@@ -116,6 +116,13 @@ status-save-failed = No se pudo guardar la escena: { $reason }
 status-open-failed = No se pudo abrir { $path }: { $reason }
 status-no-window = No se pudo abrir la ventana: necesita una pantalla y OpenGL. Sin ellas, clipscope export dibuja las figuras en archivos. El sistema dice: «{ $reason }»
 status-kept = La escena queda como estaba.
+status-mesh-reading = Leyendo { $path }… Esc lo abandona.
+status-mesh-given-up = Se abandonó { $path }: la escena sigue como estaba.
+status-mesh-added =
+    { $count ->
+        [one] { $name }, de { $count } triángulo, está en la escena.
+       *[other] { $name }, de { $count } triángulos, está en la escena.
+    }
 status-reloaded = { $path } cambió y se volvió a leer.
 
 ## For screen readers

@@ -53,8 +53,11 @@ case-both = Ya se dio «{ $one }»: indica «{ $one }» o «{ $other }», no amb
 case-wrong-type = Se esperaba { $expected } y hay { $found }.
 case-wrong-word = Se esperaba uno de { $expected } y hay «{ $found }».
 case-wrong-length = Se esperaban { $expected } números y hay { $found }.
+case-wrong-points = Se esperaban { $expected } puntos y hay { $found }.
+case-no-planes = Se esperaba al menos un plano.
+case-zero-direction = La dirección de la mirada no debe ser cero.
 case-not-finite = { $number } excede el rango de un número de 64 bits: toda coordenada debe ser finita.
-case-too-many = { $found } vértices: un informe de todos los pasos admite { $max } como máximo. Con --events false se admite cualquier cantidad y se da solo la respuesta.
+case-too-many = La lista tiene { $found } entradas: un informe de todos los pasos admite { $max } como máximo. Con --events false se admite cualquier número y se da solo la respuesta.
 case-too-many-pairs = { $found } pares de arista y arista de recorte: un informe de todos los pasos admite { $max } como máximo. Con --events false se admite cualquier cantidad y se da solo la respuesta.
 case-uv-length = Se esperaba un [u, v] para cada uno de los { $expected } vértices; hay { $found }.
 json-number = un número
@@ -73,6 +76,13 @@ case-touch = Visible en un solo punto: { $at }.
 case-invisible = No hay nada visible.
 case-nothing-left = No queda nada.
 case-no-area = Lo que queda no tiene área: no hay nada que rellenar.
+case-cull-inside = Dentro: ningún plano lo corta.
+case-cull-outside = Fuera: el plano { $plane } lo descarta, a una distancia de { $distance }.
+case-box-outside = Fuera: un plano tiene los ocho vértices en su lado exterior.
+case-cull-straddles = A ambos lados: al menos un plano lo corta y ninguno lo descarta.
+case-cull-in-vain = A ambos lados según los planos, y sin embargo ningún punto suyo está dentro: se conserva en vano.
+case-front = Muestra su cara frontal: n·e = { $dot }.
+case-back = No muestra su cara frontal: n·e = { $dot }.
 case-polygons =
     { $n ->
         [one] Un polígono: { $rings }

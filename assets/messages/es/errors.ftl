@@ -21,6 +21,7 @@ error-no-vertices = Sin vértices no hay volumen envolvente.
 error-target-at-position = La cámara no tiene dirección: está en el mismo punto al que mira.
 error-up-along-view = El vector «arriba» de la cámara no debe ser cero ni paralelo a la dirección de la mirada.
 error-field-of-view = El campo de visión debe estar entre 0° y 180°, sin incluirlos, pero es { $degrees }°.
+error-size = Un tamaño debe ser mayor que 0, pero este es { $size }.
 error-height = La altura del volumen de visión debe ser mayor que 0, pero es { $height }.
 error-aspect = La relación de aspecto, anchura entre altura, debe ser mayor que 0 y dejar anchura al volumen de visión, pero es { $aspect }.
 error-near = El plano cercano debe estar delante del ojo, a una distancia mayor que 0, pero está a { $near }.

@@ -187,3 +187,33 @@ code-faulty-winding = n ← (V₂ − V₀) × (V₁ − V₀)
 words-faulty-winding = La normal de vértices en sentido horario.
 code-faulty-constant-view = descartar triángulos con n·v ≥ 0, v constante
 words-faulty-constant-view = Una sola dirección de visión para todas las caras.
+
+## Menu
+
+camera-title = Cámara
+camera-perspective = Perspectiva
+camera-parallel = Paralela
+camera-fov = Campo de visión
+camera-height = Altura
+camera-aspect = Relación de aspecto
+camera-near = Plano cercano
+camera-far = Plano lejano
+object-add = Añadir un objeto
+object-remove = Quitar el objeto enfocado
+object-numbers = Objeto enfocado
+object-focus = Objeto
+object-face = Cara
+object-turn-x = Giro en torno a x
+object-turn-y = Giro en torno a y
+object-turn-z = Giro en torno a z
+object-size = Tamaño
+solid-cube = Cubo
+solid-tetrahedron = Tetraedro
+solid-octahedron = Octaedro
+solid-sphere = Esfera
+solid-torus = Toro
+solid-angle = Bloque en L
+solid-spot = La vaca Spot
+street-title = Calle de cajas
+street-count = Cajas
+street-make = Construir la calle

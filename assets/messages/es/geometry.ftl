@@ -9,6 +9,13 @@ object-polygon = polígono
 object-hole = agujero
 object-uv = coordenadas de textura
 object-outcode = código de región
+object-planes = planos
+object-view-volume = volumen de visión
+object-sphere = esfera
+object-box = caja
+object-triangle = triángulo
+object-eye = ojo
+object-view-direction = dirección de la mirada
 
 ## The window’s edges, as nouns; the sides alone agree with “edge”
 

@@ -116,6 +116,13 @@ status-save-failed = Não foi possível salvar a cena: { $reason }
 status-open-failed = Não foi possível abrir { $path }: { $reason }
 status-no-window = Não foi possível abrir a janela: ela precisa de uma tela e de OpenGL. Sem isso, clipscope export desenha as figuras em arquivos. O sistema diz: “{ $reason }”
 status-kept = A cena continua como estava.
+status-mesh-reading = Lendo { $path }… Esc desiste.
+status-mesh-given-up = A leitura de { $path } foi abandonada: a cena está como estava.
+status-mesh-added =
+    { $count ->
+        [one] { $name }, de { $count } triângulo, está na cena.
+       *[other] { $name }, de { $count } triângulos, está na cena.
+    }
 status-reloaded = { $path } mudou e foi lido de novo.
 
 ## For screen readers

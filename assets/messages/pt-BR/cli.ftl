@@ -53,8 +53,11 @@ case-both = “{ $one }” já foi dado: informe “{ $one }” ou “{ $other }
 case-wrong-type = Esperava-se { $expected }, mas há { $found }.
 case-wrong-word = Esperava-se um de { $expected }, mas há “{ $found }”.
 case-wrong-length = Esperavam-se { $expected } números, mas há { $found }.
+case-wrong-points = Eram esperados { $expected } pontos, e há { $found }.
+case-no-planes = Era esperado pelo menos um plano.
+case-zero-direction = A direção de visão não pode ser zero.
 case-not-finite = { $number } excede o intervalo de um número de 64 bits: toda coordenada deve ser finita.
-case-too-many = { $found } vértices: um relatório de todos os passos aceita no máximo { $max }. Com --events false qualquer quantidade é aceita, e só a resposta é dada.
+case-too-many = A lista tem { $found } itens: um relatório de todos os passos aceita no máximo { $max }. Com --events false qualquer número é aceito, e só a resposta é dada.
 case-too-many-pairs = { $found } pares de aresta e aresta de recorte: um relatório de todos os passos aceita no máximo { $max }. Com --events false qualquer quantidade é aceita, e só a resposta é dada.
 case-uv-length = Era esperado um [u, v] para cada um dos { $expected } vértices; há { $found }.
 json-number = um número
@@ -73,6 +76,13 @@ case-touch = Visível em um único ponto: { $at }.
 case-invisible = Nada é visível.
 case-nothing-left = Não resta nada.
 case-no-area = O que resta não tem área: nada a preencher.
+case-cull-inside = Dentro: nenhum plano o corta.
+case-cull-outside = Fora: o plano { $plane } o descarta, a uma distância de { $distance }.
+case-box-outside = Fora: um plano tem os oito vértices do seu lado externo.
+case-cull-straddles = Dos dois lados: pelo menos um plano o corta e nenhum o descarta.
+case-cull-in-vain = Dos dois lados segundo os planos, e no entanto nenhum ponto seu está dentro: mantido em vão.
+case-front = Mostra a frente: n·e = { $dot }.
+case-back = Não mostra a frente: n·e = { $dot }.
 case-polygons =
     { $n ->
         [one] Um polígono: { $rings }

@@ -21,6 +21,7 @@ error-no-vertices = Sem vértices não há volume envolvente.
 error-target-at-position = A câmera não tem direção: está no mesmo ponto para o qual olha.
 error-up-along-view = O vetor “para cima” da câmera não pode ser zero nem paralelo à direção de visão.
 error-field-of-view = O campo de visão deve ficar entre 0° e 180°, sem incluí-los, mas é { $degrees }°.
+error-size = Um tamanho deve ser maior que 0, mas este é { $size }.
 error-height = A altura do volume de visão deve ser maior que 0, mas é { $height }.
 error-aspect = A razão de aspecto, largura por altura, deve ser maior que 0 e deixar largura ao volume de visão, mas é { $aspect }.
 error-near = O plano próximo deve ficar à frente do olho, a uma distância maior que 0, mas está a { $near }.

@@ -187,3 +187,33 @@ code-faulty-winding = n ← (V₂ − V₀) × (V₁ − V₀)
 words-faulty-winding = A normal de vértices em sentido horário.
 code-faulty-constant-view = descartar triângulos com n·v ≥ 0, v constante
 words-faulty-constant-view = Uma só direção de visão para todas as faces.
+
+## Menu
+
+camera-title = Câmera
+camera-perspective = Perspectiva
+camera-parallel = Paralela
+camera-fov = Campo de visão
+camera-height = Altura
+camera-aspect = Razão de aspecto
+camera-near = Plano próximo
+camera-far = Plano distante
+object-add = Adicionar um objeto
+object-remove = Remover o objeto em foco
+object-numbers = Objeto em foco
+object-focus = Objeto
+object-face = Face
+object-turn-x = Giro em torno de x
+object-turn-y = Giro em torno de y
+object-turn-z = Giro em torno de z
+object-size = Tamanho
+solid-cube = Cubo
+solid-tetrahedron = Tetraedro
+solid-octahedron = Octaedro
+solid-sphere = Esfera
+solid-torus = Toro
+solid-angle = Bloco em L
+solid-spot = A vaca Spot
+street-title = Rua de caixas
+street-count = Caixas
+street-make = Construir a rua

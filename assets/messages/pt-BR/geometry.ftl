@@ -9,6 +9,13 @@ object-polygon = polígono
 object-hole = furo
 object-uv = coordenadas de textura
 object-outcode = código de região
+object-planes = planos
+object-view-volume = volume de visão
+object-sphere = esfera
+object-box = caixa
+object-triangle = triângulo
+object-eye = olho
+object-view-direction = direção de visão
 
 ## The window’s edges, as nouns; the sides alone agree with “edge”
 

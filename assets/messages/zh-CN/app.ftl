@@ -112,6 +112,9 @@ status-save-failed = 无法保存场景：{ $reason }
 status-open-failed = 无法打开 { $path }：{ $reason }
 status-no-window = 无法打开窗口：需要显示器和 OpenGL。没有它们时，可用 clipscope export 把图画成文件。系统的说明：“{ $reason }”
 status-kept = 场景保持不变。
+status-mesh-reading = 正在读取 { $path }……按 Esc 放弃。
+status-mesh-given-up = 已放弃 { $path }：场景保持不变。
+status-mesh-added = { $name } 已加入场景，共 { $count } 个三角形。
 status-reloaded = { $path } 已更改并重新读取。
 
 ## For screen readers

@@ -37,8 +37,11 @@ case-both = 已给出“{ $one }”：“{ $one }”和“{ $other }”只能给
 case-wrong-type = 应为{ $expected }，实为{ $found }。
 case-wrong-word = 应为以下之一：{ $expected }，实为“{ $found }”。
 case-wrong-length = 应有 { $expected } 个数，实有 { $found } 个。
+case-wrong-points = 应有 { $expected } 个点，实有 { $found } 个。
+case-no-planes = 至少需要一个平面。
+case-zero-direction = 视线方向不得为零向量。
 case-not-finite = { $number } 超出 64 位浮点数的范围：每个坐标都必须是有限的数。
-case-too-many = 有 { $found } 个顶点：逐步报告最多 { $max } 个。加上 --events false 则数目不限，只给出答案。
+case-too-many = 该列表有 { $found } 项：输出每一步的报告最多接受 { $max } 项。使用 --events false 则不限数量，只给出答案。
 case-too-many-pairs = 边与裁剪边共有 { $found } 对：逐步报告最多 { $max } 对。加上 --events false 则数目不限，只给出答案。
 case-uv-length = 应为 { $expected } 个顶点各给出一个 [u, v]，这里有 { $found } 个。
 json-number = 数
@@ -57,6 +60,13 @@ case-touch = 只有一点可见：{ $at }。
 case-invisible = 完全不可见。
 case-nothing-left = 什么也不剩。
 case-no-area = 剩下的部分面积为零：没有可填充的内容。
+case-cull-inside = 在内部：没有平面与它相交。
+case-cull-outside = 在外部：平面 { $plane } 将其剔除，距离为 { $distance }。
+case-box-outside = 在外部：八个顶点全部位于某一平面的外侧。
+case-cull-straddles = 相交：至少有一个平面与它相交，且没有平面将其剔除。
+case-cull-in-vain = 按各平面判定为相交，但它没有任何一点在内部：白白保留。
+case-front = 可见正面：n·e = { $dot }。
+case-back = 看不到正面：n·e = { $dot }。
 case-polygons = { $n } 个多边形：{ $rings }
 case-triangles = { $n } 个三角形：{ $triangles }
 

@@ -187,3 +187,33 @@ code-faulty-winding = n ← (V₂ − V₀) × (V₁ − V₀)
 words-faulty-winding = 按顺时针顶点求法向量。
 code-faulty-constant-view = 剔除 n·v ≥ 0 的三角形，v 不变
 words-faulty-constant-view = 每个面都用同一视线方向。
+
+## Menu
+
+camera-title = 相机
+camera-perspective = 透视
+camera-parallel = 平行投影
+camera-fov = 视场角
+camera-height = 高度
+camera-aspect = 宽高比
+camera-near = 近平面
+camera-far = 远平面
+object-add = 添加物体
+object-remove = 移除当前物体
+object-numbers = 当前物体
+object-focus = 物体
+object-face = 面
+object-turn-x = 绕 x 轴旋转
+object-turn-y = 绕 y 轴旋转
+object-turn-z = 绕 z 轴旋转
+object-size = 大小
+solid-cube = 立方体
+solid-tetrahedron = 四面体
+solid-octahedron = 八面体
+solid-sphere = 球
+solid-torus = 圆环
+solid-angle = L 形块
+solid-spot = 奶牛 Spot
+street-title = 排满盒子的街道
+street-count = 盒子数
+street-make = 建造街道

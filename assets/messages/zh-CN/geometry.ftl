@@ -9,6 +9,13 @@ object-polygon = 多边形
 object-hole = 内孔
 object-uv = 纹理坐标
 object-outcode = 区域码
+object-planes = 平面
+object-view-volume = 视体
+object-sphere = 球
+object-box = 盒
+object-triangle = 三角形
+object-eye = 视点
+object-view-direction = 视线方向
 
 ## The window’s edges, as nouns; the sides alone agree with “edge”
 

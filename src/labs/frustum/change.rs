@@ -35,6 +35,8 @@ pub enum FrustumChange {
     Add(Model),
     /// Turns the object in focus, in degrees.
     Turn([f64; 3]),
+    /// Makes the object in focus so much larger than its model.
+    Size(f64),
     /// A street of boxes in place of the objects that there are.
     Street {
         /// How many.
@@ -61,6 +63,11 @@ impl ChangeOf for FrustumChange {
                 let old = scene.focused();
                 let turned = Object::new(old.model().clone(), old.at(), turn_deg, old.size())?;
                 scene.set_object(scene.focus(), turned);
+            }
+            &Self::Size(size) => {
+                let old = scene.focused();
+                let sized = Object::new(old.model().clone(), old.at(), old.turn_deg(), size)?;
+                scene.set_object(scene.focus(), sized);
             }
             &Self::Street { count, seed } => scene.set_objects(street(count, seed))?,
         }

@@ -21,4 +21,5 @@ pub use object::{Model, NamedMesh, Object};
 pub use on_scene::{OnScene, OnSceneInput};
 pub use registry::METHODS;
 pub use scene::{MAX_OBJECTS, Method, Scene, SceneError};
+pub use street::street;
 pub use taught_camera::{Opening, TaughtCamera};

@@ -54,7 +54,7 @@ impl Object {
     /// A model, enlarged, turned about its x, y and z axis in degrees, in this order, and put at a place.
     ///
     /// # Errors
-    /// [`SpaceError::NotFinite`]; [`SpaceError::Height`] where the size is not above 0.
+    /// [`SpaceError::NotFinite`]; [`SpaceError::Size`].
     pub fn new(
         model: Model,
         at: [f64; 3],
@@ -62,7 +62,7 @@ impl Object {
         size: f64,
     ) -> Result<Self, SpaceError> {
         if !(size > 0.0) {
-            return Err(SpaceError::Height(size));
+            return Err(SpaceError::Size(size));
         }
         let object = Self {
             model,

@@ -7,4 +7,4 @@ mod faces;
 mod obj;
 mod statements;
 
-pub use obj::{ObjFile, read_mtl, read_obj};
+pub use obj::{ObjFile, read_mtl, read_obj, read_obj_while};

@@ -15,6 +15,8 @@ use super::{
 
 /// A face of more corners is left out: no surface needs it, and to cut it takes long.
 const MAX_CORNERS: usize = 1000;
+/// A file of more triangles is refused: no frame could draw them in time.
+const MAX_TRIANGLES: usize = 1_000_000;
 
 /// What an OBJ file holds.
 #[derive(Clone, PartialEq, Debug)]
@@ -32,18 +34,28 @@ pub struct ObjFile {
 /// # Errors
 /// Every mistake in it, from the top to the end, as far as it keeps the mesh from being drawn.
 pub fn read_obj(file: &str, bytes: &[u8]) -> Result<ObjFile, Vec<Problem>> {
+    read_obj_while(file, bytes, &|| true)
+}
+
+/// The same as long as somebody wants it: else the reading ends early, and the answer means nothing.
+///
+/// # Errors
+/// As for [`read_obj`].
+pub fn read_obj_while(
+    file: &str,
+    bytes: &[u8],
+    is_wanted: &dyn Fn() -> bool,
+) -> Result<ObjFile, Vec<Problem>> {
     let source = Source::new(file.to_owned(), bytes);
     let mut sink = Sink::new(&source);
     let mut reader = Reader::default();
-    // Faces may name vertices that come later.
-    let mut faces = Vec::new();
-    for statement in statements(&source.text) {
+    let wanted = || statements(&source.text).take_while(|_| is_wanted());
+    for statement in wanted() {
         match statement.keyword() {
             "v" => reader
                 .positions
                 .extend(numbers::<3>(&statement, 3, &mut sink)),
             "vt" => reader.uvs.extend(numbers::<2>(&statement, 1, &mut sink)),
-            "f" => faces.push((statement, [reader.positions.len(), reader.uvs.len()])),
             "mtllib" => reader.library = statement.rest().map(str::to_owned),
             "usemtl" if reader.material.is_none() => {
                 reader.material = statement.rest().map(str::to_owned);
@@ -52,9 +64,7 @@ pub fn read_obj(file: &str, bytes: &[u8]) -> Result<ObjFile, Vec<Problem>> {
         }
     }
     if sink.n_errors() == 0 {
-        for (statement, so_far) in &faces {
-            reader.face(statement, *so_far, &mut sink);
-        }
+        reader.faces(wanted(), &mut sink);
     }
     reader.finish(sink)
 }
@@ -88,6 +98,28 @@ struct Reader {
 }
 
 impl Reader {
+    /// In a second round: faces may name vertices that come later.
+    fn faces<'t>(
+        &mut self,
+        statements: impl Iterator<Item = Statement<'t>>,
+        sink: &mut Sink<'_>,
+    ) {
+        let mut so_far = [0; 2];
+        for statement in statements {
+            match statement.keyword() {
+                "v" => so_far[0] += 1,
+                "vt" => so_far[1] += 1,
+                "f" => self.face(&statement, so_far, sink),
+                _ => {}
+            }
+            if self.faces.len() > MAX_TRIANGLES {
+                let message = Message::new("problem-too-many-faces").with("limit", MAX_TRIANGLES);
+                sink.error(statement.span(), message, []);
+                return;
+            }
+        }
+    }
+
     fn face(&mut self, statement: &Statement<'_>, so_far: [usize; 2], sink: &mut Sink<'_>) {
         let corners: Option<Vec<_>> = statement
             .values()

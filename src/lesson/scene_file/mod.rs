@@ -2,18 +2,21 @@
 //! that a lab joins.
 
 mod format;
+mod frustum;
 mod lines;
 mod parts;
 mod polygons;
 
 pub(crate) use format::SceneFormat;
 pub use format::{SceneFile, SceneFormats};
+pub use frustum::spot;
 
 impl SceneFormats {
     /// Those of all labs.
     #[must_use]
     pub const fn standard() -> Self {
-        static FORMATS: [&dyn SceneFormat; 2] = [&lines::Format, &polygons::Format];
+        static FORMATS: [&dyn SceneFormat; 3] =
+            [&lines::Format, &polygons::Format, &frustum::Format];
         Self::new(&FORMATS)
     }
 }

@@ -1,0 +1,184 @@
+//! A mesh that is read in a thread of its own: the window stays alive meanwhile, and Escape gives it up.
+
+use std::{
+    fs::{self, File},
+    io::{self, Read},
+    path::Path,
+    sync::{
+        Arc,
+        atomic::{AtomicBool, Ordering},
+        mpsc::{self, Receiver, TryRecvError},
+    },
+    thread,
+};
+
+use egui::Context;
+
+use crate::{
+    lesson::{FileError, ObjFile, Problem, read_obj_while},
+    text::{Diagnostic, Message},
+};
+
+use super::{App, notice::Notice};
+
+/// A larger file is refused: what it holds could not be drawn in time.
+const MAX_MESH_BYTES: u64 = 128 << 20;
+/// Read in pieces of this size, after each of which it may be given up.
+const PIECE_BYTES: u64 = 1 << 20;
+
+/// Why a mesh cannot be had.
+enum Unread {
+    /// The file cannot be read.
+    File(Diagnostic),
+    /// It holds no mesh.
+    Mesh(Vec<Problem>),
+}
+
+/// A mesh on its way. Dropped, it is given up.
+pub struct MeshLoading {
+    path: String,
+    read: Receiver<Result<ObjFile, Unread>>,
+    is_wanted: Arc<AtomicBool>,
+}
+
+impl MeshLoading {
+    /// Begins to read a file; the context is woken when that is done.
+    fn start(path: &str, ctx: &Context) -> Self {
+        let (said, read) = mpsc::channel();
+        let is_wanted = Arc::new(AtomicBool::new(true));
+        let loading = Self {
+            path: path.to_owned(),
+            read,
+            is_wanted: Arc::clone(&is_wanted),
+        };
+        let (path, ctx) = (path.to_owned(), ctx.clone());
+        thread::spawn(move || {
+            let is_wanted = || is_wanted.load(Ordering::Relaxed);
+            let read = match bytes_of(Path::new(&path), &is_wanted) {
+                Ok(bytes) => read_obj_while(&path, &bytes, &is_wanted)
+                    .map(|read| ObjFile {
+                        mesh: read.mesh.fitted(),
+                        ..read
+                    })
+                    .map_err(Unread::Mesh),
+                Err(reason) => Err(Unread::File(reason)),
+            };
+            // Nobody listens where it has been given up.
+            if said.send(read).is_ok() {
+                ctx.request_repaint();
+            }
+        });
+        loading
+    }
+
+    /// What came of it, once it is known.
+    fn answer(&self) -> Option<Result<ObjFile, Unread>> {
+        match self.read.try_recv() {
+            Ok(read) => Some(read),
+            Err(TryRecvError::Empty) => None,
+            // The thread has come to grief: for want of memory, say.
+            Err(TryRecvError::Disconnected) => {
+                let reason = FileError::from(io::Error::from(io::ErrorKind::Other));
+                Some(Err(Unread::File(reason.into())))
+            }
+        }
+    }
+}
+
+impl Drop for MeshLoading {
+    fn drop(&mut self) {
+        self.is_wanted.store(false, Ordering::Relaxed);
+    }
+}
+
+/// Is it a mesh, by the ending of its name?
+pub fn is_mesh(path: &Path) -> bool {
+    let ending = path.extension();
+    ending.is_some_and(|ending| ending.eq_ignore_ascii_case("obj"))
+}
+
+/// What a regular file holds, and never more of it than is allowed; of one that is given up, as much as was read.
+fn bytes_of(path: &Path, is_wanted: &dyn Fn() -> bool) -> Result<Vec<u8>, Diagnostic> {
+    let kind = fs::metadata(path)?;
+    if !kind.is_file() {
+        // Opening a pipe would wait for somebody to write into it.
+        return Err(io::Error::from(io::ErrorKind::InvalidInput).into());
+    }
+    let mut bytes = Vec::new();
+    let mut file = File::open(path)?;
+    loop {
+        let is_too_large = kind.len().max(bytes.len() as u64) > MAX_MESH_BYTES;
+        if is_too_large {
+            let limit = (MAX_MESH_BYTES >> 20) as usize;
+            return Err(Message::new("error-file-too-large").with("limit", limit).into());
+        }
+        let piece = file.by_ref().take(PIECE_BYTES).read_to_end(&mut bytes)?;
+        if piece == 0 || !is_wanted() {
+            return Ok(bytes);
+        }
+    }
+}
+
+impl App {
+    /// Begins to read a mesh, which will be an object of a scene. One that is still being read is given up.
+    pub(super) fn load_mesh(&mut self, path: &str, ctx: &Context) {
+        self.loading = Some(MeshLoading::start(path, ctx));
+        let message = Message::new("status-mesh-reading").with("path", path.to_owned());
+        self.notices.clear();
+        let text = self.catalog().message(&message);
+        self.notices.push(Notice::lasting(text));
+    }
+
+    /// Gives up the mesh that is being read; was there one?
+    pub(super) fn give_mesh_up(&mut self, now: f64) -> bool {
+        let Some(loading) = self.loading.take() else {
+            return false;
+        };
+        let message = Message::new("status-mesh-given-up").with("path", loading.path.clone());
+        self.notices.clear();
+        let text = self.catalog().message(&message);
+        self.notices.push(Notice::passing(text, now));
+        true
+    }
+
+    /// Puts the mesh that has been read into the free scene of the lab that shows meshes; where there is none, all stays as
+    /// it was.
+    pub(super) fn take_mesh(&mut self, now: f64) {
+        let Some(read) = self.loading.as_ref().and_then(MeshLoading::answer) else {
+            return;
+        };
+        let path = self.loading.take().map_or_else(String::new, |loading| loading.path.clone());
+        self.notices.clear();
+        match read {
+            Ok(read) => self.add_mesh(&path, &read, now),
+            Err(Unread::File(reason)) => self.report_unread(&path, reason),
+            Err(Unread::Mesh(problems)) => self.report_unfit(&problems),
+        }
+    }
+
+    fn add_mesh(&mut self, path: &str, read: &ObjFile, now: f64) {
+        let name = Path::new(path).file_stem().unwrap_or_default();
+        let name = name.display().to_string();
+        let mut panels = self.kit.panels.iter();
+        let found = panels.find_map(|panel| {
+            let edit = panel.add_mesh(&name, &read.mesh)?;
+            Some((panel.lab(), edit))
+        });
+        let Some((lab, edit)) = found else {
+            return;
+        };
+        self.turn_to(|bookmark| bookmark.open_free(lab));
+        let message = match self.change(edit, None, now) {
+            Ok(()) => Message::new("status-mesh-added")
+                .with("name", name)
+                .with("count", read.mesh.faces().len()),
+            Err(refused) => refused.message,
+        };
+        if !read.warnings.is_empty() {
+            let text = self.listing(&read.warnings);
+            self.notices.push(Notice::problem(text));
+        }
+        let text = self.catalog().message(&message);
+        self.notices.push(Notice::passing(text, now));
+    }
+}

@@ -1,0 +1,124 @@
+//! What a case of the frustum lab gives, field by field, each told once for people on the way.
+
+use crate::{
+    algo::cull::Viewer,
+    case::{Code, Fields, Given, Path, Refusal, Told},
+    geom::{AlignedBox, Plane, Sphere},
+    text::{Formula, Message, Value},
+};
+
+use super::volume::read_volume;
+
+/// A report of more planes than this is refused: a step's table of values has a row a plane, and a report a step a plane,
+/// so that its length grows with the square.
+const MAX_PLANES: usize = 1024;
+
+/// Reads fields, and keeps what was given.
+pub struct Reader<'a> {
+    fields: &'a Fields<'a>,
+    /// In the order in which they were read.
+    given: Vec<Given>,
+}
+
+impl<'a> Reader<'a> {
+    pub const fn new(fields: &'a Fields<'a>) -> Self {
+        let given = Vec::new();
+        Self { fields, given }
+    }
+
+    /// What was read.
+    pub fn told(self) -> Told {
+        let given = self.given;
+        Box::new(move || given.clone())
+    }
+
+    /// `planes`, or those of a `frustum` in view space.
+    pub fn planes(&mut self) -> Result<Vec<Plane>, Refusal> {
+        let detail = self.fields.detail();
+        let Some(node) = self.fields.get("planes") else {
+            let (volume, given) = read_volume(&self.fields.need("frustum")?, detail)?;
+            self.given.push(given);
+            return Ok(volume.planes().to_vec());
+        };
+        let rows: Vec<[f64; 4]> = node.points(detail.limit(MAX_PLANES))?;
+        if rows.is_empty() {
+            let problem = Message::new("case-no-planes");
+            return Err(Refusal::at(Code::WrongLength, &node.path, problem));
+        }
+        let plane = |(i, &row): (usize, &[f64; 4])| {
+            Plane::new(row).map_err(|error| Refusal::space(&Path::Index(&node.path, i), error))
+        };
+        let planes: Vec<Plane> = rows.iter().enumerate().map(plane).collect::<Result<_, _>>()?;
+        let inside = |plane: &Plane| {
+            let formula = vector(Formula::default(), plane.normal()).sym("·p + ");
+            Value::Formula(formula.operand(plane.d()).sym(" ≥ 0"))
+        };
+        let given = Given::new("object-planes", planes.iter().map(inside));
+        self.given.push(given);
+        Ok(planes)
+    }
+
+    /// `sphere`
+    pub fn sphere(&mut self) -> Result<Sphere, Refusal> {
+        let node = self.fields.need("sphere")?;
+        let radius = Path::Index(&node.path, 3);
+        let sphere = Sphere::new(node.numbers()?).map_err(|e| Refusal::space(&radius, e))?;
+        let told = [
+            vector(Formula::default().sym("c = "), sphere.center()),
+            Formula::default().sym("r = ").num(sphere.radius()),
+        ];
+        let given = Given::new("object-sphere", told.map(Value::Formula).into_iter());
+        self.given.push(given);
+        Ok(sphere)
+    }
+
+    /// `box`
+    pub fn bounds(&mut self) -> Result<AlignedBox, Refusal> {
+        let node = self.fields.need("box")?;
+        let bounds = AlignedBox::new(node.numbers()?);
+        let bounds = bounds.map_err(|error| Refusal::space(&node.path, error))?;
+        let (min, max) = (bounds.min(), bounds.max());
+        let ranges = [(" ≤ x ≤ ", 0), (" ≤ y ≤ ", 1), (" ≤ z ≤ ", 2)].map(|(symbol, axis)| {
+            let formula = Formula::default().num(min[axis]).sym(symbol);
+            Value::Formula(formula.num(max[axis]))
+        });
+        self.given.push(Given::new("object-box", ranges.into_iter()));
+        Ok(bounds)
+    }
+
+    /// `triangle`, with or without an area.
+    pub fn triangle(&mut self) -> Result<[[f64; 3]; 3], Refusal> {
+        let triangle = self.fields.need("triangle")?.rows()?;
+        let corners = ["V₀ = ", "V₁ = ", "V₂ = "].into_iter().zip(triangle);
+        let corners = corners.map(|(name, at)| vector(Formula::default().sym(name), at));
+        let given = Given::new("object-triangle", corners.map(Value::Formula));
+        self.given.push(given);
+        Ok(triangle)
+    }
+
+    /// `eye`, or `view_dir`.
+    pub fn viewer(&mut self) -> Result<Viewer, Refusal> {
+        let told = |key, at| {
+            let formula = vector(Formula::default(), at);
+            Given::new(key, [Value::Formula(formula)].into_iter())
+        };
+        if let Some(node) = self.fields.get("eye") {
+            let eye = node.numbers()?;
+            self.given.push(told("object-eye", eye));
+            return Ok(Viewer::Eye(eye));
+        }
+        let node = self.fields.need("view_dir")?;
+        let direction = node.numbers()?;
+        if direction == [0.0; 3] {
+            let problem = Message::new("case-zero-direction");
+            return Err(Refusal::at(Code::Degenerate, &node.path, problem));
+        }
+        self.given.push(told("object-view-direction", direction));
+        Ok(Viewer::Direction(direction))
+    }
+}
+
+/// `(1, 2, 3)`
+fn vector(formula: Formula, at: [f64; 3]) -> Formula {
+    formula.sym("(").list(&at).sym(")")
+}

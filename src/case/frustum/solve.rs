@@ -1,0 +1,82 @@
+//! What each of the lab's algorithms reads, and how its answer is told.
+
+use crate::{
+    algo::cull::{
+        BackFace, BackFaceInput, BackFaceOutput, BoxCull, BoxCullInput, BoxCullOutput, Containment,
+        SphereCull, SphereCullInput, SphereCullOutput,
+    },
+    case::{Field, Fields, Refusal, Solve, Told},
+    labs::frustum::OnScene,
+    text::Message,
+};
+
+use super::reader::Reader;
+
+impl Solve for OnScene<SphereCull> {
+    const FIELDS: &'static [Field] = &[
+        Field::choice("planes"),
+        Field::choice("frustum"),
+        Field::required("sphere"),
+    ];
+
+    fn read(fields: &Fields<'_>) -> Result<(Self::Input, Told), Refusal> {
+        let mut reader = Reader::new(fields);
+        let (planes, sphere) = (reader.planes()?, reader.sphere()?);
+        let input = SphereCullInput { planes, sphere };
+        Ok((input.into(), reader.told()))
+    }
+
+    fn verdict(output: &SphereCullOutput) -> Message {
+        match (output.class, output.distances.last()) {
+            (Containment::Outside, Some(&distance)) => Message::new("case-cull-outside")
+                .with("plane", output.distances.len())
+                .with("distance", distance),
+            (Containment::Inside | Containment::Outside, _) => Message::new("case-cull-inside"),
+            (Containment::Straddles, _) => Message::new("case-cull-straddles"),
+        }
+    }
+}
+
+impl Solve for OnScene<BoxCull> {
+    const FIELDS: &'static [Field] = &[
+        Field::choice("planes"),
+        Field::choice("frustum"),
+        Field::required("box"),
+    ];
+
+    fn read(fields: &Fields<'_>) -> Result<(Self::Input, Told), Refusal> {
+        let mut reader = Reader::new(fields);
+        let (planes, bounds) = (reader.planes()?, reader.bounds()?);
+        let input = BoxCullInput { planes, bounds };
+        Ok((input.into(), reader.told()))
+    }
+
+    fn verdict(output: &BoxCullOutput) -> Message {
+        Message::new(match output.class {
+            Containment::Inside => "case-cull-inside",
+            Containment::Outside => "case-box-outside",
+            Containment::Straddles if output.false_positive => "case-cull-in-vain",
+            Containment::Straddles => "case-cull-straddles",
+        })
+    }
+}
+
+impl Solve for OnScene<BackFace> {
+    const FIELDS: &'static [Field] = &[
+        Field::required("triangle"),
+        Field::choice("eye"),
+        Field::choice("view_dir"),
+    ];
+
+    fn read(fields: &Fields<'_>) -> Result<(Self::Input, Told), Refusal> {
+        let mut reader = Reader::new(fields);
+        let (triangle, viewer) = (reader.triangle()?, reader.viewer()?);
+        let input = BackFaceInput { triangle, viewer };
+        Ok((input.into(), reader.told()))
+    }
+
+    fn verdict(output: &BackFaceOutput) -> Message {
+        let key = if output.front { "case-front" } else { "case-back" };
+        Message::new(key).with("dot", output.dot)
+    }
+}

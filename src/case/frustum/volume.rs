@@ -1,0 +1,65 @@
+//! The view volume of a case: `{"fov_y_deg", "aspect", "near", "far"}`, with `"height"` in place of `"fov_y_deg"` where
+//! sight lines are parallel.
+
+use crate::{
+    case::{Detail, Field, Fields, Given, Node, Path, Refusal},
+    geom::{SpaceError, ViewVolume},
+    text::{Formula, Value},
+};
+
+const FIELDS: [Field; 5] = [
+    Field::choice("fov_y_deg"),
+    Field::choice("height"),
+    Field::required("aspect"),
+    Field::required("near"),
+    Field::required("far"),
+];
+
+/// The volume, and what is told of it.
+pub fn read_volume(node: &Node<'_>, detail: Detail) -> Result<(ViewVolume, Given), Refusal> {
+    let fields = Fields::of(node, "object-view-volume", &FIELDS, detail)?;
+    let mut told = Vec::new();
+    let mut number = |name| {
+        let x = fields.need(name)?.number()?;
+        let formula = Formula::default().sym(name).sym(" = ").num(x);
+        told.push(Value::Formula(formula));
+        Ok(x)
+    };
+    let is_parallel = fields.get("height").is_some();
+    let opening = number(if is_parallel { "height" } else { "fov_y_deg" })?;
+    let (aspect, near, far) = (number("aspect")?, number("near")?, number("far")?);
+    let make = if is_parallel {
+        ViewVolume::parallel
+    } else {
+        ViewVolume::perspective
+    };
+    match make(opening, aspect, near, far) {
+        Ok(volume) => Ok((volume, Given::new("object-view-volume", told.into_iter()))),
+        Err(error) => Err(refused(&node.path, error)),
+    }
+}
+
+/// At the field of the volume that is to blame.
+fn refused(volume: &Path<'_>, error: SpaceError) -> Refusal {
+    let field = match error {
+        SpaceError::FieldOfView(_) => Some("fov_y_deg"),
+        SpaceError::Height(_) => Some("height"),
+        SpaceError::Aspect(_) => Some("aspect"),
+        SpaceError::Near(_) => Some("near"),
+        SpaceError::Far { .. } => Some("far"),
+        // No volume is refused for these; its numbers have been read one by one before.
+        SpaceError::NotFinite { .. }
+        | SpaceError::EmptyBox { .. }
+        | SpaceError::ZeroNormal
+        | SpaceError::NegativeRadius(_)
+        | SpaceError::NoVertices
+        | SpaceError::Size(_)
+        | SpaceError::TargetAtPosition
+        | SpaceError::UpAlongView
+        | SpaceError::NotAffine => None,
+    };
+    match field {
+        Some(field) => Refusal::space(&Path::Member(volume, field), error),
+        None => Refusal::space(volume, error),
+    }
+}

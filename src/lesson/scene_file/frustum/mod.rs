@@ -1,0 +1,193 @@
+//! A scene of the frustum lab as files spell it.
+
+mod camera;
+mod model;
+pub mod spot;
+
+use std::fmt::Write as _;
+
+use crate::{
+    labs::{
+        self, Lab,
+        frustum::{
+            LAB, MAX_OBJECTS, Method, Object, Scene, SceneError, street,
+        },
+    },
+    lesson::{
+        sink::Sink,
+        toml_fields::{Item, TomlFields, list, numbers, whole},
+    },
+    text::Message,
+};
+
+use super::{
+    format::SceneFormat,
+    parts::{array, count_and_seed, method},
+};
+
+use camera::{camera, camera_to_toml, eye, eye_to_toml, watching};
+use model::{is_whole, n_faces_inline, object, object_to_toml};
+
+/// The fields of a scene.
+const FIELDS: [&str; 9] = [
+    "method", "compare", "camera", "eye", "point", "objects", "street", "focus", "face",
+];
+
+/// The spelling of this lab's scenes.
+pub(in crate::lesson) struct Format;
+
+impl SceneFormat for Format {
+    fn lab(&self) -> &'static dyn Lab {
+        LAB
+    }
+
+    fn fields(&self) -> &'static [&'static str] {
+        &FIELDS
+    }
+
+    fn own_field(&self) -> &'static str {
+        "camera"
+    }
+
+    /// In objects, and in faces of the meshes that the file itself holds.
+    fn room(&self) -> usize {
+        10 * MAX_OBJECTS
+    }
+
+    fn read(
+        &self,
+        fields: &TomlFields<'_>,
+        room: &mut usize,
+        sink: &mut Sink<'_>,
+    ) -> Option<labs::Scene> {
+        scene(fields, room, sink).map(labs::Scene::from)
+    }
+
+    fn write(&self, scene: &labs::Scene) -> Option<String> {
+        scene.get().map(to_toml)
+    }
+}
+
+/// Reads a scene; `room` is how many objects and faces a file may still have.
+fn scene(fields: &TomlFields<'_>, room: &mut usize, sink: &mut Sink<'_>) -> Option<Scene> {
+    let n_errors = sink.n_errors();
+    let method = fields
+        .require("method", sink)
+        .and_then(|item| frustum_method(item, sink));
+    let compare = fields
+        .get("compare")
+        .and_then(|item| frustum_method(item, sink));
+    let camera = fields
+        .require("camera", sink)
+        .and_then(|item| camera(item, sink));
+    let eye = match fields.get("eye") {
+        Some(item) => eye(item, sink),
+        None => camera.as_ref().map(watching),
+    };
+    let point = fields
+        .get("point")
+        .and_then(|item| numbers::<3>(item, "expect-place", sink));
+    let objects = objects(fields, room, sink);
+    let mut index = |name, most: usize| {
+        let item = fields.get(name)?;
+        Some((item, whole(item, 0..most as u64, sink)? as usize))
+    };
+    let (focus, face) = (index("focus", MAX_OBJECTS), index("face", MAX_FACES));
+    let scene = Scene::new(method?, camera?, eye?, objects?);
+    let mut scene = refused_at(fields.span(), scene, sink)?;
+    scene.compare = compare;
+    if let Some(point) = point {
+        scene.set_point(point).ok()?;
+    }
+    if let Some((item, focus)) = focus {
+        refused_at(item.span(), scene.set_focus(focus), sink);
+    }
+    if let Some((item, face)) = face {
+        refused_at(item.span(), scene.set_face(face), sink);
+    }
+    (sink.n_errors() == n_errors).then_some(scene)
+}
+
+/// More faces than any mesh has.
+const MAX_FACES: usize = u32::MAX as usize;
+
+/// What the scene refuses is told at this place.
+fn refused_at<T>(
+    span: std::ops::Range<usize>,
+    made: Result<T, SceneError>,
+    sink: &mut Sink<'_>,
+) -> Option<T> {
+    made.map_err(|error| sink.refuse(span, error, [])).ok()
+}
+
+fn frustum_method(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Method> {
+    Method::by_id(method(LAB, item, sink)?)
+}
+
+/// The objects of a scene, listed or a street of boxes: one of the two.
+fn objects(
+    fields: &TomlFields<'_>,
+    room: &mut usize,
+    sink: &mut Sink<'_>,
+) -> Option<Vec<Object>> {
+    let (span, objects) = match (fields.get("objects"), fields.get("street")) {
+        (Some(_), Some(street)) => {
+            sink.error(street.span(), Message::new("problem-two-kinds-of-objects"), []);
+            return None;
+        }
+        (None, Some(item)) => {
+            let (count, seed) = count_and_seed(item, 1..MAX_OBJECTS as u64 + 1, sink)?;
+            (item.span(), street(count, seed))
+        }
+        _ => {
+            let item = fields.require("objects", sink)?;
+            (item.span(), listed(item, sink)?)
+        }
+    };
+    let n_faces: usize = objects.iter().map(n_faces_inline).sum();
+    let size = objects.len() + n_faces;
+    if size > *room {
+        sink.refuse(span, SceneError::TooManyObjects(size), []);
+        return None;
+    }
+    *room -= size;
+    Some(objects)
+}
+
+fn listed(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Vec<Object>> {
+    let items = list(item, "expect-objects", sink)?;
+    if items.is_empty() || items.len() > MAX_OBJECTS {
+        let error = match items.len() {
+            0 => SceneError::NoObjects,
+            n => SceneError::TooManyObjects(n),
+        };
+        sink.refuse(item.span(), error, [Message::new("expect-objects")]);
+        return None;
+    }
+    let objects: Vec<Object> = items.iter().filter_map(|item| object(item, sink)).collect();
+    (objects.len() == items.len()).then_some(objects)
+}
+
+/// Writes a scene. A mesh of more faces than a file takes is a cube in it, under its name.
+fn to_toml(scene: &Scene) -> String {
+    let mut text = format!("method = \"{}\"\n", scene.method.card().id);
+    if let Some(compare) = scene.compare {
+        let _ = writeln!(text, "compare = \"{}\"", compare.card().id);
+    }
+    let _ = writeln!(text, "camera = {}", camera_to_toml(&scene.camera));
+    let _ = writeln!(text, "eye = {}", eye_to_toml(&scene.eye));
+    if scene.point() != [0.0; 3] {
+        let _ = writeln!(text, "point = {}", array(&scene.point()));
+    }
+    if scene.focus() > 0 {
+        let _ = writeln!(text, "focus = {}", scene.focus());
+    }
+    if scene.face() > 0 && is_whole(scene.focused()) {
+        let _ = writeln!(text, "face = {}", scene.face());
+    }
+    text.push_str("objects = [\n");
+    for object in scene.objects() {
+        let _ = writeln!(text, "    {},", object_to_toml(object));
+    }
+    text + "]\n"
+}

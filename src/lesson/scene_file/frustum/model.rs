@@ -1,0 +1,227 @@
+//! The objects of a scene as files spell them: a solid by its name, or a mesh with all its numbers.
+
+use std::{fmt::Write as _, sync::Arc};
+
+use crate::{
+    geom::{Mesh, MeshError, Solid, SpaceError},
+    labs::frustum::{Model, NamedMesh, Object},
+    lesson::{
+        scene_file::parts::{array, exact, span_of},
+        sink::Sink,
+        toml_fields::{Item, TomlFields, list, number, numbers, one_of, text, whole},
+    },
+    text::Message,
+};
+
+use super::spot;
+
+const OBJECT: [&str; 5] = ["solid", "mesh", "at", "turn_deg", "size"];
+const MESH: [&str; 4] = ["name", "vertices", "uvs", "faces"];
+
+/// A mesh of more faces, or vertices, does not go into a scene file: it would be megabytes.
+pub(super) const MAX_INLINE: usize = 10_000;
+
+/// An object.
+pub(super) fn object(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Object> {
+    let fields = TomlFields::of(item, &OBJECT, sink)?;
+    let model = model(&fields, sink);
+    let mut place = |name| match fields.get(name) {
+        Some(item) => numbers::<3>(item, "expect-place", sink),
+        None => Some([0.0; 3]),
+    };
+    let (at, turn_deg) = (place("at"), place("turn_deg"));
+    let size = match fields.get("size") {
+        Some(item) => number(item, "expect-number", sink),
+        None => Some(1.0),
+    };
+    match Object::new(model?, at?, turn_deg?, size?) {
+        Ok(object) => Some(object),
+        Err(error) => {
+            let name = match error {
+                SpaceError::Size(_) => "size",
+                _ => "at",
+            };
+            let span = fields.get(name).map_or_else(|| fields.span(), Item::span);
+            sink.refuse(span, error, []);
+            None
+        }
+    }
+}
+
+/// What it looks like: `solid` or `mesh`.
+fn model(fields: &TomlFields<'_>, sink: &mut Sink<'_>) -> Option<Model> {
+    match (fields.get("solid"), fields.get("mesh")) {
+        (Some(_), Some(mesh)) => {
+            sink.error(mesh.span(), Message::new("problem-two-models"), []);
+            None
+        }
+        (None, Some(item)) => mesh(item, sink).map(|mesh| Model::Mesh(Arc::new(mesh))),
+        _ => {
+            let item = fields.require("solid", sink)?;
+            let mut known: Vec<&str> = Solid::ALL.map(Solid::id).to_vec();
+            known.push(spot::ID);
+            one_of(item, &known, "problem-unknown-value", sink, |name| {
+                let solid = Solid::ALL.into_iter().find(|solid| solid.id() == name);
+                let spot = || (name == spot::ID).then(spot::model);
+                solid.map(Model::Solid).or_else(spot)
+            })
+        }
+    }
+}
+
+fn mesh(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<NamedMesh> {
+    let fields = TomlFields::of(item, &MESH, sink)?;
+    let name = fields
+        .require("name", sink)
+        .and_then(|item| text(item, sink));
+    let positions = rows(&fields, "vertices", sink, |item, sink| {
+        let at = numbers::<3>(item, "expect-place", sink)?;
+        Some(at.map(|x| x as f32))
+    });
+    let uvs = match fields.get("uvs") {
+        None => Some(Vec::new()),
+        Some(_) => rows(&fields, "uvs", sink, |item, sink| {
+            let uv = numbers::<2>(item, "expect-point", sink)?;
+            Some(uv.map(|x| x as f32))
+        }),
+    };
+    let faces = rows(&fields, "faces", sink, face);
+    let made = Mesh::new(positions?, uvs?, faces?);
+    match made {
+        Ok(mesh) => Some(NamedMesh {
+            name: name?.to_owned(),
+            mesh,
+        }),
+        Err(error) => {
+            let (list, index) = match error {
+                MeshError::NotFinite { vertex_idx } => ("vertices", Some(vertex_idx)),
+                MeshError::NoSuchVertex { face_idx } => ("faces", Some(face_idx)),
+                MeshError::NoFaces => ("faces", None),
+                MeshError::UvLength { .. } => ("uvs", None),
+            };
+            let span = fields.get(list).map_or_else(
+                || fields.span(),
+                |item| index.map_or_else(|| item.span(), |i| span_of(item, i)),
+            );
+            sink.refuse(span, error, [Message::new("expect-mesh")]);
+            None
+        }
+    }
+}
+
+/// A list of a mesh, as far as a file may hold it.
+fn rows<T>(
+    fields: &TomlFields<'_>,
+    name: &'static str,
+    sink: &mut Sink<'_>,
+    row: impl Fn(&Item<'_>, &mut Sink<'_>) -> Option<T>,
+) -> Option<Vec<T>> {
+    let item = fields.require(name, sink)?;
+    let items = list(item, "expect-mesh", sink)?;
+    if items.len() > MAX_INLINE {
+        let message = Message::new("problem-mesh-too-large")
+            .with("count", items.len())
+            .with("limit", MAX_INLINE);
+        sink.error(item.span(), message, []);
+        return None;
+    }
+    let rows: Vec<T> = items.iter().filter_map(|item| row(item, sink)).collect();
+    (rows.len() == items.len()).then_some(rows)
+}
+
+/// Three indices of vertices, from 0.
+fn face(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<[u32; 3]> {
+    let items = list(item, "expect-mesh", sink)?;
+    let [a, b, c] = items else {
+        let message = Message::new("problem-wrong-length").with("count", items.len());
+        sink.error(item.span(), message, [Message::new("expect-mesh")]);
+        return None;
+    };
+    let [a, b, c] = [a, b, c].map(|item| whole(item, 0..MAX_INLINE as u64, sink));
+    Some([a? as u32, b? as u32, c? as u32])
+}
+
+/// How a model is spelt.
+enum Spelling<'a> {
+    /// By its name.
+    Named(&'static str),
+    /// With all its numbers.
+    Inline(&'a NamedMesh),
+    /// Not at all: it is too large for a file.
+    LeftOut,
+}
+
+fn spelling(model: &Model) -> Spelling<'_> {
+    match model {
+        Model::Solid(solid) => Spelling::Named(solid.id()),
+        Model::Mesh(_) if *model == spot::model() => Spelling::Named(spot::ID),
+        Model::Mesh(named) => {
+            let mesh = &named.mesh;
+            if mesh.faces().len().max(mesh.positions().len()) > MAX_INLINE {
+                Spelling::LeftOut
+            } else {
+                Spelling::Inline(named)
+            }
+        }
+    }
+}
+
+/// Is all of it in the file that it is written to?
+pub(super) fn is_whole(object: &Object) -> bool {
+    !matches!(spelling(object.model()), Spelling::LeftOut)
+}
+
+/// How many faces the file itself holds of it.
+pub(super) fn n_faces_inline(object: &Object) -> usize {
+    match spelling(object.model()) {
+        Spelling::Named(_) | Spelling::LeftOut => 0,
+        Spelling::Inline(named) => named.mesh.faces().len(),
+    }
+}
+
+/// As [`object`] reads it; for a mesh that is too large for a file a cube stands in it.
+pub(super) fn object_to_toml(object: &Object) -> String {
+    let model = match spelling(object.model()) {
+        Spelling::Named(id) => format!("solid = \"{id}\""),
+        Spelling::LeftOut => format!("solid = \"{}\"", Solid::Cube.id()),
+        Spelling::Inline(named) => format!("mesh = {}", mesh_to_toml(named)),
+    };
+    format!(
+        "{{ {model}, at = {}, turn_deg = {}, size = {} }}",
+        array(&object.at()),
+        array(&object.turn_deg()),
+        exact(object.size()),
+    )
+}
+
+fn mesh_to_toml(NamedMesh { name, mesh }: &NamedMesh) -> String {
+    let mut text = format!("{{ name = {}, vertices = [", quoted(name));
+    let list = |text: &mut String, rows: &mut dyn Iterator<Item = String>| {
+        text.push_str(&rows.collect::<Vec<_>>().join(", "));
+        text.push(']');
+    };
+    let mut positions = mesh.positions().iter().map(|p| array(&p.map(f64::from)));
+    list(&mut text, &mut positions);
+    if !mesh.uvs().is_empty() {
+        text.push_str(", uvs = [");
+        list(&mut text, &mut mesh.uvs().iter().map(|uv| array(&uv.map(f64::from))));
+    }
+    text.push_str(", faces = [");
+    list(&mut text, &mut mesh.faces().iter().map(|face| format!("{face:?}")));
+    text + " }"
+}
+
+/// A text in quotes.
+fn quoted(text: &str) -> String {
+    let mut quoted = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '"' | '\\' => quoted.extend(['\\', c]),
+            c if c.is_control() => {
+                let _ = write!(quoted, "\\u{:04X}", u32::from(c));
+            }
+            c => quoted.push(c),
+        }
+    }
+    quoted + "\""
+}

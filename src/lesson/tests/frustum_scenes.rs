@@ -1,0 +1,259 @@
+//! Scenes of the frustum lab in files: read as they were written, and every mistake with its place.
+
+use std::sync::Arc;
+
+use proptest::prelude::*;
+
+use crate::{
+    figure::Moment,
+    geom::{Mesh, Orbit, Solid},
+    labs::{
+        self,
+        frustum::{LAB, Method, Model, NamedMesh, Object, Opening, Scene, TaughtCamera},
+    },
+};
+
+use super::*;
+
+const SCENE: &str = r#"method = "sphere-cull"
+compare = "box-cull"
+camera = { position = [0, 2, 6], target = [0, 1, -2], fov_y_deg = 40, aspect = 1.6, near = 1, far = 12 }
+eye = { target = [0, 1, 0], yaw_deg = -58, pitch_deg = 24, distance = 26, fov_y_deg = 26 }
+point = [0.5, 1, -2]
+focus = 1
+face = 2
+objects = [
+    { solid = "cube", at = [0, 1, 0], turn_deg = [0, 20, 0], size = 0.6 },
+    { mesh = { name = "wedge", vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 0.5]], faces = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]] } },
+    { solid = "spot" },
+]
+"#;
+
+fn read(text: &str) -> Result<Scene, Vec<String>> {
+    let read = SceneFormats::standard().read("a.toml", text.as_bytes());
+    let read = read.map_err(|problems| problems.iter().map(super::spot).collect::<Vec<_>>())?;
+    Ok(read.scene.get::<Scene>().expect("of this lab").clone())
+}
+
+fn written(scene: &Scene) -> String {
+    let scene = labs::Scene::from(scene.clone());
+    SceneFormats::standard().write(&scene, &Moment::Start)
+}
+
+#[test]
+fn every_field_is_read() {
+    let scene = read(SCENE).expect("in order");
+    assert_eq!(scene.method.card().id, "sphere-cull");
+    assert_eq!(scene.compare.map(|method| method.card().id), Some("box-cull"));
+    assert_eq!(
+        scene.camera.places(),
+        [[0.0, 2.0, 6.0], [0.0, 1.0, -2.0], [0.0, 1.0, 0.0]]
+    );
+    assert_eq!(scene.camera.opening(), Opening::FovY(40.0));
+    assert_eq!((scene.camera.aspect(), scene.camera.depths()), (1.6, [1.0, 12.0]));
+    assert_eq!(
+        scene.eye,
+        Orbit::new([0.0, 1.0, 0.0], [-58.0, 24.0], 26.0, 26.0)
+    );
+    assert_eq!(scene.point(), [0.5, 1.0, -2.0]);
+    assert_eq!((scene.focus(), scene.face()), (1, 2));
+    let [cube, wedge, cow] = scene.objects() else {
+        panic!("three objects");
+    };
+    assert_eq!(*cube.model(), Model::Solid(Solid::Cube));
+    assert_eq!((cube.turn_deg(), cube.size()), ([0.0, 20.0, 0.0], 0.6));
+    assert_eq!(wedge.model().mesh().faces().len(), 4);
+    assert_eq!((wedge.at(), wedge.size()), ([0.0; 3], 1.0));
+    assert_eq!(cow.model().mesh().faces().len(), 5856, "Spot is shipped");
+}
+
+#[test]
+fn a_parallel_camera_has_a_height_and_a_street_its_boxes() {
+    let text = r#"method = "funnel"
+camera = { position = [0, 2, 6], target = [0, 1, -2], up = [1, 0, 0], height = 4, aspect = 2, near = -1, far = 12 }
+street = { count = 40, seed = 3 }
+"#;
+    let scene = read(text).expect("in order");
+    assert_eq!(scene.camera.opening(), Opening::Height(4.0));
+    assert_eq!(scene.objects().len(), 40);
+    assert_eq!(read(&written(&scene)), Ok(scene));
+}
+
+#[test]
+fn where_no_eye_is_given_one_sees_the_whole_volume() {
+    let text = SCENE.lines().filter(|line| !line.starts_with("eye"));
+    let scene = read(&text.collect::<Vec<_>>().join("\n")).expect("in order");
+    let corners = scene.camera.camera().corners_in_world();
+    let [position, ..] = scene.camera.places();
+    for at in corners.into_iter().chain([position]) {
+        let [x, y] = scene.eye.picture_from_view(scene.eye.view_from_world(at));
+        assert!(x.abs() < 1.0 && y.abs() < 1.0, "{at:?} is seen at {x}, {y}");
+    }
+}
+
+/// What is replaced in the scene, by what, and the place and code of the one problem.
+const BROKEN: &[(&str, &str, &str)] = &[
+    ("\"sphere-cull\"", "\"sphere-cul\"", "1:10 unknown-method"),
+    ("camera =", "camra =", "3:1 unknown-field"),
+    ("position = [0, 2, 6], ", "", "3:10 missing-field"),
+    ("position = [0, 2, 6]", "position = [0, 2]", "3:23 wrong-length"),
+    ("position = [0, 2, 6]", "position = [0, 2, nan]", "3:30 not-finite"),
+    ("[0, 1, -2], fov", "[0, 2, 6], fov", "3:43 degenerate"),
+    ("fov_y_deg = 40", "up = [0, 1, 8], fov_y_deg = 40", "3:60 degenerate"),
+    ("fov_y_deg = 40", "fov_y_deg = 180", "3:67 degenerate"),
+    ("fov_y_deg = 40", "fov_y_deg = 40, height = 1", "3:80 two-openings"),
+    ("fov_y_deg = 40, ", "", "3:10 missing-field"),
+    ("fov_y_deg = 40", "height = 0", "3:64 degenerate"),
+    ("aspect = 1.6", "aspect = 0", "3:80 degenerate"),
+    ("near = 1,", "near = 0,", "3:92 degenerate"),
+    ("far = 12", "far = 1", "3:101 degenerate"),
+    ("far = 12", "far = \"away\"", "3:101 wrong-type"),
+    ("pitch_deg = 24", "pitch_deg = 95", "4:56 out-of-range"),
+    ("distance = 26", "distance = 0", "4:71 out-of-range"),
+    ("point = [0.5, 1, -2]", "point = [0.5, 1]", "5:9 wrong-length"),
+    ("focus = 1", "focus = 3", "6:9 no-such-object"),
+    ("focus = 1", "focus = -1", "6:9 out-of-range"),
+    ("face = 2", "face = 4", "7:8 no-such-face"),
+    ("\"cube\"", "\"cub\"", "9:15 unknown-value"),
+    ("size = 0.6", "size = 0", "9:69 degenerate"),
+    ("at = [0, 1, 0]", "at = [0, 1, 1e999]", "9:35 not-finite"),
+    ("solid = \"cube\", ", "", "9:5 missing-field"),
+    ("{ mesh =", "{ solid = \"cube\", mesh =", "10:30 two-models"),
+    ("name = \"wedge\", ", "", "10:14 missing-field"),
+    ("[1, 2, 3]", "[1, 2, 4]", "10:133 degenerate"),
+    ("[1, 2, 3]", "[1, 2]", "10:133 wrong-length"),
+    ("[1, 2, 3]", "[1, 2, 3.5]", "10:140 wrong-type"),
+    ("[0, 0, 0.5]", "[0, 0]", "10:77 wrong-length"),
+    ("{ solid = \"spot\" }", "street", "11:5 toml-value"),
+];
+
+#[test]
+fn every_mistake_has_its_place() {
+    for (old, new, expected) in BROKEN {
+        assert!(SCENE.contains(old), "the scene has no {old:?}");
+        let found = read(&SCENE.replacen(old, new, 1)).expect_err(new);
+        let expected = format!("a.toml:{expected}");
+        assert!(found.contains(&expected), "{new}: {found:?}, not {expected}");
+    }
+    let empty = SCENE.split("objects").next().expect("a beginning").to_owned();
+    assert_eq!(
+        read(&format!("{}objects = []\n", empty.replace("focus = 1\nface = 2\n", ""))),
+        Err(vec!["a.toml:6:11 no-objects".to_owned()])
+    );
+    let two = format!("{SCENE}street = {{ count = 2, seed = 1 }}\n");
+    assert_eq!(
+        read(&two),
+        Err(vec!["a.toml:13:10 two-kinds-of-objects".to_owned()])
+    );
+}
+
+/// The grid of n × n squares: a mesh as large as one wants.
+fn grid(n: u32) -> Mesh {
+    let at = |i: u32, j: u32| i * (n + 1) + j;
+    let positions = (0..=n).flat_map(|i| (0..=n).map(move |j| [i as f32 * 0.1, j as f32 * 0.1, 0.0]));
+    let faces = (0..n).flat_map(|i| {
+        (0..n).flat_map(move |j| {
+            let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+            [[a, b, c], [a, c, d]]
+        })
+    });
+    Mesh::new(positions.collect(), Vec::new(), faces.collect()).expect("a grid")
+}
+
+#[test]
+fn for_a_mesh_that_is_too_large_a_cube_stands_in_the_file() {
+    let mut scene = read(SCENE).expect("in order");
+    for (n, faces) in [(60, 7200), (80, 12)] {
+        let name = "grid".to_owned();
+        let mesh = grid(n);
+        let model = Model::Mesh(Arc::new(NamedMesh { name, mesh }));
+        scene.set_object(1, Object::new(model, [1.0, 2.0, 3.0], [0.0; 3], 0.5).expect("finite"));
+        scene.set_face(100).expect("it has as many");
+        let again = read(&written(&scene)).expect("as it was written");
+        let stands = again.focused();
+        assert_eq!(stands.model().mesh().faces().len(), faces);
+        assert_eq!((stands.at(), stands.size()), ([1.0, 2.0, 3.0], 0.5));
+    }
+}
+
+#[test]
+fn first_scenes_and_names_that_need_quotes_come_back() {
+    let mut scene: Scene = LAB.first_scene().get::<Scene>().expect("of this lab").clone();
+    assert_eq!(read(&written(&scene)).as_ref(), Ok(&scene));
+    for name in ["a \"b\" \\ c", "牛", "line\nbreak\t\u{7f}", "x = { }"] {
+        let name = name.to_owned();
+        let mesh = Solid::Tetrahedron.mesh();
+        let model = Model::Mesh(Arc::new(NamedMesh { name, mesh }));
+        scene.set_object(0, Object::new(model, [0.0; 3], [0.0; 3], 1.0).expect("finite"));
+        assert_eq!(read(&written(&scene)).as_ref(), Ok(&scene));
+    }
+}
+
+fn number() -> impl Strategy<Value = f64> {
+    prop_oneof![-9.0..9.0, Just(0.0), Just(-0.0), Just(1e-7), Just(0.1), Just(1e15), -1e3..1e3]
+}
+
+fn place() -> impl Strategy<Value = [f64; 3]> {
+    prop::array::uniform3(number())
+}
+
+fn model() -> impl Strategy<Value = Model> {
+    let vertices = prop::collection::vec(prop::array::uniform3(-8f32..8f32), 3..9);
+    let meshes = (vertices, any::<bool>(), any::<[u8; 6]>()).prop_map(|(positions, has_uvs, picks)| {
+        let n = positions.len() as u32;
+        let [a, b] = [0, 3].map(|from| [0, 1, 2].map(|i| u32::from(picks[from + i]) % n));
+        let uvs = positions.iter().filter(|_| has_uvs);
+        let uvs = uvs.map(|&[x, y, _]| [x, y]).collect();
+        let mesh = Mesh::new(positions, uvs, vec![a, b]).expect("in order");
+        let name = "m".to_owned();
+        Model::Mesh(Arc::new(NamedMesh { name, mesh }))
+    });
+    prop_oneof![
+        prop::sample::select(Solid::ALL.to_vec()).prop_map(Model::Solid),
+        meshes,
+    ]
+}
+
+fn object() -> impl Strategy<Value = Object> {
+    (model(), place(), place(), 0.01..90.0)
+        .prop_map(|(model, at, turn, size)| Object::new(model, at, turn, size).expect("finite"))
+}
+
+prop_compose! {
+    fn scenes()(
+        methods in [any::<prop::sample::Index>(), any::<prop::sample::Index>()],
+        places in [place(), place()],
+        volume in (any::<bool>(), 0.5..170.0, 0.1..4.0, 0.01..5.0, 0.01..90.0),
+        eye in (place(), [-400.0..400.0, -89.0..89.0], 1e-3..1e5, 1.0..120.0),
+        objects in prop::collection::vec(object(), 1..6),
+        point in place(),
+        picks in [any::<prop::sample::Index>(), any::<prop::sample::Index>()],
+    ) -> Option<Scene> {
+        let known: Vec<Method> = Method::all().collect();
+        let [method, compare] = methods.map(|index| *index.get(&known));
+        let (is_parallel, open, aspect, near, depth) = volume;
+        let opening = if is_parallel { Opening::Height(open) } else { Opening::FovY(open) };
+        let [position, target] = places;
+        let up = [0.1, 1.0, 0.3];
+        let camera = TaughtCamera::new([position, target, up], opening, aspect, [near, near + depth]).ok()?;
+        let eye = Orbit::new(eye.0, eye.1, eye.2, eye.3);
+        let mut scene = Scene::new(method, camera, eye, objects).ok()?;
+        scene.compare = (compare != method).then_some(compare);
+        scene.set_point(point).ok()?;
+        scene.set_focus(picks[0].index(scene.objects().len())).ok()?;
+        let n_faces = scene.focused().model().mesh().faces().len();
+        scene.set_face(picks[1].index(n_faces)).ok()?;
+        Some(scene)
+    }
+}
+
+proptest! {
+    #[test]
+    fn what_is_written_is_read_bit_for_bit(scene in scenes()) {
+        let Some(scene) = scene else {
+            return Ok(());
+        };
+        let again = read(&written(&scene));
+        prop_assert_eq!(again, Ok(scene));
+    }
+}

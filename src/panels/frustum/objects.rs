@@ -1,0 +1,110 @@
+//! The objects of a scene: one more of each kind, the one in focus, and a street of many.
+
+use egui::{Button, DragValue, Slider, Ui};
+
+use crate::{
+    geom::Solid,
+    labs::{
+        Edit,
+        frustum::{FrustumChange, MAX_OBJECTS, Model, Object, Scene},
+    },
+    lesson::spot,
+    panels::{PanelAsk, Seeded, number_field},
+    widgets::{Look, form_button, menu_button},
+};
+
+use super::{own, tuned};
+
+/// Numbers of this form come after the camera's.
+const FIRST_NUMBER: usize = 4;
+
+/// One more object, one less, and the numbers of the one in focus; what was asked for.
+pub fn rows(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
+    let added = menu_button(ui, look.say("object-add"), |ui| kinds(ui, look));
+    let can_remove = scene.objects().len() > 1;
+    let remove = Button::new(look.say("object-remove"));
+    let removed = ui.add_enabled(can_remove, remove).clicked();
+    let form = form_button(ui, look.say("object-numbers"), |ui| {
+        focus(ui, look, scene).or(place(ui, look, scene))
+    });
+    let added = added.inner.flatten().map(FrustumChange::Add).map(own);
+    added
+        .or(removed.then_some(PanelAsk::Edit(Edit::Remove(None))))
+        .or(form.inner.flatten())
+}
+
+/// Everything that can be put into a scene.
+fn kinds(ui: &mut Ui, look: Look<'_>) -> Option<Model> {
+    let mut asked = None;
+    for solid in Solid::ALL {
+        if ui.button(look.say(solid_key(solid))).clicked() {
+            asked = Some(Model::Solid(solid));
+            ui.close();
+        }
+    }
+    if ui.button(look.say("solid-spot")).clicked() {
+        asked = Some(spot::model());
+        ui.close();
+    }
+    asked
+}
+
+const fn solid_key(solid: Solid) -> &'static str {
+    match solid {
+        Solid::Cube => "solid-cube",
+        Solid::Tetrahedron => "solid-tetrahedron",
+        Solid::Octahedron => "solid-octahedron",
+        Solid::Sphere => "solid-sphere",
+        Solid::Torus => "solid-torus",
+        Solid::Angle => "solid-angle",
+    }
+}
+
+/// Which object is looked at, and which face of it: people count from 1.
+fn focus(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
+    let n_faces = scene.focused().model().mesh().faces().len();
+    let mut number = |key, index: usize, count: usize| {
+        let mut number = index + 1;
+        ui.horizontal(|ui| {
+            let label = ui.label(look.say(key));
+            let field = DragValue::new(&mut number).range(1..=count).speed(0.1);
+            ui.add(field).labelled_by(label.id);
+        });
+        (number != index + 1).then(|| number - 1)
+    };
+    let object = number("object-focus", scene.focus(), scene.objects().len());
+    let face = number("object-face", scene.face(), n_faces);
+    let object = object.map(|idx| tuned(FrustumChange::Focus(idx), FIRST_NUMBER));
+    object.or(face.map(|idx| tuned(FrustumChange::Face(idx), FIRST_NUMBER + 1)))
+}
+
+/// How the object in focus is turned, and how large it is.
+fn place(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
+    let object: &Object = scene.focused();
+    let mut asked = None;
+    let keys = ["object-turn-x", "object-turn-y", "object-turn-z"];
+    for (axis, key) in keys.into_iter().enumerate() {
+        let mut turn_deg = object.turn_deg();
+        if let Some(degrees) = number_field(ui, look, (key, "°"), turn_deg[axis], &(-360.0..=360.0)) {
+            turn_deg[axis] = degrees;
+            asked = Some(tuned(FrustumChange::Turn(turn_deg), FIRST_NUMBER + 2 + axis));
+        }
+    }
+    if let Some(size) = number_field(ui, look, ("object-size", ""), object.size(), &(0.01..=100.0)) {
+        asked = Some(tuned(FrustumChange::Size(size), FIRST_NUMBER + 5));
+    }
+    asked
+}
+
+/// As many boxes as are asked for, on both sides of a street.
+pub fn street(ui: &mut Ui, look: Look<'_>, street: &mut Seeded) -> Option<PanelAsk> {
+    let mut is_asked = false;
+    form_button(ui, look.say("street-title"), |ui| {
+        let slider = |ui: &mut Ui, count: &mut usize| {
+            ui.add(Slider::new(count, 1..=MAX_OBJECTS).logarithmic(true))
+        };
+        is_asked = street.show_with(ui, look, ["street-count", "street-make"], slider);
+    });
+    let &mut Seeded { count, seed } = street;
+    is_asked.then(|| own(FrustumChange::Street { count, seed }))
+}

@@ -1,0 +1,431 @@
+//! Cases of the frustum lab and their answers: what every script and grader builds on.
+
+use clipscope::{
+    case::{Detail, Format, Solvers, Style, trace},
+    text::Lang,
+};
+use serde_json::{Value as Json, json};
+
+const JSON: Style = Style {
+    format: Format::Json,
+    detail: Detail::Steps,
+    lang: Lang::En,
+};
+
+fn answers(cases: &str, style: Style) -> String {
+    let mut out = Vec::new();
+    trace(
+        Solvers::standard(),
+        cases.as_bytes(),
+        &mut out,
+        style,
+        |_| {},
+    )
+    .expect("memory can be read and written");
+    String::from_utf8(out).expect("answers are UTF-8")
+}
+
+fn answer(case: &str) -> Json {
+    serde_json::from_str(&answers(case, JSON)).expect("one answer of JSON")
+}
+
+fn line(id: &str, fields: &str) -> String {
+    format!(r#"{{"algorithm":"{id}",{fields}}}"#)
+}
+
+fn output(id: &str, fields: &str) -> Json {
+    let answer = answer(&line(id, fields));
+    assert!(answer["error"].is_null(), "{fields}: {answer}");
+    answer["output"].clone()
+}
+
+const FRUSTUM: &str = r#""frustum":{"fov_y_deg":90,"aspect":1,"near":1,"far":10}"#;
+/// In x and z the same as that of 90°: x ≤ −z and x ≥ z; between z = −1 and z = −9.
+const PLANES: &str =
+    r#""planes":[[0,0,-1,-1],[0,0,1,9],[1,0,-1,0],[-1,0,-1,0],[0,1,-1,0],[0,-1,-1,0]]"#;
+/// Edges (1, 0, −1) and (0, 2, −1): their cross product is N1 = (2, 1, 2) of the slides.
+const N1: &str = r#""triangle":[[0,0,0],[1,0,-1],[0,2,-1]]"#;
+/// Edges (0, 1, 1/2) and (2, 0, −3): N2 = (−3, 1, −2).
+const N2: &str = r#""triangle":[[4,4,4],[4,5,4.5],[6,4,1]]"#;
+
+#[test]
+fn a_sphere_lies_inside_outside_or_on_both_sides() {
+    let far = output("sphere-cull", &format!(r#"{FRUSTUM},"sphere":[0,0,-11.5,1]"#));
+    assert_eq!(
+        far,
+        json!({"class": "outside", "distances": [10.5, -1.5]}),
+        "the far plane rejects it, and no other is asked"
+    );
+    let inside = output("sphere-cull", &format!(r#"{FRUSTUM},"sphere":[0,0,-5,1]"#));
+    assert_eq!(inside["class"], "inside");
+    let found: Vec<f64> = numbers(&inside["distances"]);
+    // Half of 90° to every side: 5·sin 45°.
+    let side = 5.0 * std::f64::consts::FRAC_1_SQRT_2;
+    for (found, expected) in found.iter().zip([4.0, 5.0, side, side, side, side]) {
+        assert!((found - expected).abs() < 1e-14, "{inside}");
+    }
+    assert_eq!(found.len(), 6);
+    for (sphere, class) in [
+        ("[0,0,-1,0]", "inside"),
+        ("[0,0,-1,0.5]", "straddles"),
+        ("[0,0,0,1]", "straddles"),
+        ("[0,0,0,0.875]", "outside"),
+    ] {
+        let found = output("sphere-cull", &format!(r#"{FRUSTUM},"sphere":{sphere}"#));
+        assert_eq!(found["class"], class, "{sphere}");
+    }
+}
+
+fn numbers(list: &Json) -> Vec<f64> {
+    let list = list.as_array().expect("a list");
+    list.iter().filter_map(Json::as_f64).collect()
+}
+
+#[test]
+fn distances_are_divided_by_the_length_of_the_normal_and_touching_is_kept() {
+    for (sphere, class, distance) in [
+        ("[-3,-5,0,4]", "outside", -4.8),
+        ("[-3,-4,0,4]", "straddles", -4.0),
+        ("[-3,-4,0,3.75]", "outside", -4.0),
+        ("[1,3,0,4]", "inside", 4.0),
+        ("[1,3,0,4.25]", "straddles", 4.0),
+    ] {
+        let fields = format!(r#""planes":[[3,4,0,5]],"sphere":{sphere}"#);
+        let found = output("sphere-cull", &fields);
+        assert_eq!(found, json!({"class": class, "distances": [distance]}));
+    }
+}
+
+#[test]
+fn a_parallel_volume_has_a_height_and_may_begin_behind_the_eye() {
+    let volume = r#""frustum":{"height":4,"aspect":2,"near":-1,"far":3}"#;
+    for (sphere, class, distances) in [
+        ("[0,0,0,1]", "inside", json!([1.0, 3.0, 4.0, 4.0, 2.0, 2.0])),
+        ("[0,2,0,1]", "straddles", json!([1.0, 3.0, 4.0, 4.0, 4.0, 0.0])),
+        ("[6,0,0,1]", "outside", json!([1.0, 3.0, 10.0, -2.0])),
+    ] {
+        let found = output("sphere-cull", &format!(r#"{volume},"sphere":{sphere}"#));
+        assert_eq!(found, json!({"class": class, "distances": distances}));
+    }
+}
+
+#[test]
+fn a_box_is_asked_by_its_corners_and_then_whether_it_is_kept_in_vain() {
+    for (bounds, class, in_vain) in [
+        ("[-1,-1,-5,1,1,-4]", "inside", false),
+        ("[-9,-9,-9,9,9,-9]", "inside", false),
+        ("[-1,-1,-12,1,1,-9.5]", "outside", false),
+        // Its only corner at z = −9 nearest to the middle is the volume's own.
+        ("[9,9,-12,20,20,-9]", "straddles", false),
+        ("[9.5,-1,-10,40,1,20]", "straddles", true),
+        // A point, in the corner of three planes.
+        ("[1,1,-1,1,1,-1]", "inside", false),
+        ("[2,0,-1,2,0,-1]", "outside", false),
+    ] {
+        let found = output("box-cull", &format!(r#"{PLANES},"box":{bounds}"#));
+        let expected = json!({"class": class, "false_positive": in_vain});
+        assert_eq!(found, expected, "{bounds}");
+    }
+    let found = output(
+        "box-cull",
+        &format!(r#"{FRUSTUM},"box":[10.5,-1,-11,40,1,20]"#),
+    );
+    assert_eq!(found, json!({"class": "straddles", "false_positive": true}));
+}
+
+#[test]
+fn two_planes_that_make_a_wedge_keep_a_box_below_their_edge() {
+    // y ≥ 10·|x|
+    let wedge = r#""planes":[[-10,1,0,0],[10,1,0,0]]"#;
+    for (top, in_vain) in [(-1.0, true), (0.0, false), (1.0, false)] {
+        let fields = format!(r#"{wedge},"box":[-3,-2,-1,3,{top},1]"#);
+        let expected = json!({"class": "straddles", "false_positive": in_vain});
+        assert_eq!(output("box-cull", &fields), expected, "{top}");
+    }
+}
+
+#[test]
+fn the_slides_faces_are_seen_and_not_seen() {
+    for (triangle, front, dot) in [(N1, true, 10.0), (N2, false, -10.0)] {
+        let fields = format!(r#"{triangle},"view_dir":[0,0,-5]"#);
+        let expected = json!({"front": front, "dot": dot, "det": dot});
+        assert_eq!(output("back-face", &fields), expected);
+    }
+    // From a point e = (1, 2, 3) − V0: (2, 1, 2)·(1, 2, 3) = 10 and (−3, 1, −2)·(−3, −2, −1) = 9.
+    for (triangle, dot) in [(N1, 10.0), (N2, 9.0)] {
+        let fields = format!(r#"{triangle},"eye":[1,2,3]"#);
+        let expected = json!({"front": true, "dot": dot, "det": dot});
+        assert_eq!(output("back-face", &fields), expected);
+    }
+    let edge_on = r#""triangle":[[0,0,0],[1,0,0],[0,1,0]],"eye":[7,-3,0]"#;
+    let no_area = r#""triangle":[[0,0,0],[1,1,1],[2,2,2]],"eye":[7,-3,5]"#;
+    for fields in [edge_on, no_area] {
+        assert_eq!(output("back-face", fields)["front"], false, "{fields}");
+    }
+}
+
+#[test]
+fn an_answer_has_the_form_that_was_promised() {
+    let case = format!(r#"{{"id":7,"algorithm":"back-face",{N1},"view_dir":[0,0,-5]}}"#);
+    let [head, events] = [
+        r#"{"id":7,"algorithm":"back-face","output":{"front":true,"dot":10.0,"det":10.0},"counts":{"#,
+        r#""events":[{"event":"normal","edges":[[1.0,0.0,-1.0],[0.0,2.0,-1.0]],"normal":[2.0,1.0,2.0]},"#,
+    ];
+    let found = answers(&case, JSON);
+    assert!(found.starts_with(head) && found.contains(events), "{found}");
+    let asked = answer(&line("sphere-cull", &format!(r#"{FRUSTUM},"sphere":[0,0,-9,0.5]"#)));
+    let planes: Vec<&Json> = asked["events"]
+        .as_array()
+        .into_iter()
+        .flatten()
+        .filter(|event| event["event"] == "plane")
+        .map(|event| &event["plane_idx"])
+        .collect();
+    assert_eq!(planes, [0, 1, 2, 3, 4, 5], "near, far, left, right, bottom, top");
+}
+
+#[test]
+fn without_events_the_answer_is_the_same() {
+    let cases = [
+        line("sphere-cull", &format!(r#"{PLANES},"sphere":[0,0,-5,7]"#)),
+        line("box-cull", &format!(r#"{FRUSTUM},"box":[9.5,-1,-10,40,1,20]"#)),
+        line("back-face", &format!(r#"{N2},"eye":[0,0.5,9]"#)),
+    ];
+    for case in cases {
+        let mut with = answer(&case);
+        let style = Style {
+            detail: Detail::Answers,
+            ..JSON
+        };
+        let without: Json = serde_json::from_str(&answers(&case, style)).expect("JSON");
+        let events = with.as_object_mut().and_then(|a| a.remove("events"));
+        let events = events.expect("steps");
+        for event in events.as_array().expect("a list") {
+            assert!(event["event"].is_string(), "{event} has a name");
+        }
+        assert_eq!(with, without);
+    }
+}
+
+/// The code and the place of a refusal.
+fn refusal(case: &str) -> [String; 2] {
+    let answer = answer(case);
+    let word = |key: &str| {
+        let word = answer["error"][key].as_str();
+        word.unwrap_or_else(|| panic!("{case:.200} is refused, not {answer:.200}"))
+            .to_owned()
+    };
+    assert!(!word("message").contains('⟦'), "{answer} has its sentence");
+    [word("code"), word("field")]
+}
+
+#[test]
+fn planes_and_volumes_are_refused_at_the_very_field() {
+    for (given, code, field) in [
+        (r#""planes":7"#, "wrong-type", "planes"),
+        (r#""planes":[]"#, "wrong-length", "planes"),
+        (r#""planes":[[1,0,0]]"#, "wrong-length", "planes[0]"),
+        (r#""planes":[[1,0,0,0],[0,0,0,1]]"#, "degenerate", "planes[1]"),
+        (r#""planes":[[1,0,1e999,0]]"#, "not-finite", "planes[0][2]"),
+        (r#""planes":[[1,0,"0",0]]"#, "wrong-type", "planes[0][2]"),
+        (r#""frustum":[90,1,1,10]"#, "wrong-type", "frustum"),
+        (r#""frustum":{}"#, "missing-field", "frustum.fov_y_deg"),
+        (
+            r#""frustum":{"fov_y_deg":90,"aspect":1,"near":1}"#,
+            "missing-field",
+            "frustum.far",
+        ),
+        (
+            r#""frustum":{"fov_y_deg":90,"aspect":1,"near":1,"far":9,"fov_x":90}"#,
+            "unknown-field",
+            "frustum.fov_x",
+        ),
+        (
+            r#""frustum":{"fov_y_deg":90,"height":2,"aspect":1,"near":1,"far":9}"#,
+            "unknown-field",
+            "frustum.height",
+        ),
+        (
+            r#""frustum":{"fov_y_deg":90,"aspect":1,"near":1,"far":9,"near":2}"#,
+            "bad-json",
+            "frustum.near",
+        ),
+        (
+            r#""frustum":{"fov_y_deg":180,"aspect":1,"near":1,"far":9}"#,
+            "degenerate",
+            "frustum.fov_y_deg",
+        ),
+        (
+            r#""frustum":{"height":0,"aspect":1,"near":1,"far":9}"#,
+            "degenerate",
+            "frustum.height",
+        ),
+        (
+            r#""frustum":{"fov_y_deg":90,"aspect":0,"near":1,"far":9}"#,
+            "degenerate",
+            "frustum.aspect",
+        ),
+        (
+            r#""frustum":{"fov_y_deg":90,"aspect":1,"near":0,"far":9}"#,
+            "degenerate",
+            "frustum.near",
+        ),
+        (
+            r#""frustum":{"fov_y_deg":90,"aspect":1,"near":1,"far":1}"#,
+            "degenerate",
+            "frustum.far",
+        ),
+        (
+            r#""frustum":{"fov_y_deg":1e999,"aspect":1,"near":1,"far":2}"#,
+            "not-finite",
+            "frustum.fov_y_deg",
+        ),
+        (
+            r#""frustum":{"fov_y_deg":90,"aspect":"wide","near":1,"far":2}"#,
+            "wrong-type",
+            "frustum.aspect",
+        ),
+    ] {
+        let sphere = line("sphere-cull", &format!(r#"{given},"sphere":[0,0,0,1]"#));
+        assert_eq!(refusal(&sphere), [code, field], "{given}");
+        let boxed = line("box-cull", &format!(r#"{given},"box":[0,0,0,1,1,1]"#));
+        assert_eq!(refusal(&boxed), [code, field], "{given}");
+    }
+}
+
+#[test]
+fn what_is_culled_is_refused_at_the_very_field() {
+    let eye = r#""eye":[0,0,5]"#;
+    for (id, fields, code, field) in [
+        (
+            "sphere-cull",
+            format!(r#"{FRUSTUM},"sphere":[0,0,0,-1]"#),
+            "degenerate",
+            "sphere[3]",
+        ),
+        (
+            "sphere-cull",
+            format!(r#"{FRUSTUM},"sphere":[0,0,0]"#),
+            "wrong-length",
+            "sphere",
+        ),
+        ("sphere-cull", FRUSTUM.to_owned(), "missing-field", "sphere"),
+        (
+            "sphere-cull",
+            r#""sphere":[0,0,0,1]"#.to_owned(),
+            "missing-field",
+            "planes",
+        ),
+        (
+            "sphere-cull",
+            format!(r#"{FRUSTUM},{PLANES},"sphere":[0,0,0,1]"#),
+            "unknown-field",
+            "frustum",
+        ),
+        (
+            "sphere-cull",
+            format!(r#"{FRUSTUM},"box":[0,0,0,1,1,1],"sphere":[0,0,0,1]"#),
+            "unknown-field",
+            "box",
+        ),
+        (
+            "box-cull",
+            format!(r#"{FRUSTUM},"box":[0,2,0,1,1,1]"#),
+            "empty-window",
+            "box",
+        ),
+        (
+            "box-cull",
+            format!(r#"{FRUSTUM},"box":[0,0,0,1,1,-1e400]"#),
+            "not-finite",
+            "box[5]",
+        ),
+        (
+            "back-face",
+            format!(r#""triangle":[[0,0,0],[1,0,0]],{eye}"#),
+            "wrong-length",
+            "triangle",
+        ),
+        (
+            "back-face",
+            format!(r#""triangle":[[0,0,0],[1,0],[0,1,0]],{eye}"#),
+            "wrong-length",
+            "triangle[1]",
+        ),
+        (
+            "back-face",
+            format!(r#""triangle":[[0,0,0],[1,0,0],[0,null,0]],{eye}"#),
+            "wrong-type",
+            "triangle[2][1]",
+        ),
+        ("back-face", N1.to_owned(), "missing-field", "eye"),
+        (
+            "back-face",
+            format!(r#"{N1},{eye},"view_dir":[0,0,-1]"#),
+            "unknown-field",
+            "view_dir",
+        ),
+        (
+            "back-face",
+            format!(r#"{N1},"view_dir":[0,-0.0,0]"#),
+            "degenerate",
+            "view_dir",
+        ),
+    ] {
+        assert_eq!(refusal(&line(id, &fields)), [code, field], "{fields}");
+    }
+}
+
+#[test]
+fn only_a_report_of_very_many_planes_is_refused() {
+    let planes = vec!["[1,0,0,0]"; 2000].join(",");
+    let case = line(
+        "sphere-cull",
+        &format!(r#""planes":[{planes}],"sphere":[1,0,0,1]"#),
+    );
+    assert_eq!(refusal(&case), ["too-large", "planes"]);
+    let style = Style {
+        detail: Detail::Answers,
+        ..JSON
+    };
+    let alone: Json = serde_json::from_str(&answers(&case, style)).expect("JSON");
+    assert_eq!(alone["output"]["class"], "inside");
+}
+
+fn reported() -> String {
+    [
+        line("sphere-cull", &format!(r#"{FRUSTUM},"sphere":[1,2,-4,1]"#)),
+        line("sphere-cull", r#""planes":[[3,4,0,5]],"sphere":[-3,-4,0,2]"#),
+        line("box-cull", &format!(r#"{PLANES},"box":[9.5,-1,-10,40,1,20]"#)),
+        line("back-face", &format!(r#"{N1},"view_dir":[0,0,-5]"#)),
+        line("back-face", &format!(r#"{N2},"eye":[1,2,3]"#)),
+    ]
+    .join("\n")
+}
+
+#[test]
+fn reports_are_as_they_were() {
+    for (name, format, lang) in [
+        ("frustum-en.md", Format::Markdown, Lang::En),
+        ("frustum-zh-CN.txt", Format::Text, Lang::ZhCn),
+        ("frustum-es.txt", Format::Text, Lang::Es),
+        ("frustum-pt-BR.md", Format::Markdown, Lang::PtBr),
+    ] {
+        let style = Style {
+            format,
+            detail: Detail::Steps,
+            lang,
+        };
+        let report = answers(&reported(), style);
+        assert!(!report.contains('⟦'), "{name}: every sentence is there");
+        let path = format!("{}/tests/reports/{name}", env!("CARGO_MANIFEST_DIR"));
+        if std::env::var_os("UPDATE_SNAPSHOTS").is_some() {
+            std::fs::write(&path, &report).expect("a snapshot can be written");
+        }
+        let expected = std::fs::read_to_string(&path).unwrap_or_default();
+        assert_eq!(
+            report, expected,
+            "{path}; UPDATE_SNAPSHOTS=1 writes what is now right"
+        );
+    }
+}
