@@ -49,8 +49,33 @@ const N1: &str = r#""triangle":[[0,0,0],[1,0,-1],[0,2,-1]]"#;
 const N2: &str = r#""triangle":[[4,4,4],[4,5,4.5],[6,4,1]]"#;
 
 #[test]
+fn a_point_has_a_distance_from_every_plane() {
+    for (point, inside, distances) in [
+        ("[0,0,-1]", true, json!([0.0, 8.0, 1.0, 1.0, 1.0, 1.0])),
+        ("[2,0,-1]", false, json!([0.0, 8.0, 3.0, -1.0, 1.0, 1.0])),
+    ] {
+        let scaled = PLANES.replace("[0,0,-1,-1]", "[0,0,-4,-4]");
+        let sides = [
+            ("[1,0,-1,0]", "[1,0,0,1]"),
+            ("[-1,0,-1,0]", "[-1,0,0,1]"),
+            ("[0,1,-1,0]", "[0,1,0,1]"),
+            ("[0,-1,-1,0]", "[0,-1,0,1]"),
+        ];
+        // A box: its planes have normals of length 1, but for the first.
+        let planes = sides
+            .iter()
+            .fold(scaled, |text, (old, new)| text.replace(old, new));
+        let found = output("point-planes", &format!(r#"{planes},"point":{point}"#));
+        assert_eq!(found, json!({"inside": inside, "distances": distances}));
+    }
+}
+
+#[test]
 fn a_sphere_lies_inside_outside_or_on_both_sides() {
-    let far = output("sphere-cull", &format!(r#"{FRUSTUM},"sphere":[0,0,-11.5,1]"#));
+    let far = output(
+        "sphere-cull",
+        &format!(r#"{FRUSTUM},"sphere":[0,0,-11.5,1]"#),
+    );
     assert_eq!(
         far,
         json!({"class": "outside", "distances": [10.5, -1.5]}),
@@ -101,7 +126,11 @@ fn a_parallel_volume_has_a_height_and_may_begin_behind_the_eye() {
     let volume = r#""frustum":{"height":4,"aspect":2,"near":-1,"far":3}"#;
     for (sphere, class, distances) in [
         ("[0,0,0,1]", "inside", json!([1.0, 3.0, 4.0, 4.0, 2.0, 2.0])),
-        ("[0,2,0,1]", "straddles", json!([1.0, 3.0, 4.0, 4.0, 4.0, 0.0])),
+        (
+            "[0,2,0,1]",
+            "straddles",
+            json!([1.0, 3.0, 4.0, 4.0, 4.0, 0.0]),
+        ),
         ("[6,0,0,1]", "outside", json!([1.0, 3.0, 10.0, -2.0])),
     ] {
         let found = output("sphere-cull", &format!(r#"{volume},"sphere":{sphere}"#));
@@ -173,7 +202,10 @@ fn an_answer_has_the_form_that_was_promised() {
     ];
     let found = answers(&case, JSON);
     assert!(found.starts_with(head) && found.contains(events), "{found}");
-    let asked = answer(&line("sphere-cull", &format!(r#"{FRUSTUM},"sphere":[0,0,-9,0.5]"#)));
+    let asked = answer(&line(
+        "sphere-cull",
+        &format!(r#"{FRUSTUM},"sphere":[0,0,-9,0.5]"#),
+    ));
     let planes: Vec<&Json> = asked["events"]
         .as_array()
         .into_iter()
@@ -181,14 +213,21 @@ fn an_answer_has_the_form_that_was_promised() {
         .filter(|event| event["event"] == "plane")
         .map(|event| &event["plane_idx"])
         .collect();
-    assert_eq!(planes, [0, 1, 2, 3, 4, 5], "near, far, left, right, bottom, top");
+    assert_eq!(
+        planes,
+        [0, 1, 2, 3, 4, 5],
+        "near, far, left, right, bottom, top"
+    );
 }
 
 #[test]
 fn without_events_the_answer_is_the_same() {
     let cases = [
         line("sphere-cull", &format!(r#"{PLANES},"sphere":[0,0,-5,7]"#)),
-        line("box-cull", &format!(r#"{FRUSTUM},"box":[9.5,-1,-10,40,1,20]"#)),
+        line(
+            "box-cull",
+            &format!(r#"{FRUSTUM},"box":[9.5,-1,-10,40,1,20]"#),
+        ),
         line("back-face", &format!(r#"{N2},"eye":[0,0.5,9]"#)),
     ];
     for case in cases {
@@ -225,7 +264,11 @@ fn planes_and_volumes_are_refused_at_the_very_field() {
         (r#""planes":7"#, "wrong-type", "planes"),
         (r#""planes":[]"#, "wrong-length", "planes"),
         (r#""planes":[[1,0,0]]"#, "wrong-length", "planes[0]"),
-        (r#""planes":[[1,0,0,0],[0,0,0,1]]"#, "degenerate", "planes[1]"),
+        (
+            r#""planes":[[1,0,0,0],[0,0,0,1]]"#,
+            "degenerate",
+            "planes[1]",
+        ),
         (r#""planes":[[1,0,1e999,0]]"#, "not-finite", "planes[0][2]"),
         (r#""planes":[[1,0,"0",0]]"#, "wrong-type", "planes[0][2]"),
         (r#""frustum":[90,1,1,10]"#, "wrong-type", "frustum"),
@@ -394,9 +437,16 @@ fn only_a_report_of_very_many_planes_is_refused() {
 
 fn reported() -> String {
     [
+        line("point-planes", r#""planes":[[3,4,0,5]],"point":[-3,1,2]"#),
         line("sphere-cull", &format!(r#"{FRUSTUM},"sphere":[1,2,-4,1]"#)),
-        line("sphere-cull", r#""planes":[[3,4,0,5]],"sphere":[-3,-4,0,2]"#),
-        line("box-cull", &format!(r#"{PLANES},"box":[9.5,-1,-10,40,1,20]"#)),
+        line(
+            "sphere-cull",
+            r#""planes":[[3,4,0,5]],"sphere":[-3,-4,0,2]"#,
+        ),
+        line(
+            "box-cull",
+            &format!(r#"{PLANES},"box":[9.5,-1,-10,40,1,20]"#),
+        ),
         line("back-face", &format!(r#"{N1},"view_dir":[0,0,-5]"#)),
         line("back-face", &format!(r#"{N2},"eye":[1,2,3]"#)),
     ]

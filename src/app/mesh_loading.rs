@@ -110,7 +110,9 @@ fn bytes_of(path: &Path, is_wanted: &dyn Fn() -> bool) -> Result<Vec<u8>, Diagno
         let is_too_large = kind.len().max(bytes.len() as u64) > MAX_MESH_BYTES;
         if is_too_large {
             let limit = (MAX_MESH_BYTES >> 20) as usize;
-            return Err(Message::new("error-file-too-large").with("limit", limit).into());
+            return Err(Message::new("error-file-too-large")
+                .with("limit", limit)
+                .into());
         }
         let piece = file.by_ref().take(PIECE_BYTES).read_to_end(&mut bytes)?;
         if piece == 0 || !is_wanted() {
@@ -147,7 +149,10 @@ impl App {
         let Some(read) = self.loading.as_ref().and_then(MeshLoading::answer) else {
             return;
         };
-        let path = self.loading.take().map_or_else(String::new, |loading| loading.path.clone());
+        let path = self
+            .loading
+            .take()
+            .map_or_else(String::new, |loading| loading.path.clone());
         self.notices.clear();
         match read {
             Ok(read) => self.add_mesh(&path, &read, now),

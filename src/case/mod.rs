@@ -59,8 +59,7 @@ impl Solvers {
     /// Those of all labs.
     #[must_use]
     pub const fn standard() -> Self {
-        static TABLES: [&[Solver]; 3] =
-            [&lines::SOLVERS, &polygons::SOLVERS, &frustum::SOLVERS];
+        static TABLES: [&[Solver]; 3] = [&lines::SOLVERS, &polygons::SOLVERS, &frustum::SOLVERS];
         Self::new(&TABLES)
     }
 }

@@ -52,7 +52,9 @@ Exit status: 0 done, 1 some of the input was refused, 2 wrong usage or nothing c
 #[derive(Subcommand)]
 enum Command {
     /// Open a lesson folder, a scene file or a mesh in the app
-    #[command(after_help = "Example:\n  clipscope open my-course/01-outcodes")]
+    #[command(
+        after_help = "Examples:\n  clipscope open my-course/01-outcodes\n  clipscope open cow.obj"
+    )]
     Open {
         /// A lesson folder, a folder of lessons, a scene file or a mesh
         path: PathBuf,

@@ -102,7 +102,9 @@ impl Mesh {
         };
         let (min, max) = (bounds.min(), bounds.max());
         let center: [f64; 3] = std::array::from_fn(|axis| min[axis].midpoint(max[axis]));
-        let half = (0..3).map(|axis| max[axis] - center[axis]).fold(0.0, f64::max);
+        let half = (0..3)
+            .map(|axis| max[axis] - center[axis])
+            .fold(0.0, f64::max);
         let scale = if half > 0.0 { half } else { 1.0 };
         for position in &mut self.positions {
             for (x, center) in position.iter_mut().zip(center) {

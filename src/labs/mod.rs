@@ -30,7 +30,7 @@ pub use typed::{place_of, written};
 
 use card::code_line;
 pub(crate) use demo::{record, record_wrong};
-pub(crate) use words::vertex_symbol;
+pub(crate) use words::{plane_symbol, vertex_symbol};
 
 /// Every lab, in the order in which they are taught.
 pub static LABS: [&dyn Lab; 3] = [lines::LAB, polygons::LAB, frustum::LAB];

@@ -106,6 +106,12 @@ pub fn vertex_symbol(vertex_idx: usize) -> String {
     format!("V{}", subscript(vertex_idx + 1))
 }
 
+/// `H₁`, `H₂`, …: planes that have no name are called by their half-spaces.
+#[must_use]
+pub fn plane_symbol(plane_idx: usize) -> String {
+    format!("H{}", subscript(plane_idx + 1))
+}
+
 /// [`vertex_symbol`], for a sentence.
 pub fn vertex_name(vertex_idx: usize) -> Value {
     name(vertex_symbol(vertex_idx))

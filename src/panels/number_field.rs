@@ -4,13 +4,13 @@ use std::ops::RangeInclusive;
 
 use egui::{DragValue, Ui};
 
-use crate::{text::read_numbers, widgets::Look};
+use crate::{
+    text::{Catalog, Notation, Value, read_numbers},
+    widgets::Look,
+};
 
-/// Digits behind the point that are shown.
-const DECIMALS: usize = 3;
-
-/// A number with its name before it and its unit behind; the other one that was asked for. One that was typed may lie beyond the
-/// range: whether it makes a scene, the scene knows.
+/// A number with its name before it and its unit behind; the other one that was asked for. One that was typed may lie beyond
+/// the range of dragging: whether it makes a scene, the scene knows.
 pub fn number_field(
     ui: &mut Ui,
     look: Look<'_>,
@@ -21,28 +21,61 @@ pub fn number_field(
     let mut number = value;
     // A hundredth of what it is for each point that the pointer moves.
     let speed = (0.01 * value.abs()).max(0.001);
-    let changed = ui
+    let field = ui
         .horizontal(|ui| {
             let label = ui.label(look.say(name_key));
             let field = DragValue::new(&mut number)
                 .speed(speed)
                 .suffix(unit)
-                .max_decimals(DECIMALS)
                 .update_while_editing(false)
-                .custom_formatter(|x, _| written(x))
-                .custom_parser(|text| read_numbers(text.trim_end_matches('°'))?.first().copied());
+                .custom_formatter(|x, _| written(look.catalog, x))
+                .custom_parser(|text| read(text, unit));
             ui.add(field).labelled_by(label.id)
         })
         .inner;
-    if changed.dragged() {
+    if field.dragged() {
         number = number.clamp(*range.start(), *range.end());
     }
-    (changed.changed() && number != value).then_some(number)
+    // A field that was visited and left is read as it was rounded for show.
+    let is_another = written(look.catalog, number) != written(look.catalog, value);
+    is_another.then_some(number)
 }
 
-/// `−1.5`, without zeros at the end.
-fn written(x: f64) -> String {
-    let text = format!("{x:.DECIMALS$}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    text.replace('-', "−")
+fn written(catalog: &Catalog, x: f64) -> String {
+    catalog.value_as(&Value::Number(x), Notation::Decimals)
+}
+
+/// One number, as a decimal or a fraction; a comma is a decimal point.
+fn read(text: &str, unit: &str) -> Option<f64> {
+    let number = text.trim().trim_end_matches(unit).replace(',', ".");
+    match read_numbers(&number)?[..] {
+        [number] => Some(number),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::text::Lang;
+
+    #[test]
+    fn what_is_written_is_read_and_so_is_what_people_type() {
+        for lang in Lang::ALL {
+            let catalog = Catalog::of(lang);
+            for x in [0.0, -1.5, 40.0, 0.6, 1000.0, -0.125] {
+                assert_eq!(read(&written(catalog, x), ""), Some(x), "{lang}");
+            }
+        }
+        for (text, expected) in [
+            ("3/2", Some(1.5)),
+            ("0,5", Some(0.5)),
+            (" −30° ", Some(-30.0)),
+            ("1 2", None),
+            ("", None),
+            ("wide", None),
+        ] {
+            assert_eq!(read(text, "°"), expected, "{text}");
+        }
+    }
 }

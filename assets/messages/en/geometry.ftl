@@ -10,6 +10,7 @@ object-hole = hole
 object-uv = texture coordinates
 object-outcode = outcode
 object-planes = planes
+object-point = point
 object-view-volume = view volume
 object-sphere = sphere
 object-box = box

@@ -10,6 +10,7 @@ object-hole = agujero
 object-uv = coordenadas de textura
 object-outcode = código de región
 object-planes = planos
+object-point = punto
 object-view-volume = volumen de visión
 object-sphere = esfera
 object-box = caja

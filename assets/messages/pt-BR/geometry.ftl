@@ -10,6 +10,7 @@ object-hole = furo
 object-uv = coordenadas de textura
 object-outcode = código de região
 object-planes = planos
+object-point = ponto
 object-view-volume = volume de visão
 object-sphere = esfera
 object-box = caixa

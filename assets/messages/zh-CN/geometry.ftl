@@ -10,6 +10,7 @@ object-hole = 内孔
 object-uv = 纹理坐标
 object-outcode = 区域码
 object-planes = 平面
+object-point = 点
 object-view-volume = 视体
 object-sphere = 球
 object-box = 盒

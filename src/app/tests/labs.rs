@@ -8,6 +8,9 @@ use crate::{
     text::{Catalog, Lang},
 };
 
+/// What works on a scene and not on a case.
+const WITHOUT_CASES: [&str; 1] = ["funnel"];
+
 #[test]
 fn every_lab_has_a_format_solvers_a_panel_and_words() {
     let kit = Kit::default();
@@ -26,7 +29,10 @@ fn every_lab_has_a_format_solvers_a_panel_and_words() {
         assert_eq!(read, scene, "{id}: its scenes are spelt");
         let solved = |id: &str| Solvers::standard().by_id(id).is_some();
         let methods = lab.methods();
-        let right = methods.iter().filter(|card| !card.is_faulty);
+        let has_cases = |id: &str| !WITHOUT_CASES.contains(&id);
+        let right = methods
+            .iter()
+            .filter(|card| !card.is_faulty && has_cases(card.id));
         for card in right {
             assert!(solved(card.id), "{}: no case can name it", card.id);
         }

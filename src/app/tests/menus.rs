@@ -17,19 +17,19 @@ impl Bench {
         self.names.clone()
     }
 
-    fn where_is(&mut self, name: &str) -> Option<Rect> {
+    pub(super) fn where_is(&mut self, name: &str) -> Option<Rect> {
         let mut named = self.named().into_iter();
         named.find(|(known, _)| known == name).map(|(_, rect)| rect)
     }
 
-    fn press_at(&mut self, at: Pos2) {
+    pub(super) fn press_at(&mut self, at: Pos2) {
         self.frame(0.1, vec![Event::PointerMoved(at)]);
         self.button(at, true);
         self.button(at, false);
         self.settle();
     }
 
-    fn click_on(&mut self, name: &str) {
+    pub(super) fn click_on(&mut self, name: &str) {
         let rect = self.where_is(name);
         let rect = rect.unwrap_or_else(|| panic!("no {name} in {:?}", self.names));
         self.press_at(rect.center());

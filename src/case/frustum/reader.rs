@@ -4,6 +4,7 @@ use crate::{
     algo::cull::Viewer,
     case::{Code, Fields, Given, Path, Refusal, Told},
     geom::{AlignedBox, Plane, Sphere},
+    labs::plane_symbol,
     text::{Formula, Message, Value},
 };
 
@@ -48,14 +49,26 @@ impl<'a> Reader<'a> {
         let plane = |(i, &row): (usize, &[f64; 4])| {
             Plane::new(row).map_err(|error| Refusal::space(&Path::Index(&node.path, i), error))
         };
-        let planes: Vec<Plane> = rows.iter().enumerate().map(plane).collect::<Result<_, _>>()?;
-        let inside = |plane: &Plane| {
-            let formula = vector(Formula::default(), plane.normal()).sym("·p + ");
+        let planes: Vec<Plane> = rows
+            .iter()
+            .enumerate()
+            .map(plane)
+            .collect::<Result<_, _>>()?;
+        let inside = |(i, plane): (usize, &Plane)| {
+            let formula = Formula::default().sym(plane_symbol(i)).sym(": ");
+            let formula = vector(formula, plane.normal()).sym("·p + ");
             Value::Formula(formula.operand(plane.d()).sym(" ≥ 0"))
         };
-        let given = Given::new("object-planes", planes.iter().map(inside));
+        let given = Given::new("object-planes", planes.iter().enumerate().map(inside));
         self.given.push(given);
         Ok(planes)
+    }
+
+    /// `point`
+    pub fn point(&mut self) -> Result<[f64; 3], Refusal> {
+        let point = self.fields.need("point")?.numbers()?;
+        self.given.push(place("object-point", point));
+        Ok(point)
     }
 
     /// `sphere`
@@ -82,7 +95,8 @@ impl<'a> Reader<'a> {
             let formula = Formula::default().num(min[axis]).sym(symbol);
             Value::Formula(formula.num(max[axis]))
         });
-        self.given.push(Given::new("object-box", ranges.into_iter()));
+        self.given
+            .push(Given::new("object-box", ranges.into_iter()));
         Ok(bounds)
     }
 
@@ -98,13 +112,9 @@ impl<'a> Reader<'a> {
 
     /// `eye`, or `view_dir`.
     pub fn viewer(&mut self) -> Result<Viewer, Refusal> {
-        let told = |key, at| {
-            let formula = vector(Formula::default(), at);
-            Given::new(key, [Value::Formula(formula)].into_iter())
-        };
         if let Some(node) = self.fields.get("eye") {
             let eye = node.numbers()?;
-            self.given.push(told("object-eye", eye));
+            self.given.push(place("object-eye", eye));
             return Ok(Viewer::Eye(eye));
         }
         let node = self.fields.need("view_dir")?;
@@ -113,9 +123,14 @@ impl<'a> Reader<'a> {
             let problem = Message::new("case-zero-direction");
             return Err(Refusal::at(Code::Degenerate, &node.path, problem));
         }
-        self.given.push(told("object-view-direction", direction));
+        self.given.push(place("object-view-direction", direction));
         Ok(Viewer::Direction(direction))
     }
+}
+
+fn place(name_key: &'static str, at: [f64; 3]) -> Given {
+    let formula = vector(Formula::default(), at);
+    Given::new(name_key, [Value::Formula(formula)].into_iter())
 }
 
 /// `(1, 2, 3)`

@@ -3,14 +3,38 @@
 use crate::{
     algo::cull::{
         BackFace, BackFaceInput, BackFaceOutput, BoxCull, BoxCullInput, BoxCullOutput, Containment,
-        SphereCull, SphereCullInput, SphereCullOutput,
+        PointPlanes, PointPlanesInput, PointPlanesOutput, SphereCull, SphereCullInput,
+        SphereCullOutput,
     },
     case::{Field, Fields, Refusal, Solve, Told},
-    labs::frustum::OnScene,
+    labs::{frustum::OnScene, plane_symbol},
     text::Message,
 };
 
 use super::reader::Reader;
+
+impl Solve for OnScene<PointPlanes> {
+    const FIELDS: &'static [Field] = &[
+        Field::choice("planes"),
+        Field::choice("frustum"),
+        Field::required("point"),
+    ];
+
+    fn read(fields: &Fields<'_>) -> Result<(Self::Input, Told), Refusal> {
+        let mut reader = Reader::new(fields);
+        let (planes, point) = (reader.planes()?, reader.point()?);
+        let input = PointPlanesInput { planes, point };
+        Ok((input.into(), reader.told()))
+    }
+
+    fn verdict(output: &PointPlanesOutput) -> Message {
+        Message::new(if output.inside {
+            "case-point-inside"
+        } else {
+            "case-point-outside"
+        })
+    }
+}
 
 impl Solve for OnScene<SphereCull> {
     const FIELDS: &'static [Field] = &[
@@ -29,7 +53,7 @@ impl Solve for OnScene<SphereCull> {
     fn verdict(output: &SphereCullOutput) -> Message {
         match (output.class, output.distances.last()) {
             (Containment::Outside, Some(&distance)) => Message::new("case-cull-outside")
-                .with("plane", output.distances.len())
+                .with("plane", plane_symbol(output.distances.len() - 1))
                 .with("distance", distance),
             (Containment::Inside | Containment::Outside, _) => Message::new("case-cull-inside"),
             (Containment::Straddles, _) => Message::new("case-cull-straddles"),
@@ -76,7 +100,11 @@ impl Solve for OnScene<BackFace> {
     }
 
     fn verdict(output: &BackFaceOutput) -> Message {
-        let key = if output.front { "case-front" } else { "case-back" };
+        let key = if output.front {
+            "case-front"
+        } else {
+            "case-back"
+        };
         Message::new(key).with("dot", output.dot)
     }
 }

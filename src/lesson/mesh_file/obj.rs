@@ -99,11 +99,7 @@ struct Reader {
 
 impl Reader {
     /// In a second round: faces may name vertices that come later.
-    fn faces<'t>(
-        &mut self,
-        statements: impl Iterator<Item = Statement<'t>>,
-        sink: &mut Sink<'_>,
-    ) {
+    fn faces<'t>(&mut self, statements: impl Iterator<Item = Statement<'t>>, sink: &mut Sink<'_>) {
         let mut so_far = [0; 2];
         for statement in statements {
             match statement.keyword() {

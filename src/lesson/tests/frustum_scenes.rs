@@ -44,13 +44,19 @@ fn written(scene: &Scene) -> String {
 fn every_field_is_read() {
     let scene = read(SCENE).expect("in order");
     assert_eq!(scene.method.card().id, "sphere-cull");
-    assert_eq!(scene.compare.map(|method| method.card().id), Some("box-cull"));
+    assert_eq!(
+        scene.compare.map(|method| method.card().id),
+        Some("box-cull")
+    );
     assert_eq!(
         scene.camera.places(),
         [[0.0, 2.0, 6.0], [0.0, 1.0, -2.0], [0.0, 1.0, 0.0]]
     );
     assert_eq!(scene.camera.opening(), Opening::FovY(40.0));
-    assert_eq!((scene.camera.aspect(), scene.camera.depths()), (1.6, [1.0, 12.0]));
+    assert_eq!(
+        (scene.camera.aspect(), scene.camera.depths()),
+        (1.6, [1.0, 12.0])
+    );
     assert_eq!(
         scene.eye,
         Orbit::new([0.0, 1.0, 0.0], [-58.0, 24.0], 26.0, 26.0)
@@ -96,12 +102,28 @@ const BROKEN: &[(&str, &str, &str)] = &[
     ("\"sphere-cull\"", "\"sphere-cul\"", "1:10 unknown-method"),
     ("camera =", "camra =", "3:1 unknown-field"),
     ("position = [0, 2, 6], ", "", "3:10 missing-field"),
-    ("position = [0, 2, 6]", "position = [0, 2]", "3:23 wrong-length"),
-    ("position = [0, 2, 6]", "position = [0, 2, nan]", "3:30 not-finite"),
+    (
+        "position = [0, 2, 6]",
+        "position = [0, 2]",
+        "3:23 wrong-length",
+    ),
+    (
+        "position = [0, 2, 6]",
+        "position = [0, 2, nan]",
+        "3:30 not-finite",
+    ),
     ("[0, 1, -2], fov", "[0, 2, 6], fov", "3:43 degenerate"),
-    ("fov_y_deg = 40", "up = [0, 1, 8], fov_y_deg = 40", "3:60 degenerate"),
+    (
+        "fov_y_deg = 40",
+        "up = [0, 1, 8], fov_y_deg = 40",
+        "3:60 degenerate",
+    ),
     ("fov_y_deg = 40", "fov_y_deg = 180", "3:67 degenerate"),
-    ("fov_y_deg = 40", "fov_y_deg = 40, height = 1", "3:80 two-openings"),
+    (
+        "fov_y_deg = 40",
+        "fov_y_deg = 40, height = 1",
+        "3:80 two-openings",
+    ),
     ("fov_y_deg = 40, ", "", "3:10 missing-field"),
     ("fov_y_deg = 40", "height = 0", "3:64 degenerate"),
     ("aspect = 1.6", "aspect = 0", "3:80 degenerate"),
@@ -110,7 +132,11 @@ const BROKEN: &[(&str, &str, &str)] = &[
     ("far = 12", "far = \"away\"", "3:101 wrong-type"),
     ("pitch_deg = 24", "pitch_deg = 95", "4:56 out-of-range"),
     ("distance = 26", "distance = 0", "4:71 out-of-range"),
-    ("point = [0.5, 1, -2]", "point = [0.5, 1]", "5:9 wrong-length"),
+    (
+        "point = [0.5, 1, -2]",
+        "point = [0.5, 1]",
+        "5:9 wrong-length",
+    ),
     ("focus = 1", "focus = 3", "6:9 no-such-object"),
     ("focus = 1", "focus = -1", "6:9 out-of-range"),
     ("face = 2", "face = 4", "7:8 no-such-face"),
@@ -133,11 +159,21 @@ fn every_mistake_has_its_place() {
         assert!(SCENE.contains(old), "the scene has no {old:?}");
         let found = read(&SCENE.replacen(old, new, 1)).expect_err(new);
         let expected = format!("a.toml:{expected}");
-        assert!(found.contains(&expected), "{new}: {found:?}, not {expected}");
+        assert!(
+            found.contains(&expected),
+            "{new}: {found:?}, not {expected}"
+        );
     }
-    let empty = SCENE.split("objects").next().expect("a beginning").to_owned();
+    let empty = SCENE
+        .split("objects")
+        .next()
+        .expect("a beginning")
+        .to_owned();
     assert_eq!(
-        read(&format!("{}objects = []\n", empty.replace("focus = 1\nface = 2\n", ""))),
+        read(&format!(
+            "{}objects = []\n",
+            empty.replace("focus = 1\nface = 2\n", "")
+        )),
         Err(vec!["a.toml:6:11 no-objects".to_owned()])
     );
     let two = format!("{SCENE}street = {{ count = 2, seed = 1 }}\n");
@@ -150,7 +186,8 @@ fn every_mistake_has_its_place() {
 /// The grid of n × n squares: a mesh as large as one wants.
 fn grid(n: u32) -> Mesh {
     let at = |i: u32, j: u32| i * (n + 1) + j;
-    let positions = (0..=n).flat_map(|i| (0..=n).map(move |j| [i as f32 * 0.1, j as f32 * 0.1, 0.0]));
+    let positions =
+        (0..=n).flat_map(|i| (0..=n).map(move |j| [i as f32 * 0.1, j as f32 * 0.1, 0.0]));
     let faces = (0..n).flat_map(|i| {
         (0..n).flat_map(move |j| {
             let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
@@ -167,7 +204,10 @@ fn for_a_mesh_that_is_too_large_a_cube_stands_in_the_file() {
         let name = "grid".to_owned();
         let mesh = grid(n);
         let model = Model::Mesh(Arc::new(NamedMesh { name, mesh }));
-        scene.set_object(1, Object::new(model, [1.0, 2.0, 3.0], [0.0; 3], 0.5).expect("finite"));
+        scene.set_object(
+            1,
+            Object::new(model, [1.0, 2.0, 3.0], [0.0; 3], 0.5).expect("finite"),
+        );
         scene.set_face(100).expect("it has as many");
         let again = read(&written(&scene)).expect("as it was written");
         let stands = again.focused();
@@ -178,19 +218,34 @@ fn for_a_mesh_that_is_too_large_a_cube_stands_in_the_file() {
 
 #[test]
 fn first_scenes_and_names_that_need_quotes_come_back() {
-    let mut scene: Scene = LAB.first_scene().get::<Scene>().expect("of this lab").clone();
+    let mut scene: Scene = LAB
+        .first_scene()
+        .get::<Scene>()
+        .expect("of this lab")
+        .clone();
     assert_eq!(read(&written(&scene)).as_ref(), Ok(&scene));
     for name in ["a \"b\" \\ c", "牛", "line\nbreak\t\u{7f}", "x = { }"] {
         let name = name.to_owned();
         let mesh = Solid::Tetrahedron.mesh();
         let model = Model::Mesh(Arc::new(NamedMesh { name, mesh }));
-        scene.set_object(0, Object::new(model, [0.0; 3], [0.0; 3], 1.0).expect("finite"));
+        scene.set_object(
+            0,
+            Object::new(model, [0.0; 3], [0.0; 3], 1.0).expect("finite"),
+        );
         assert_eq!(read(&written(&scene)).as_ref(), Ok(&scene));
     }
 }
 
 fn number() -> impl Strategy<Value = f64> {
-    prop_oneof![-9.0..9.0, Just(0.0), Just(-0.0), Just(1e-7), Just(0.1), Just(1e15), -1e3..1e3]
+    prop_oneof![
+        -9.0..9.0,
+        Just(0.0),
+        Just(-0.0),
+        Just(1e-7),
+        Just(0.1),
+        Just(1e15),
+        -1e3..1e3
+    ]
 }
 
 fn place() -> impl Strategy<Value = [f64; 3]> {
@@ -199,15 +254,16 @@ fn place() -> impl Strategy<Value = [f64; 3]> {
 
 fn model() -> impl Strategy<Value = Model> {
     let vertices = prop::collection::vec(prop::array::uniform3(-8f32..8f32), 3..9);
-    let meshes = (vertices, any::<bool>(), any::<[u8; 6]>()).prop_map(|(positions, has_uvs, picks)| {
-        let n = positions.len() as u32;
-        let [a, b] = [0, 3].map(|from| [0, 1, 2].map(|i| u32::from(picks[from + i]) % n));
-        let uvs = positions.iter().filter(|_| has_uvs);
-        let uvs = uvs.map(|&[x, y, _]| [x, y]).collect();
-        let mesh = Mesh::new(positions, uvs, vec![a, b]).expect("in order");
-        let name = "m".to_owned();
-        Model::Mesh(Arc::new(NamedMesh { name, mesh }))
-    });
+    let meshes =
+        (vertices, any::<bool>(), any::<[u8; 6]>()).prop_map(|(positions, has_uvs, picks)| {
+            let n = positions.len() as u32;
+            let [a, b] = [0, 3].map(|from| [0, 1, 2].map(|i| u32::from(picks[from + i]) % n));
+            let uvs = positions.iter().filter(|_| has_uvs);
+            let uvs = uvs.map(|&[x, y, _]| [x, y]).collect();
+            let mesh = Mesh::new(positions, uvs, vec![a, b]).expect("in order");
+            let name = "m".to_owned();
+            Model::Mesh(Arc::new(NamedMesh { name, mesh }))
+        });
     prop_oneof![
         prop::sample::select(Solid::ALL.to_vec()).prop_map(Model::Solid),
         meshes,

@@ -85,12 +85,22 @@ fn place(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
     let keys = ["object-turn-x", "object-turn-y", "object-turn-z"];
     for (axis, key) in keys.into_iter().enumerate() {
         let mut turn_deg = object.turn_deg();
-        if let Some(degrees) = number_field(ui, look, (key, "°"), turn_deg[axis], &(-360.0..=360.0)) {
+        if let Some(degrees) = number_field(ui, look, (key, "°"), turn_deg[axis], &(-360.0..=360.0))
+        {
             turn_deg[axis] = degrees;
-            asked = Some(tuned(FrustumChange::Turn(turn_deg), FIRST_NUMBER + 2 + axis));
+            asked = Some(tuned(
+                FrustumChange::Turn(turn_deg),
+                FIRST_NUMBER + 2 + axis,
+            ));
         }
     }
-    if let Some(size) = number_field(ui, look, ("object-size", ""), object.size(), &(0.01..=100.0)) {
+    if let Some(size) = number_field(
+        ui,
+        look,
+        ("object-size", ""),
+        object.size(),
+        &(0.01..=100.0),
+    ) {
         asked = Some(tuned(FrustumChange::Size(size), FIRST_NUMBER + 5));
     }
     asked

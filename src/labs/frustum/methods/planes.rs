@@ -6,16 +6,17 @@ use crate::{
     algo::cull::Containment,
     figure::{Gauge, Gauges, Link, Mark3, Role, Shape3},
     geom::{Plane, VolumeSide},
+    labs::plane_symbol,
     text::{Formula, Message, Value},
 };
 
 use super::super::stage::{Fate, Scenery, side_link, side_name};
 
-/// A plane's name: its side's in a scene, a number where a case gives planes alone.
+/// A plane's name: its side's in a scene, a symbol where a case gives planes alone.
 pub fn plane_name(scenery: Option<&Scenery>, plane_idx: usize) -> Value {
     match scenery.and(VolumeSide::ALL.get(plane_idx)) {
         Some(&side) => side_name(side),
-        None => Value::Name((plane_idx + 1).to_string()),
+        None => Value::Name(plane_symbol(plane_idx)),
     }
 }
 

@@ -16,7 +16,14 @@ use crate::{
 };
 
 const CAMERA: [&str; 8] = [
-    "position", "target", "up", "fov_y_deg", "height", "aspect", "near", "far",
+    "position",
+    "target",
+    "up",
+    "fov_y_deg",
+    "height",
+    "aspect",
+    "near",
+    "far",
 ];
 const EYE: [&str; 5] = ["target", "yaw_deg", "pitch_deg", "distance", "fov_y_deg"];
 
@@ -35,8 +42,7 @@ pub(super) fn camera(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<TaughtCamer
         None => Some(UP),
     };
     let opening = opening(&fields, sink);
-    let [aspect, near, far] =
-        ["aspect", "near", "far"].map(|name| required(&fields, name, sink));
+    let [aspect, near, far] = ["aspect", "near", "far"].map(|name| required(&fields, name, sink));
     let places = [position?, target?, up?];
     match TaughtCamera::new(places, opening?, aspect?, [near?, far?]) {
         Ok(camera) => Some(camera),
@@ -48,11 +54,7 @@ pub(super) fn camera(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<TaughtCamer
     }
 }
 
-fn place(
-    fields: &TomlFields<'_>,
-    name: &'static str,
-    sink: &mut Sink<'_>,
-) -> Option<[f64; 3]> {
+fn place(fields: &TomlFields<'_>, name: &'static str, sink: &mut Sink<'_>) -> Option<[f64; 3]> {
     let item = fields.require(name, sink)?;
     numbers(item, "expect-place", sink)
 }

@@ -9,9 +9,7 @@ use std::fmt::Write as _;
 use crate::{
     labs::{
         self, Lab,
-        frustum::{
-            LAB, MAX_OBJECTS, Method, Object, Scene, SceneError, street,
-        },
+        frustum::{LAB, MAX_OBJECTS, Method, Object, Scene, SceneError, street},
     },
     lesson::{
         sink::Sink,
@@ -125,14 +123,14 @@ fn frustum_method(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Method> {
 }
 
 /// The objects of a scene, listed or a street of boxes: one of the two.
-fn objects(
-    fields: &TomlFields<'_>,
-    room: &mut usize,
-    sink: &mut Sink<'_>,
-) -> Option<Vec<Object>> {
+fn objects(fields: &TomlFields<'_>, room: &mut usize, sink: &mut Sink<'_>) -> Option<Vec<Object>> {
     let (span, objects) = match (fields.get("objects"), fields.get("street")) {
         (Some(_), Some(street)) => {
-            sink.error(street.span(), Message::new("problem-two-kinds-of-objects"), []);
+            sink.error(
+                street.span(),
+                Message::new("problem-two-kinds-of-objects"),
+                [],
+            );
             return None;
         }
         (None, Some(item)) => {

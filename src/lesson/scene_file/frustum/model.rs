@@ -204,10 +204,16 @@ fn mesh_to_toml(NamedMesh { name, mesh }: &NamedMesh) -> String {
     list(&mut text, &mut positions);
     if !mesh.uvs().is_empty() {
         text.push_str(", uvs = [");
-        list(&mut text, &mut mesh.uvs().iter().map(|uv| array(&uv.map(f64::from))));
+        list(
+            &mut text,
+            &mut mesh.uvs().iter().map(|uv| array(&uv.map(f64::from))),
+        );
     }
     text.push_str(", faces = [");
-    list(&mut text, &mut mesh.faces().iter().map(|face| format!("{face:?}")));
+    list(
+        &mut text,
+        &mut mesh.faces().iter().map(|face| format!("{face:?}")),
+    );
     text + " }"
 }
 

@@ -8,7 +8,6 @@ use crate::{
     lesson::read_obj,
 };
 
-
 /// As scene files spell it.
 pub const ID: &str = "spot";
 

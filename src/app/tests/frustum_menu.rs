@@ -1,0 +1,112 @@
+//! The frustum lab's menu: its camera, its objects.
+
+use egui::{Event, Key, vec2};
+
+use super::{Bench, SIZE};
+use crate::{
+    app::{App, Command, Settings},
+    geom::Solid,
+    labs::frustum::{LAB, MAX_OBJECTS, Model, Opening, Scene},
+    lesson::Course,
+};
+
+/// On the lab, with nothing in focus.
+fn bench() -> Bench {
+    let mut bench = Bench::with(App::new(Course::default(), Settings::default()), SIZE);
+    bench.command(Command::Lab(LAB.id()));
+    bench
+}
+
+fn scene(bench: &Bench) -> &Scene {
+    bench.app.scene().get().expect("of this lab")
+}
+
+impl Bench {
+    /// Opens these menus, one in the other.
+    fn open_menus(&mut self, names: &[&str]) {
+        for name in names {
+            self.click_on(name);
+        }
+    }
+
+    /// Types a number into the field behind this name.
+    fn type_into(&mut self, name: &str, text: &str) {
+        let field = self.where_is(name);
+        let field = field.unwrap_or_else(|| panic!("no {name} in {:?}", self.names));
+        self.press_at(field.right_center() + vec2(24.0, 0.0));
+        self.frame(0.1, vec![Event::Text(text.to_owned())]);
+        self.key(Key::Enter);
+        self.settle();
+    }
+}
+
+#[test]
+fn the_camera_s_numbers_are_typed_and_undone() {
+    let mut bench = bench();
+    let before = scene(&bench).clone();
+    bench.open_menus(&["Scene", "Camera"]);
+    bench.type_into("Near plane", "3/2");
+    assert_eq!(scene(&bench).camera.depths()[0], 1.5);
+    bench.type_into("Field of view", "55");
+    assert_eq!(scene(&bench).camera.opening(), Opening::FovY(55.0));
+    bench.type_into("Far plane", "1");
+    assert_eq!(
+        scene(&bench).camera.depths(),
+        [1.5, before.camera.depths()[1]],
+        "what makes no camera changes nothing"
+    );
+    assert!(!bench.app.notices.is_empty(), "and is said");
+    bench.command(Command::Undo);
+    bench.command(Command::Undo);
+    assert_eq!(*scene(&bench), before);
+}
+
+#[test]
+fn perspective_and_parallel_see_as_much_at_the_target() {
+    let mut bench = bench();
+    let before = scene(&bench).camera;
+    bench.open_menus(&["Scene", "Camera", "Parallel"]);
+    let parallel = scene(&bench).camera.opening();
+    assert!(
+        matches!(parallel, Opening::Height(height) if height > 0.0),
+        "{parallel:?}"
+    );
+    bench.click_on("Perspective");
+    let (Opening::FovY(back), Opening::FovY(given)) =
+        (scene(&bench).camera.opening(), before.opening())
+    else {
+        panic!("in perspective");
+    };
+    assert!((back - given).abs() < 1e-9, "{back}");
+}
+
+#[test]
+fn objects_are_added_enlarged_and_removed() {
+    let mut bench = bench();
+    let n_objects = scene(&bench).objects().len();
+    bench.open_menus(&["Scene", "Add an object", "Torus"]);
+    assert_eq!(scene(&bench).objects().len(), n_objects + 1);
+    assert_eq!(*scene(&bench).focused().model(), Model::Solid(Solid::Torus));
+    bench.open_menus(&["Scene", "Add an object", "Spot the cow"]);
+    assert_eq!(scene(&bench).focused().model().mesh().faces().len(), 5856);
+    bench.open_menus(&["Scene", "Object in focus"]);
+    bench.type_into("Size", "0,5");
+    assert_eq!(scene(&bench).focused().size(), 0.5);
+    bench.type_into("Turned about y", "−30°");
+    assert_eq!(scene(&bench).focused().turn_deg(), [0.0, -30.0, 0.0]);
+    bench.type_into("Object", "1");
+    assert_eq!(scene(&bench).focus(), 0);
+    bench.key(Key::Escape);
+    bench.open_menus(&["Scene", "Remove the object in focus"]);
+    assert_eq!(scene(&bench).objects().len(), n_objects + 1);
+}
+
+#[test]
+fn a_street_has_as_many_boxes_as_are_asked_for() {
+    let mut bench = bench();
+    bench.open_menus(&["Scene", "Street of boxes", "Build the street"]);
+    assert_eq!(scene(&bench).objects().len(), 100);
+    bench.command(Command::Undo);
+    assert_ne!(scene(&bench).objects().len(), 100);
+    assert_eq!(MAX_OBJECTS, 10_000);
+}
