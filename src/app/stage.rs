@@ -14,8 +14,8 @@ use crate::{
     panels::{Reach, spots},
     text::Message,
     widgets::{
-        Canvas, CanvasShown, Spot, StepWords, TEXT_PTS, beside_the_drawing, caption_text, gripped,
-        headline, link_at, projected, rect_of, slot_of, title_of_space,
+        Canvas, CanvasShown, Spot, StepWords, TEXT_PTS, beside_the_drawing, caption_text, covered,
+        gripped, headline, link_at, projected, rect_of, slot_of, title_of_space,
     },
 };
 
@@ -276,12 +276,13 @@ impl Column<'_> {
             has_grid: is_flat,
             pointed: self.pointed(model, ui, is_drawing, (&viewport, drawing.1), &marks),
             marks: &marks,
+            covered: &covered(self.places, drawing.0, look),
             lit,
             look,
         }
         .show(ui);
         if let Some(space) = space {
-            title_of_space(ui, look, rect, space);
+            title_of_space(ui, look, rect.shrink2(vec2(INDENT, 0.0)), space);
         }
         state.canvas_ids.push(id);
         let ids = spots.iter().map(|spot| id.with(spot.index));

@@ -6,13 +6,13 @@ mod tests;
 use egui::{Align2, Rect, Ui, vec2};
 
 use crate::{
-    figure::{Caption, ColumnLayout, Frame, Need, Run, Sheet, ViewId, needs, sentences},
+    figure::{Body, Caption, ColumnLayout, Frame, Need, Run, Sheet, ViewId, needs, sentences},
     labs::{Difference, MethodCard, Scene},
-    paint::{Headless, Image, Theme, ThemeKind, Viewport, stage},
+    paint::{Around, Headless, Image, Theme, ThemeKind, Viewport, stage},
     text::{Catalog, Lang, Message},
     widgets::{
-        Bars, Cost, Look, StepWords, TEXT_PTS, beside_the_drawing, headline, height_for_all,
-        most_of_a_kind, rect_of, slot_of, view,
+        Bars, Cost, Look, StepWords, TEXT_PTS, beside_the_drawing, covered, headline,
+        height_for_all, most_of_a_kind, rect_of, slot_of, space, view,
     },
 };
 
@@ -298,10 +298,14 @@ impl Page<'_> {
         if let Some(first) = column.frame.views.first()
             && let Some(slot) = places.slot(first.id)
         {
-            if first.id == ViewId::PLANE {
-                self.drawing(ui, rect_of(slot), index, column);
+            let rect = rect_of(slot);
+            if let Body::Space(shown) = &first.body {
+                let covered = covered(places, first.id, self.look);
+                space(ui, self.look, rect, (first.id, shown), &covered, None);
+            } else if first.id == ViewId::PLANE {
+                self.drawing(ui, rect, index, column);
             } else {
-                view(ui, self.look, rect_of(slot), first, None);
+                view(ui, self.look, rect, first, None);
             }
         }
         let is_comparison = self.recorded.needs.len() > 1;
@@ -329,6 +333,14 @@ impl Page<'_> {
         let mut marks = scene.backdrop(index, column.at_end());
         marks.extend(column.frame.marks().iter().cloned());
         let Look { theme, catalog } = self.look;
-        stage(&painter, &viewport, theme, catalog, &marks, None, &[]);
+        stage(
+            &painter,
+            &viewport,
+            theme,
+            catalog,
+            &marks,
+            None,
+            Around::default(),
+        );
     }
 }

@@ -88,6 +88,16 @@ pub struct ColumnLayout {
 }
 
 impl ColumnLayout {
+    /// The places of views that stand on this one.
+    pub fn over(&self, id: ViewId) -> impl Iterator<Item = Slot> {
+        let under = self.slot(id).unwrap_or_default();
+        let others = self.views.iter().filter(move |(of, _)| *of != id);
+        let slots = others.map(|&(_, slot)| slot);
+        slots.filter(move |slot| {
+            (0..2).all(|i| slot.min[i] < under.max[i] && under.min[i] < slot.max[i])
+        })
+    }
+
     /// The place of a view; `None` where there is no room for it.
     #[must_use]
     pub fn slot(&self, id: ViewId) -> Option<Slot> {

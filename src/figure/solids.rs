@@ -20,6 +20,26 @@ pub struct Solids {
 }
 
 impl Solids {
+    /// The outlines of the faces that show their outer side, on the picture; of those in front of the eye.
+    #[must_use]
+    pub fn faces(&self) -> Vec<Vec<[f64; 2]>> {
+        let Some(optics) = Optics::of(&self.lens) else {
+            return Vec::new();
+        };
+        let face = |facet: &Facet| {
+            let corners = facet.corners.iter();
+            let corners: Vec<DVec3> = corners
+                .map(|&at| optics.view_from_world(at.into()))
+                .collect();
+            let is_before = corners.iter().all(|at| at.z < -optics.near);
+            let outline = corners.iter().map(|&at| optics.picture_from_view(at));
+            let is_seen = is_before && normal(&corners).dot(optics.toward_eye(corners[0])) > 0.0;
+            is_seen.then(|| outline.collect())
+        };
+        let facets = self.facets.iter().filter(|facet| !facet.corners.is_empty());
+        facets.filter_map(face).collect()
+    }
+
     /// What is seen at a place of the picture is about this.
     #[must_use]
     pub fn link_at(&self, at: [f64; 2]) -> Option<Link> {
@@ -36,14 +56,18 @@ impl Solids {
     }
 }
 
+/// Of a polygon, by its corners; not normalised.
+fn normal(corners: &[DVec3]) -> DVec3 {
+    let from_first = |i: usize| corners[i] - corners[0];
+    let fan = 2..corners.len();
+    fan.map(|i| from_first(i - 1).cross(from_first(i))).sum()
+}
+
 /// How far away a facet is met by the sight line through a place of the picture.
 fn distance(corners: &[DVec3], optics: &Optics, at: [f64; 2]) -> Option<f64> {
     let (start, along) = optics.sight_line(at);
     let &first = corners.first()?;
-    let fan = corners.windows(2).skip(1);
-    let normal: DVec3 = fan
-        .map(|pair| (pair[0] - first).cross(pair[1] - first))
-        .sum();
+    let normal = normal(corners);
     let mut turns = [false; 2];
     for (i, &a) in corners.iter().enumerate() {
         let b = corners[(i + 1) % corners.len()];

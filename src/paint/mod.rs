@@ -32,7 +32,7 @@ pub use cpu::CpuPainter;
 pub use cut::crosses;
 pub use headless::Headless;
 pub use image::Image;
-pub use labels::{Obstacle, Placed};
+pub use labels::{Around, Obstacle, Placed};
 pub use parts::{Part, parts};
 pub use stage::{arrange, stage};
 pub use theme::{Theme, ThemeKind};

@@ -27,7 +27,7 @@ pub fn tones(theme: &Theme, facets: &[Facet], normals: &[DVec3]) -> Vec<Color32>
 fn tone(theme: &Theme, role: Role, darkness: usize) -> Color32 {
     let (hue, strengths) = match role {
         Role::Ink => (theme.ink, [0.72_f32, 0.80, 0.88]),
-        Role::Soft | Role::Faint => (theme.soft, [0.12, 0.22, 0.34]),
+        Role::Soft | Role::Faint => (theme.soft, [0.045, 0.11, 0.19]),
         Role::Discarded => (theme.soft, [0.025, 0.085, 0.16]),
         Role::Accent | Role::Signal | Role::Accepted => {
             (stroke_colour(theme, role), [0.07, 0.19, 0.337])

@@ -13,7 +13,7 @@ use super::{
     checker::textured,
     crowd::crowd,
     fill_cache::{LARGE, filled_large},
-    labels::{Labels, Obstacle, Placed},
+    labels::{Around, Labels, Obstacle, Placed},
     layers::{Layer, LayeredPart, pieces},
     line::Line,
     parts::{HEAD, Marker, Part},
@@ -21,8 +21,7 @@ use super::{
     solids::solids,
 };
 
-/// Draws the marks, then their labels where they cover nothing: where they stand. What is about `lit` stands out; labels
-/// would rather stay where they stood `before`.
+/// Draws the marks, then their labels where they cover nothing: where they stand. What is about `lit` stands out.
 pub fn stage(
     painter: &Painter,
     viewport: &Viewport,
@@ -30,7 +29,7 @@ pub fn stage(
     catalog: &Catalog,
     marks: &[Mark],
     lit: Option<Link>,
-    before: &[Placed],
+    around: Around<'_>,
 ) -> Vec<Placed> {
     let painter = &painter.with_clip_rect(viewport.rect);
     let stage = Stage {
@@ -50,7 +49,7 @@ pub fn stage(
             | Layer::Marker => stage.part(piece),
         }
     }
-    let labels = Labels::new(painter, viewport, theme, catalog, (marks, &pieces), before);
+    let labels = Labels::new(painter, viewport, theme, catalog, (marks, &pieces), around);
     labels.draw(painter, theme);
     labels.placed
 }
@@ -66,7 +65,11 @@ pub fn arrange(
     before: &[Placed],
 ) -> (Vec<Placed>, Vec<Obstacle>) {
     let pieces = pieces(viewport, theme, marks, None);
-    let labels = Labels::new(painter, viewport, theme, catalog, (marks, &pieces), before);
+    let around = Around {
+        before,
+        covered: &[],
+    };
+    let labels = Labels::new(painter, viewport, theme, catalog, (marks, &pieces), around);
     (labels.placed, labels.obstacles)
 }
 

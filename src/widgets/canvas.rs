@@ -7,7 +7,7 @@ use egui::{
 
 use crate::{
     figure::{Link, Mark},
-    paint::{self, Placed, Viewport},
+    paint::{self, Around, Placed, Viewport},
 };
 
 use super::{
@@ -43,6 +43,8 @@ pub struct Canvas<'a> {
     pub pointed: Option<Mark>,
     /// What is drawn.
     pub marks: &'a [Mark],
+    /// Where something else stands on it.
+    pub covered: &'a [Rect],
     /// What stands out.
     pub lit: Option<Link>,
     /// How it looks.
@@ -139,7 +141,7 @@ impl Canvas<'_> {
                 self.look.catalog,
                 marks,
                 None,
-                &[],
+                Around::default(),
             );
             ui.set_cursor_icon(CursorIcon::PointingHand);
         }
@@ -181,7 +183,11 @@ impl Canvas<'_> {
             .unwrap_or_default();
         let Look { theme, catalog, .. } = self.look;
         let (marks, lit) = (self.marks, self.lit);
-        let labels = paint::stage(painter, &self.viewport, theme, catalog, marks, lit, &before);
+        let around = Around {
+            before: &before,
+            covered: self.covered,
+        };
+        let labels = paint::stage(painter, &self.viewport, theme, catalog, marks, lit, around);
         ui.data_mut(|data| data.insert_temp(remembered, labels.clone()));
         labels
     }

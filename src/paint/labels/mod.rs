@@ -67,6 +67,15 @@ pub struct Placed {
     pub is_ambiguous: bool,
 }
 
+/// What labels heed beside the marks.
+#[derive(Clone, Copy, Default)]
+pub struct Around<'a> {
+    /// Where labels stood before: they would rather stay there.
+    pub before: &'a [Placed],
+    /// What something else stands on.
+    pub covered: &'a [Rect],
+}
+
 /// All labels of a stage in their places.
 pub struct Labels {
     texts: Vec<Text>,
@@ -82,18 +91,20 @@ struct Waiting {
     anchor: Anchor,
     toward: Option<Vec2>,
     is_of_side: bool,
+    /// It is beside something and on nothing: no solid is its ground.
+    keeps_off_solids: bool,
     rank: u8,
 }
 
 impl Labels {
-    /// Finds places for the labels of these marks; `before` says where labels stood.
+    /// Finds places for the labels of these marks.
     pub fn new(
         painter: &Painter,
         viewport: &Viewport,
         theme: &Theme,
         catalog: &Catalog,
         (marks, pieces): (&[Mark], &[LayeredPart<'_>]),
-        before: &[Placed],
+        around: Around<'_>,
     ) -> Self {
         let setter = Setter {
             painter,
@@ -109,7 +120,7 @@ impl Labels {
             stage: viewport.rect,
             places: waiting
                 .iter()
-                .map(|label| candidates(label, viewport.rect, &obstacles, before))
+                .map(|label| candidates(label, viewport.rect, &obstacles, around))
                 .collect(),
             taken: Vec::new(),
         };
@@ -205,6 +216,7 @@ fn waiting(setter: Setter<'_>, viewport: &Viewport, marks: &[Mark]) -> Vec<Waiti
                 anchor,
                 toward: toward(viewport, mark, label),
                 is_of_side: label.toward.is_some(),
+                keeps_off_solids: matches!(mark.shape, Shape::Label(_)),
                 rank,
             }),
         }
@@ -250,9 +262,12 @@ fn candidates(
     label: &Waiting,
     stage: Rect,
     obstacles: &[Obstacle],
-    before: &[Placed],
+    around: Around<'_>,
 ) -> Vec<Candidate> {
-    let stood = before.iter().filter(|it| it.text == label.text.plain);
+    let stood = around
+        .before
+        .iter()
+        .filter(|it| it.text == label.text.plain);
     let stood: Vec<Pos2> = stood.map(|placed| placed.rect.center()).collect();
     let size = label.text.size();
     let lean = Lean {
@@ -266,6 +281,7 @@ fn candidates(
     let nearby: Vec<&Obstacle> = obstacles
         .iter()
         .filter(|obstacle| obstacle.bounds().intersects(reach))
+        .filter(|obstacle| label.keeps_off_solids || !obstacle.is_surface())
         .collect();
     let is_disc = |obstacle: &&&Obstacle| matches!(obstacle, Obstacle::Disc(..));
     let discs: Vec<Obstacle> = nearby.iter().filter(is_disc).map(|&&disc| disc).collect();
@@ -276,7 +292,8 @@ fn candidates(
         let near = rect.expand2(APART);
         let touching = nearby.iter().filter(|it| it.bounds().intersects(near));
         let covered: f32 = touching.map(|obstacle| obstacle.cost(rect)).sum();
-        let is_seen = stage.shrink(3.0).contains_rect(rect);
+        let is_free = |covered: &Rect| !covered.intersects(near);
+        let is_seen = stage.shrink(3.0).contains_rect(rect) && around.covered.iter().all(is_free);
         let is_inside = match label.anchor {
             Anchor::Inside(region) => region.expand(0.5).contains_rect(rect.expand2(INSIDE)),
             Anchor::Point(..) | Anchor::Along(_) | Anchor::Within(_) => true,
@@ -317,7 +334,7 @@ fn is_of_another(anchor: &Anchor, obstacles: &[Obstacle], rect: Rect) -> bool {
             let is_own = own.is_some_and(|own| own.distance(at) <= radius + SAME_POINT);
             !is_own && rect.distance_to_pos(at) - radius < reach
         }
-        Obstacle::Stroke(..) | Obstacle::Picture(_) => false,
+        Obstacle::Stroke(..) | Obstacle::Picture(_) | Obstacle::Surface(_) => false,
     })
 }
 
@@ -329,7 +346,9 @@ fn away(anchor: &Anchor, obstacles: &[Obstacle]) -> Option<Vec2> {
     let ending = obstacles.iter().filter_map(|obstacle| match *obstacle {
         Obstacle::Stroke([a, b], _) if a.distance(*at) < SAME_POINT => Some(b - *at),
         Obstacle::Stroke([a, b], _) if b.distance(*at) < SAME_POINT => Some(a - *at),
-        Obstacle::Stroke(..) | Obstacle::Disc(..) | Obstacle::Picture(_) => None,
+        Obstacle::Stroke(..) | Obstacle::Disc(..) | Obstacle::Picture(_) | Obstacle::Surface(_) => {
+            None
+        }
     });
     let towards: Vec2 = ending.fold(Vec2::ZERO, |sum, d| sum + d.normalized());
     (towards.length() > 0.3).then(|| -towards.normalized())

@@ -16,6 +16,8 @@ use super::anchor::edges_of;
 const MOST: usize = 2_000;
 /// An outline of more points than this leaves no room beside it to look for.
 const MOST_OF_AN_OUTLINE: usize = 500;
+/// Solids of more faces than this are not looked at one by one.
+const MOST_FACETS: usize = 1_500;
 /// A crowd of more segments than this is a texture behind the figure.
 const MOST_OF_A_CROWD: usize = 50;
 /// Lines that are weaker than this are not kept off.
@@ -32,6 +34,8 @@ pub enum Obstacle {
     Disc(Pos2, f32),
     /// A triangle of a texture: no ground for text.
     Picture([Pos2; 3]),
+    /// A triangle of a solid's face: what is said of the solid stands beside it.
+    Surface([Pos2; 3]),
 }
 
 impl Obstacle {
@@ -41,7 +45,7 @@ impl Obstacle {
         match *self {
             Self::Stroke(ends, half) => length_in(ends, rect.expand(half)) > 0.0,
             Self::Disc(at, radius) => rect.distance_to_pos(at) < radius,
-            Self::Picture(corners) => meets(corners, rect),
+            Self::Picture(corners) | Self::Surface(corners) => meets(corners, rect),
         }
     }
 
@@ -64,7 +68,8 @@ impl Obstacle {
                 _ => 0.0,
             },
             Self::Picture(corners) if meets(corners, rect) => 45.0,
-            Self::Picture(_) => 0.0,
+            Self::Surface(corners) if meets(corners, rect) => 30.0,
+            Self::Picture(_) | Self::Surface(_) => 0.0,
         }
     }
 
@@ -73,12 +78,17 @@ impl Obstacle {
         matches!(self, Self::Picture(_))
     }
 
+    /// Is it the face of a solid?
+    pub(super) const fn is_surface(&self) -> bool {
+        matches!(self, Self::Surface(_))
+    }
+
     /// The rectangle that it is in.
     pub(super) fn bounds(&self) -> Rect {
         match *self {
             Self::Stroke([a, b], half) => Rect::from_two_pos(a, b).expand(half),
             Self::Disc(at, radius) => Rect::from_center_size(at, egui::Vec2::splat(2.0 * radius)),
-            Self::Picture(corners) => Rect::from_points(&corners),
+            Self::Picture(corners) | Self::Surface(corners) => Rect::from_points(&corners),
         }
     }
 }
@@ -86,11 +96,13 @@ impl Obstacle {
 /// All of them on the stage.
 pub fn obstacles(viewport: &Viewport, theme: &Theme, pieces: &[LayeredPart<'_>]) -> Vec<Obstacle> {
     let pieces = pieces.iter().filter(|piece| piece.layer != Layer::Glow);
-    pieces
+    let all = pieces
         .flat_map(|piece| of_piece(viewport, theme, piece))
-        .filter(|obstacle| obstacle.bounds().intersects(viewport.rect))
-        .take(MOST)
-        .collect()
+        .filter(|obstacle| obstacle.bounds().intersects(viewport.rect));
+    let (surfaces, mut others): (Vec<_>, Vec<_>) = all.partition(Obstacle::is_surface);
+    others.truncate(MOST);
+    others.extend(surfaces);
+    others
 }
 
 fn of_piece(viewport: &Viewport, theme: &Theme, piece: &LayeredPart<'_>) -> Vec<Obstacle> {
@@ -125,6 +137,13 @@ fn of_piece(viewport: &Viewport, theme: &Theme, piece: &LayeredPart<'_>) -> Vec<
             let corners = triangles.iter().take(MOST_OF_A_CROWD);
             let on_screen = corners.map(|corners| corners.map(|(at, _)| viewport.to_screen(at)));
             obstacles.extend(on_screen.map(Obstacle::Picture));
+        }
+        Part::Solids(solids) if solids.facets.len() <= MOST_FACETS => {
+            for outline in solids.faces() {
+                let corners: Vec<Pos2> = outline.iter().map(|&p| viewport.to_screen(p)).collect();
+                let fan = corners.windows(2).skip(1);
+                obstacles.extend(fan.map(|pair| Obstacle::Surface([corners[0], pair[0], pair[1]])));
+            }
         }
         Part::Crowd(_)
         | Part::Wash(_)

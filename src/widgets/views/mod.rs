@@ -22,7 +22,7 @@ use egui::{Rect, Role, Sense, Ui, WidgetInfo};
 use crate::figure::{Body, Link, View};
 
 use super::Look;
-pub use space::{picture_viewport, projected, title as title_of_space};
+pub use space::{covered, picture_viewport, projected, space, title as title_of_space};
 
 use links::Links;
 use on_slate::OnSlate;
@@ -34,7 +34,7 @@ use on_slate::OnSlate;
 )]
 pub fn view(ui: &Ui, look: Look<'_>, rect: Rect, shown: &View, lit: Option<Link>) -> Option<Link> {
     if let Body::Space(body) = &shown.body {
-        return space::space(ui, look, rect, (shown.id, body), lit);
+        return space(ui, look, rect, (shown.id, body), &[], lit);
     }
     let body = body_of(shown)?;
     // Two columns may stand side by side, each with views of its own.

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use egui::{Align2, Context, Id, Rect, Role, Sense, StrokeKind, Ui, WidgetInfo, vec2};
 
 use crate::{
-    figure::{Lens, Link, Mark, Space, ViewId, project},
-    paint::{self, Viewport},
-    widgets::{Look, hit},
+    figure::{ColumnLayout, Lens, Link, Mark, Space, ViewId, project},
+    paint::{self, Around, Viewport},
+    widgets::{Look, hit, rect_of},
 };
 
 use super::slate::{Face, Slate};
@@ -63,24 +63,38 @@ pub fn projected(ctx: &Context, id: Id, space: &Space, lens: &Lens) -> Arc<[Mark
     marks
 }
 
-/// Draws what is seen; what is under the pointer.
+/// Where other views stand on a drawing, with their titles.
+#[must_use]
+pub fn covered(places: &ColumnLayout, drawing: ViewId, look: Look<'_>) -> Vec<Rect> {
+    let over = places.over(drawing).map(rect_of);
+    let title = 1.7 * TITLE_PTS * look.theme.text_scale;
+    over.map(|rect| rect.with_min_y(rect.top() - title))
+        .collect()
+}
+
+/// Draws what is seen, but for labels where something else stands; what is under the pointer.
 pub fn space(
     ui: &Ui,
     look: Look<'_>,
     rect: Rect,
     (id, shown): (ViewId, &Space),
+    covered: &[Rect],
     lit: Option<Link>,
 ) -> Option<Link> {
     let id = ui.scope_id().with((id, rect.left() as i32));
     let response = ui.interact(rect, id, Sense::hover());
-    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, look.say("panel-stage")));
+    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, spoken(look, shown)));
     let lens = shown.seer.into();
     let viewport = picture_viewport(rect, &lens);
     let marks = projected(ui.ctx(), id, shown, &lens);
     let painter = ui.painter_at(viewport.rect);
     painter.rect_filled(viewport.rect, 0.0, look.theme.background);
     let Look { theme, catalog } = look;
-    paint::stage(&painter, &viewport, theme, catalog, &marks, lit, &[]);
+    let around = Around {
+        before: &[],
+        covered,
+    };
+    paint::stage(&painter, &viewport, theme, catalog, &marks, lit, around);
     if lens.aspect().is_some() {
         let frame = theme.stroke(FRAME, theme.accent);
         ui.painter()
@@ -90,16 +104,37 @@ pub fn space(
     hit::link_at(&viewport, &marks, response.hover_pos()?)
 }
 
+/// Its title, and what stands in it.
+fn spoken(look: Look<'_>, shown: &Space) -> String {
+    let title = shown.title.as_ref().map(|title| look.catalog.value(title));
+    let title = title.unwrap_or_else(|| look.say("panel-stage"));
+    let labels = shown.marks.iter().filter_map(|mark| mark.label.as_ref());
+    let labels: Vec<String> = labels
+        .map(|label| look.catalog.value(&label.text))
+        .collect();
+    if labels.is_empty() {
+        title
+    } else {
+        format!("{title}: {}", labels.join(", "))
+    }
+}
+
 /// Over a camera's picture; in the corner of what an eye sees.
 pub fn title(ui: &Ui, look: Look<'_>, rect: Rect, shown: &Space) {
     let Some(title) = &shown.title else { return };
     let mut slate = Slate::new(ui.painter(), look);
     let title = slate.value(title, (Face::Strong, TITLE_PTS, look.theme.ink));
-    if Lens::from(shown.seer).aspect().is_some() {
-        let above = rect.left_top() - vec2(0.0, slate.pts(5.0));
-        slate.put(&title, above, Align2::LEFT_BOTTOM);
+    let gap = slate.pts(5.0);
+    let (at, align) = if Lens::from(shown.seer).aspect().is_some() {
+        (rect.left_top() - vec2(0.0, gap), Align2::LEFT_BOTTOM)
     } else {
-        let inside = rect.left_top() + vec2(slate.pts(16.0), slate.pts(14.0));
-        slate.put(&title, inside, Align2::LEFT_TOP);
-    }
+        (rect.left_top() + vec2(0.0, 2.0 * gap), Align2::LEFT_TOP)
+    };
+    // Readable on whatever is drawn there.
+    let ground = align.anchor_size(at, title.size()).expand(2.0);
+    let ground = ground.with_min_x(at.x);
+    slate
+        .painter
+        .rect_filled(ground, 0.0, look.theme.background);
+    slate.put(&title, at, align);
 }
