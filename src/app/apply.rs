@@ -250,7 +250,7 @@ impl App {
             return;
         }
         #[cfg(not(target_arch = "wasm32"))]
-        if self.give_mesh_up(ctx.input(|input| input.time)) {
+        if self.give_meshes_up(ctx.input(|input| input.time)) {
             return;
         }
         if self.exporting.take().is_some()

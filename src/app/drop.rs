@@ -9,7 +9,7 @@ use crate::{
 };
 
 #[cfg(not(target_arch = "wasm32"))]
-use super::is_mesh;
+use super::mesh_loading::{is_mesh, is_of_a_mesh};
 use super::{App, notice::Notice};
 
 impl App {
@@ -17,10 +17,16 @@ impl App {
     pub(super) fn take_dropped_files(&mut self, ctx: &Context) {
         let now = ctx.input(|input| input.time);
         let dropped = ctx.input_mut(|input| std::mem::take(&mut input.raw.dropped_files));
+        #[cfg(not(target_arch = "wasm32"))]
+        let has_mesh = dropped.iter().any(|file| is_mesh(file.path()));
         for file in dropped {
             #[cfg(not(target_arch = "wasm32"))]
             if file.path().is_dir() {
                 self.open_folder(file.path(), ctx);
+                continue;
+            }
+            #[cfg(not(target_arch = "wasm32"))]
+            if has_mesh && is_of_a_mesh(file.path()) {
                 continue;
             }
             #[cfg(not(target_arch = "wasm32"))]

@@ -121,44 +121,66 @@ fn bytes_of(path: &Path, is_wanted: &dyn Fn() -> bool) -> Result<Vec<u8>, Diagno
     }
 }
 
+/// Is it what may come along with a mesh: its material, its texture?
+pub fn is_of_a_mesh(path: &Path) -> bool {
+    const ENDINGS: [&str; 4] = ["mtl", "png", "jpg", "jpeg"];
+    let ending = path.extension();
+    ending.is_some_and(|ending| ENDINGS.iter().any(|known| ending.eq_ignore_ascii_case(known)))
+}
+
 impl App {
-    /// Begins to read a mesh, which will be an object of a scene. One that is still being read is given up.
+    /// Begins to read a mesh, which will be an object of a scene.
     pub(super) fn load_mesh(&mut self, path: &str, ctx: &Context) {
-        self.loading = Some(MeshLoading::start(path, ctx));
-        let message = Message::new("status-mesh-reading").with("path", path.to_owned());
+        self.loading.push(MeshLoading::start(path, ctx));
         self.notices.clear();
-        let text = self.catalog().message(&message);
-        self.notices.push(Notice::lasting(text));
+        self.say_what_is_loading();
     }
 
-    /// Gives up the mesh that is being read; was there one?
-    pub(super) fn give_mesh_up(&mut self, now: f64) -> bool {
-        let Some(loading) = self.loading.take() else {
+    fn say_what_is_loading(&mut self) {
+        let paths: Vec<&str> = self.loading.iter().map(|mesh| mesh.path.as_str()).collect();
+        if !paths.is_empty() {
+            let message = Message::new("status-mesh-reading").with("path", paths.join(", "));
+            let text = self.catalog().message(&message);
+            self.notices.push(Notice::lasting(text));
+        }
+    }
+
+    /// Gives up the meshes that are being read; was there one?
+    pub(super) fn give_meshes_up(&mut self, now: f64) -> bool {
+        let paths: Vec<String> = self.loading.drain(..).map(|mesh| mesh.path.clone()).collect();
+        if paths.is_empty() {
             return false;
-        };
-        let message = Message::new("status-mesh-given-up").with("path", loading.path.clone());
+        }
+        let message = Message::new("status-mesh-given-up").with("path", paths.join(", "));
         self.notices.clear();
         let text = self.catalog().message(&message);
         self.notices.push(Notice::passing(text, now));
         true
     }
 
-    /// Puts the mesh that has been read into the free scene of the lab that shows meshes; where there is none, all stays as
+    /// Puts each mesh that has been read into the free scene of the lab that shows meshes; where there is none, all stays as
     /// it was.
-    pub(super) fn take_mesh(&mut self, now: f64) {
-        let Some(read) = self.loading.as_ref().and_then(MeshLoading::answer) else {
+    pub(super) fn take_meshes(&mut self, now: f64) {
+        let answered = |mesh: &MeshLoading| Some((mesh.path.clone(), mesh.answer()?));
+        let mut found = Vec::new();
+        self.loading.retain(|mesh| {
+            let answer = answered(mesh);
+            let is_waiting = answer.is_none();
+            found.extend(answer);
+            is_waiting
+        });
+        if found.is_empty() {
             return;
-        };
-        let path = self
-            .loading
-            .take()
-            .map_or_else(String::new, |loading| loading.path.clone());
-        self.notices.clear();
-        match read {
-            Ok(read) => self.add_mesh(&path, &read, now),
-            Err(Unread::File(reason)) => self.report_unread(&path, reason),
-            Err(Unread::Mesh(problems)) => self.report_unfit(&problems),
         }
+        self.notices.clear();
+        for (path, read) in found {
+            match read {
+                Ok(read) => self.add_mesh(&path, &read, now),
+                Err(Unread::File(reason)) => self.report_unread(&path, reason),
+                Err(Unread::Mesh(problems)) => self.report_unfit(&problems),
+            }
+        }
+        self.say_what_is_loading();
     }
 
     fn add_mesh(&mut self, path: &str, read: &ObjFile, now: f64) {
@@ -173,17 +195,23 @@ impl App {
             return;
         };
         self.turn_to(|bookmark| bookmark.open_free(lab));
-        let message = match self.change(edit, None, now) {
+        let added = self.change(edit, None, now);
+        let mut said = vec![match added {
             Ok(()) => Message::new("status-mesh-added")
                 .with("name", name)
                 .with("count", read.mesh.faces().len()),
             Err(refused) => refused.message,
-        };
+        }];
+        if let Some([library, _]) = &read.material {
+            said.push(Message::new("status-mesh-plain").with("library", library.clone()));
+        }
         if !read.warnings.is_empty() {
             let text = self.listing(&read.warnings);
             self.notices.push(Notice::problem(text));
         }
-        let text = self.catalog().message(&message);
-        self.notices.push(Notice::passing(text, now));
+        for message in said {
+            let text = self.catalog().message(&message);
+            self.notices.push(Notice::passing(text, now));
+        }
     }
 }

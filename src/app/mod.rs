@@ -117,9 +117,9 @@ pub struct App {
     exporting: Option<files::Export>,
     #[cfg(not(target_arch = "wasm32"))]
     reload: Option<reload::Reload>,
-    /// A mesh that is being read.
+    /// Meshes that are being read.
     #[cfg(not(target_arch = "wasm32"))]
-    loading: Option<mesh_loading::MeshLoading>,
+    loading: Vec<mesh_loading::MeshLoading>,
 }
 
 /// What of the window is shown.
@@ -200,7 +200,7 @@ impl App {
             #[cfg(not(target_arch = "wasm32"))]
             reload: None,
             #[cfg(not(target_arch = "wasm32"))]
-            loading: None,
+            loading: Vec::new(),
         };
         app.lay_out(stored);
         app.enter();
@@ -270,7 +270,7 @@ impl App {
         #[cfg(not(target_arch = "wasm32"))]
         self.take_changed_course(now);
         #[cfg(not(target_arch = "wasm32"))]
-        self.take_mesh(now);
+        self.take_meshes(now);
         self.pass_time(&ctx, now);
         let is_dragging = self.history.is_in_gesture();
         if self.playback.is_late() && !is_dragging {

@@ -32,7 +32,7 @@ fn dropped(bench: &mut Bench, name: &str, text: &str) {
 
 fn wait(bench: &mut Bench) {
     for _ in 0..2000 {
-        if bench.app.loading.is_none() {
+        if bench.app.loading.is_empty() {
             return;
         }
         thread::sleep(Duration::from_millis(5));
@@ -145,9 +145,42 @@ fn escape_gives_a_mesh_up() {
         "it says what it does"
     );
     bench.app.apply(&ctx, Command::Cancel);
-    assert!(bench.app.loading.is_none());
+    assert!(bench.app.loading.is_empty());
     assert!(said(&bench)[0].contains("given up"), "{:?}", said(&bench));
     thread::sleep(Duration::from_millis(50));
     bench.settle();
+    assert_eq!(*bench.app.scene(), before);
+}
+
+#[test]
+fn what_comes_along_with_a_mesh_is_no_scene_of_its_own() {
+    let mut bench = bench();
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let files = ["one.obj", "wedge.mtl", "wood.png", "two.obj"].map(|name| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, WEDGE).expect("writable");
+        let file: egui::DroppedFileHandle = Arc::new(Dropped(path));
+        file
+    });
+    bench.frame_with(0.1, Vec::new(), files.into());
+    wait(&mut bench);
+    let first = objects(&frustum::LAB.first_scene());
+    assert_eq!(objects(bench.app.scene()), first + 2, "{:?}", said(&bench));
+    let said = said(&bench).join("\n");
+    assert!(said.contains("wedge.mtl is not read"), "{said}");
+}
+
+#[test]
+fn two_gigabytes_are_refused_unread() {
+    let mut bench = bench();
+    let before = bench.app.scene().clone();
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("large.obj");
+    let file = std::fs::File::create(&path).expect("writable");
+    file.set_len(2 << 30).expect("a hole takes no room");
+    bench.frame_with(0.1, Vec::new(), vec![Arc::new(Dropped(path))]);
+    wait(&mut bench);
+    let said = said(&bench).join("\n");
+    assert!(said.contains("large.obj") && said.contains("128 MiB"), "{said}");
     assert_eq!(*bench.app.scene(), before);
 }

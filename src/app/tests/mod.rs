@@ -87,7 +87,7 @@ impl Bench {
             ..RawInput::default()
         };
         let mut output = self.ctx.run_ui(input, |ui| self.app.ui(ui));
-        drop(output.textures_delta.set.drain());
+        output.textures_delta.clear();
         let viewport = &output.viewport_output[&ViewportId::ROOT];
         self.wait_secs = viewport.repaint_delay.as_secs_f64();
         if let Some(update) = &output.platform_output.accesskit_update {
@@ -122,7 +122,7 @@ impl Bench {
             ..RawInput::default()
         };
         let mut output = self.ctx.run_ui(input, |ui| self.app.ui(ui));
-        drop(output.textures_delta.set.drain());
+        output.textures_delta.clear();
         let mut all = Vec::new();
         for clipped in &output.shapes {
             let mut texts = Vec::new();
