@@ -125,7 +125,11 @@ fn bytes_of(path: &Path, is_wanted: &dyn Fn() -> bool) -> Result<Vec<u8>, Diagno
 pub fn is_of_a_mesh(path: &Path) -> bool {
     const ENDINGS: [&str; 4] = ["mtl", "png", "jpg", "jpeg"];
     let ending = path.extension();
-    ending.is_some_and(|ending| ENDINGS.iter().any(|known| ending.eq_ignore_ascii_case(known)))
+    ending.is_some_and(|ending| {
+        ENDINGS
+            .iter()
+            .any(|known| ending.eq_ignore_ascii_case(known))
+    })
 }
 
 impl App {
@@ -147,7 +151,11 @@ impl App {
 
     /// Gives up the meshes that are being read; was there one?
     pub(super) fn give_meshes_up(&mut self, now: f64) -> bool {
-        let paths: Vec<String> = self.loading.drain(..).map(|mesh| mesh.path.clone()).collect();
+        let paths: Vec<String> = self
+            .loading
+            .drain(..)
+            .map(|mesh| mesh.path.clone())
+            .collect();
         if paths.is_empty() {
             return false;
         }

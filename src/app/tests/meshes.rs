@@ -181,6 +181,9 @@ fn two_gigabytes_are_refused_unread() {
     bench.frame_with(0.1, Vec::new(), vec![Arc::new(Dropped(path))]);
     wait(&mut bench);
     let said = said(&bench).join("\n");
-    assert!(said.contains("large.obj") && said.contains("128 MiB"), "{said}");
+    assert!(
+        said.contains("large.obj") && said.contains("128 MiB"),
+        "{said}"
+    );
     assert_eq!(*bench.app.scene(), before);
 }
