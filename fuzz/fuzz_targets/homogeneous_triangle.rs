@@ -94,9 +94,15 @@ fn check(polygon: &ClipPolygon<[f64; 3]>) {
     for vertex in polygon.vertices() {
         assert!(vertex.at.iter().all(|x| x.is_finite()), "{polygon:?}");
         assert!(SideCode::of(vertex.at).is_inside(), "{polygon:?}");
-        assert!(vertex.at[3] >= 0.0, "inside, nothing is behind the eye: {polygon:?}");
+        assert!(
+            vertex.at[3] >= 0.0,
+            "inside, nothing is behind the eye: {polygon:?}"
+        );
         let shares = vertex.attributes;
-        assert!(shares.iter().all(|x| (0.0..=1.0).contains(x)), "{polygon:?}");
+        assert!(
+            shares.iter().all(|x| (0.0..=1.0).contains(x)),
+            "{polygon:?}"
+        );
     }
 }
 

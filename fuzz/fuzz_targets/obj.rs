@@ -15,9 +15,18 @@ fuzz_target!(|bytes: &[u8]| {
             let n = mesh.positions().len();
             assert!(mesh.uvs().is_empty() || mesh.uvs().len() == n);
             assert!(!mesh.faces().is_empty());
-            assert!(mesh.faces().as_flattened().iter().all(|&i| (i as usize) < n));
+            assert!(
+                mesh.faces()
+                    .as_flattened()
+                    .iter()
+                    .all(|&i| (i as usize) < n)
+            );
             let numbers = mesh.positions().as_flattened().iter();
-            assert!(numbers.chain(mesh.uvs().as_flattened()).all(|x| x.is_finite()));
+            assert!(
+                numbers
+                    .chain(mesh.uvs().as_flattened())
+                    .all(|x| x.is_finite())
+            );
             // No triangle comes from nowhere: a face of n corners is n − 2 of them.
             assert!(mesh.faces().len() <= bytes.len());
             let bounds = mesh.bounds().expect("a mesh has vertices");

@@ -128,7 +128,10 @@ fn check_sphere(given: &Json, answer: &Json) {
     };
     let told = &answer["output"]["distances"];
     let distances = numbers(told);
-    if told.as_array().is_none_or(|told| told.len() > distances.len()) {
+    if told
+        .as_array()
+        .is_none_or(|told| told.len() > distances.len())
+    {
         // Beyond the range of an f64.
         return;
     }
@@ -147,7 +150,11 @@ fn check_reversed(mut given: Json, ends: &[f64]) {
     let segment = numbers(&given["segment"]);
     given["segment"] = json!([segment[2], segment[3], segment[0], segment[1]]);
     let line = given.to_string();
-    let Ok(case) = read(Solvers::standard(), CaseLine::Bytes(line.as_bytes()), Detail::Steps) else {
+    let Ok(case) = read(
+        Solvers::standard(),
+        CaseLine::Bytes(line.as_bytes()),
+        Detail::Steps,
+    ) else {
         panic!("{line} is refused, its reverse is not");
     };
     let mirrored = numbers(&case.problem.output()["segment"]);

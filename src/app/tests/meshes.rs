@@ -4,7 +4,7 @@ use std::{path::PathBuf, sync::Arc, thread, time::Duration};
 
 use super::{Bench, SIZE};
 use crate::{
-    app::{App, Command, Settings},
+    app::{App, Command, Dialog, Settings, Target},
     labs::{Scene, frustum},
     lesson::Course,
 };
@@ -186,4 +186,23 @@ fn two_gigabytes_are_refused_unread() {
         "{said}"
     );
     assert_eq!(*bench.app.scene(), before);
+}
+
+#[test]
+fn a_mesh_is_opened_by_its_path_too() {
+    let mut bench = bench();
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("wedge.obj");
+    std::fs::write(&path, WEDGE).expect("writable");
+    let target = Target::new(path.display().to_string());
+    let ctx = bench.ctx.clone();
+    bench
+        .app
+        .apply(&ctx, Command::Show(Some(Dialog::Open(target))));
+    bench.app.apply(&ctx, Command::Confirm);
+    wait(&mut bench);
+    assert_eq!(
+        objects(bench.app.scene()),
+        objects(&frustum::LAB.first_scene()) + 1
+    );
 }

@@ -5,6 +5,10 @@ use crate::{geom::Solid, labs::split_mix::SplitMix64};
 use super::{MAX_OBJECTS, Model, Object};
 
 /// Rows of houses along −z, in turn on the left and on the right, as many as are asked for.
+///
+/// # Panics
+/// Never: its numbers are finite.
+#[must_use]
 pub fn street(count: usize, seed: u64) -> Vec<Object> {
     let mut random = SplitMix64(seed);
     let mut between = |low: f64, high: f64| low + (high - low) * random.unit();

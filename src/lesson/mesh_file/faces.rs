@@ -2,7 +2,11 @@
 
 use glam::DVec3;
 
-use crate::{algo::polygon::EarClipping, geom::SimplePolygon, trace::silent};
+use crate::{
+    algo::polygon::EarClipping,
+    geom::{Point, SimplePolygon, orientation},
+    trace::silent,
+};
 
 /// The triangles of a face, by the places of their corners in its list; `None` where the face, seen along its normal, has no
 /// area or meets itself.
@@ -34,6 +38,9 @@ pub(super) fn triangles(corners: &[[f32; 3]]) -> Option<Vec<[usize; 3]>> {
         [(axis + 2) % 3, (axis + 1) % 3]
     };
     let flat: Vec<[f64; 2]> = points.iter().map(|p| [p[across], p[up]]).collect();
+    if flat.len() == 4 && turns_one_way(&flat) {
+        return Some(vec![[0, 1, 2], [0, 2, 3]]);
+    }
     let polygon = SimplePolygon::new(&flat).ok()?;
     let cut = silent::<EarClipping>(&polygon);
     let place = |p: [f64; 2]| flat.iter().position(|&corner| corner == p);
@@ -44,6 +51,20 @@ pub(super) fn triangles(corners: &[[f32; 3]]) -> Option<Vec<[usize; 3]>> {
             Some([a?, b?, c?])
         })
         .collect()
+}
+
+/// Is every corner of four a turn to the left? Then they go round once.
+fn turns_one_way(corners: &[[f64; 2]]) -> bool {
+    let points: Option<Vec<Point>> = corners
+        .iter()
+        .map(|&[x, y]| Point::new(x, y).ok())
+        .collect();
+    let Some(points) = points else {
+        return false;
+    };
+    let n = points.len();
+    let turn = |i: usize| orientation(points[i], points[(i + 1) % n], points[(i + 2) % n]);
+    (0..n).all(|i| turn(i).is_gt())
 }
 
 #[cfg(test)]
@@ -80,5 +101,37 @@ mod tests {
         ];
         assert_eq!(triangles(&bow_tie), None);
         assert_eq!(triangles(&[[0.0; 3], [1.0; 3], [2.0; 3], [3.0; 3]]), None);
+    }
+
+    #[test]
+    fn four_corners_are_fanned_where_they_turn_one_way() {
+        let square = [
+            [0.0, 0.0, 5.0],
+            [1.0, 0.0, 5.0],
+            [1.0, 1.0, 5.0],
+            [0.0, 1.0, 5.0],
+        ];
+        assert_eq!(triangles(&square), Some(vec![[0, 1, 2], [0, 2, 3]]));
+        // A dart's fan from its first corner would leave it.
+        let dart = [
+            [0.0, 0.0, 0.0],
+            [2.0, 1.0, 0.0],
+            [0.0, 2.0, 0.0],
+            [0.5, 1.0, 0.0],
+        ];
+        let mut found = triangles(&dart).expect("a dart").concat();
+        found.sort_unstable();
+        assert_eq!(
+            found,
+            [0, 1, 1, 2, 3, 3],
+            "cut from the corner that turns back"
+        );
+        let bow_tie = [
+            [0.0, 0.0, 0.0],
+            [1.0, 1.0, 0.0],
+            [1.0, 0.0, 0.0],
+            [0.0, 1.0, 0.0],
+        ];
+        assert_eq!(triangles(&bow_tie), None);
     }
 }

@@ -16,7 +16,7 @@ use super::{
 /// A face of more corners is left out: no surface needs it, and to cut it takes long.
 const MAX_CORNERS: usize = 1000;
 /// A file of more triangles is refused: no frame could draw them in time.
-const MAX_TRIANGLES: usize = 1_000_000;
+const MAX_TRIANGLES: usize = 500_000;
 
 /// What an OBJ file holds.
 #[derive(Clone, PartialEq, Debug)]
