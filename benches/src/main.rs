@@ -23,6 +23,8 @@ mod paint;
 mod plot;
 mod polygon;
 mod space;
+#[cfg(feature = "gui")]
+mod turning;
 mod weiler_atherton;
 
 use std::process::ExitCode;
@@ -40,6 +42,8 @@ const BENCHMARKS: &[Benchmark] = &[
     #[cfg(feature = "gui")]
     ("paint", paint::run),
     #[cfg(feature = "gui")]
+    ("turning", turning::run),
+    #[cfg(feature = "gui")]
     ("export", export::run),
 ];
 
@@ -49,7 +53,7 @@ fn main() -> ExitCode {
     if let Some(unknown) = names.iter().find(|name| !is_known(name)) {
         let known: Vec<&str> = BENCHMARKS.iter().map(|(name, _)| *name).collect();
         eprintln!(
-            "no benchmark is called {unknown}: there are {} (frame, paint and export with `--features gui`)",
+            "no benchmark is called {unknown}: there are {} (frame, paint, turning and export with `--features gui`)",
             known.join(", ")
         );
         return ExitCode::from(2);

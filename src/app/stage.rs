@@ -173,7 +173,7 @@ impl Column<'_> {
         let hint = hint.or_else(late).map(Caption::new);
         let said = hint.as_ref().unwrap_or(&frame.caption);
         let rect = rect_of(self.places.slot(drawing.0).unwrap_or_default());
-        let shown = self.canvas(model, ui, state, (frame, drawing), said, (rect, commands));
+        let mut shown = self.canvas(model, ui, state, (frame, drawing), said, (rect, commands));
         let is_one_of_two = model.playback.frames().len() > 1;
         let name = is_one_of_two.then(|| look.say(self.method.name_key));
         let difference = model.playback.difference();
@@ -197,6 +197,8 @@ impl Column<'_> {
             commands.extend(at.map(|at| Command::TypeAt(handle, at)));
         }
         state.pointed_on_stage = state.pointed_on_stage.or(pointed);
+        // A click in an inset is a click on what is seen there.
+        shown.pointed = shown.pointed.or(pointed);
         shown
     }
 

@@ -1,6 +1,6 @@
 //! Solids as they are seen: which facet at each sample of a picture.
 
-use std::{ops::Range, sync::Arc};
+use std::{collections::HashMap, ops::Range, sync::Arc};
 
 use glam::DVec3;
 
@@ -89,22 +89,30 @@ pub struct SolidMesh {
 }
 
 impl SolidMesh {
-    /// Each facet as a fan.
+    /// Each facet as a fan; what is in one place is one vertex.
     #[must_use]
     pub fn of(facets: &[Facet]) -> Self {
         let n_corners = facets.iter().map(|facet| facet.corners.len()).sum();
         let mut mesh = Self {
-            positions: Vec::with_capacity(n_corners),
+            positions: Vec::new(),
             triangles: Vec::with_capacity(n_corners),
             facets: Vec::with_capacity(n_corners),
         };
+        let mut vertices: HashMap<[u32; 3], u32> = HashMap::with_capacity(facets.len());
+        let mut corners = Vec::new();
         for (idx, facet) in (0..).zip(facets) {
-            let first = mesh.positions.len() as u32;
-            let corners = facet.corners.iter();
-            mesh.positions
-                .extend(corners.map(|at| at.map(|x| x as f32)));
-            for second in first + 1..(mesh.positions.len() as u32).saturating_sub(1) {
-                mesh.triangles.push([first, second, second + 1]);
+            corners.clear();
+            for at in &facet.corners {
+                let at = at.map(|x| x as f32 + 0.0);
+                let next = mesh.positions.len() as u32;
+                let vertex = *vertices.entry(at.map(f32::to_bits)).or_insert(next);
+                if vertex == next {
+                    mesh.positions.push(at);
+                }
+                corners.push(vertex);
+            }
+            for pair in corners.windows(2).skip(1) {
+                mesh.triangles.push([corners[0], pair[0], pair[1]]);
                 mesh.facets.push(idx);
             }
         }
@@ -154,6 +162,12 @@ impl<'a> SolidPicture<'a> {
             triangles,
             viewport,
         })
+    }
+
+    /// So many are drawn.
+    #[must_use]
+    pub const fn n_triangles(&self) -> usize {
+        self.triangles.len()
     }
 
     /// Puts the facets that are seen in some rows into `facets`, one for each sample, and how far away they are, from 0 to

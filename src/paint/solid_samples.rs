@@ -10,6 +10,10 @@ use super::solid_outlines::{NONE, Seen, outlines};
 
 /// Fewer samples are drawn sooner by one thread.
 const FEW: usize = 100_000;
+/// Fewer triangles are looked through again for every few rows.
+const FEW_TRIANGLES: usize = 5_000;
+/// Rows of pixels that are drawn at once then.
+const ROWS_AT_ONCE: u32 = 24;
 /// More threads have too little to do.
 const MOST_THREADS: usize = 4;
 
@@ -51,36 +55,80 @@ impl Samples<'_> {
         });
     }
 
-    /// Some rows of pixels. The samples beside them say where outlines are.
+    /// Some rows of pixels, few at a time: their samples stay near the processor.
     fn rows(&self, rows: Range<u32>, pixels: &mut [Color32]) {
-        let n_columns = (self.size[0] * self.fine) as usize;
+        let n_at_once = if self.picture.n_triangles() <= FEW_TRIANGLES {
+            ROWS_AT_ONCE
+        } else {
+            rows.end - rows.start
+        };
+        let mut seen = Seen {
+            n_columns: (self.size[0] * self.fine) as usize,
+            depths: Vec::new(),
+            facets: Vec::new(),
+        };
+        let starts = rows.clone().step_by(n_at_once.max(1) as usize);
+        let chunks = pixels.chunks_mut((n_at_once * self.size[0]).max(1) as usize);
+        for (start, pixels) in starts.zip(chunks) {
+            let end = (start + n_at_once).min(rows.end);
+            self.few_rows(start..end, &mut seen, pixels);
+        }
+    }
+
+    /// The samples beside these rows say where outlines are.
+    fn few_rows(&self, rows: Range<u32>, seen: &mut Seen, pixels: &mut [Color32]) {
         let first = (rows.start * self.fine).saturating_sub(1);
         let end = (rows.end * self.fine + 1).min(self.size[1] * self.fine);
+        let n_columns = seen.n_columns;
         let n_samples = (end - first) as usize * n_columns;
-        let mut seen = Seen {
-            n_columns,
-            depths: vec![1.0; n_samples],
-            facets: vec![NONE; n_samples],
-        };
+        seen.depths.clear();
+        seen.depths.resize(n_samples, 1.0);
+        seen.facets.clear();
+        seen.facets.resize(n_samples, NONE);
         self.picture
             .draw_rows(first..end, &mut seen.depths, &mut seen.facets);
         let is_dark = match self.outline {
-            Some((_, normals)) => outlines(&seen, normals),
+            Some((_, normals)) => outlines(seen, normals),
             None => Vec::new(),
         };
         let fine = self.fine as usize;
         let above = (rows.start * self.fine - first) as usize;
         for (row, pixels) in pixels.chunks_mut(self.size[0] as usize).enumerate() {
             let top = (above + row * fine) * n_columns;
-            for (column, pixel) in pixels.iter_mut().enumerate() {
+            // A sample's line may lie on the pixel beside it.
+            let [from, to] = seen.columns(top, fine).map(|column| column / fine);
+            let from = from.saturating_sub(1);
+            let to = (to + 2).min(pixels.len());
+            for (column, pixel) in pixels.iter_mut().enumerate().take(to).skip(from) {
                 let left = top + column * fine;
+                if let Some(whole) = self.whole(seen, &is_dark, left) {
+                    *pixel = whole;
+                    continue;
+                }
                 let samples = (0..fine).flat_map(|i| {
                     let start = left + i * n_columns;
                     start..start + fine
                 });
-                *pixel = self.pixel(&seen, &is_dark, samples);
+                *pixel = self.pixel(seen, &is_dark, samples);
             }
         }
+    }
+
+    /// The colour of a pixel that has only one: of most.
+    fn whole(&self, seen: &Seen, is_dark: &[bool], left: usize) -> Option<Color32> {
+        let (fine, n_columns) = (self.fine as usize, seen.n_columns);
+        let facet = seen.facets[left];
+        for start in (0..fine).map(|i| left + i * n_columns) {
+            let row = start..start + fine;
+            if seen.facets[row.clone()].iter().any(|it| *it != facet) {
+                return None;
+            }
+            if self.outline.is_some() && is_dark[row].contains(&true) {
+                return None;
+            }
+        }
+        let tone = self.tones.get(facet as usize);
+        Some(tone.copied().unwrap_or(Color32::TRANSPARENT))
     }
 
     /// The mean of some samples.

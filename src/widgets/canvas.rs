@@ -166,13 +166,20 @@ impl Canvas<'_> {
             moved,
             released: holds_handle && response.drag_stopped(),
             clicked: click(ui, &response, &handles),
-            pointed: hover.and_then(|at| hit::link_at(&viewport, self.marks, at)),
+            pointed: hover
+                .filter(|at| !self.is_covered(*at))
+                .and_then(|at| hit::link_at(&viewport, self.marks, at)),
             focused: focused.and_then(|id| {
                 let mut indices = self.spots.iter().map(|spot| spot.index);
                 indices.find(|&i| handles.id_of(i) == id)
             }),
             response,
         }
+    }
+
+    /// Does something else stand on it here?
+    fn is_covered(&self, at: Pos2) -> bool {
+        self.covered.iter().any(|covered| covered.contains(at))
     }
 
     /// Draws the marks; where their labels stand, which is remembered until the next frame.
@@ -226,7 +233,7 @@ fn pan_and_zoom(
     let pans = canvas.id.with("pans");
     if response.drag_started_by(PointerButton::Primary) {
         let origin = ui.input(|input| input.pointer.press_origin());
-        let is_on_ground = origin.is_some_and(|at| !handles.is_about(at));
+        let is_on_ground = origin.is_some_and(|at| !handles.is_about(at) && !canvas.is_covered(at));
         ui.data_mut(|data| data.insert_temp(pans, is_on_ground));
     }
     let is_on_ground = ui.data(|data| data.get_temp(pans)).unwrap_or(false);

@@ -23,6 +23,11 @@ impl Bounds {
         places.into_iter().fold(Self::NOWHERE, grown)
     }
 
+    /// The lowest coordinates and the highest; `None` around nothing.
+    pub fn corners(&self) -> Option<[[f64; 2]; 2]> {
+        (self.min[0] <= self.max[0]).then_some([self.min, self.max])
+    }
+
     /// Have they a place in common?
     pub fn meets(&self, other: &Self) -> bool {
         (0..2).all(|i| self.min[i] <= other.max[i] && other.min[i] <= self.max[i])

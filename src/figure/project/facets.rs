@@ -14,6 +14,7 @@ use crate::figure::{Facet, lens::Optics};
 
 use super::{
     bounds::Bounds,
+    grid::Grid,
     interval::{between, inside, union},
 };
 
@@ -28,8 +29,6 @@ struct InView {
     /// Away from the solid; not normalised.
     normal: DVec3,
     faces_eye: bool,
-    /// On the picture.
-    bounds: Bounds,
     /// The depth of its nearest corner.
     nearest: f64,
 }
@@ -37,17 +36,25 @@ struct InView {
 /// All facets of a space.
 pub struct FacetsInView {
     optics: Optics,
+    is_closed: bool,
     corners: Vec<DVec3>,
     facets: Vec<InView>,
+    /// On the picture.
+    bounds: Vec<Bounds>,
+    grid: Grid,
 }
 
 impl FacetsInView {
-    /// As they are seen through `optics`.
-    pub fn new(facets: &[Facet], optics: Optics) -> Self {
+    /// As they are seen through `optics`. Of closed solids those that are turned away hide nothing that the others do not:
+    /// they are told from them, and that is all.
+    pub fn new(facets: &[Facet], is_closed: bool, optics: Optics) -> Self {
         let mut seen = Self {
             optics,
+            is_closed,
             corners: Vec::with_capacity(4 * facets.len()),
             facets: Vec::with_capacity(facets.len()),
+            bounds: Vec::with_capacity(facets.len()),
+            grid: Grid::new(&[]),
         };
         let mut corners = Vec::new();
         for facet in facets {
@@ -56,17 +63,24 @@ impl FacetsInView {
             corners.extend(in_view.map(|&at| optics.view_from_world(at.into())));
             seen.push(&corners);
         }
+        seen.grid = Grid::new(&seen.bounds);
         seen
     }
 
     fn push(&mut self, corners: &[DVec3]) {
         let Some(&first) = corners.first() else {
+            self.bounds.push(Bounds::NOWHERE);
             return self.facets.push(InView::nothing());
         };
         let fan = corners.windows(2).skip(1);
         let normal: DVec3 = fan
             .map(|pair| (pair[0] - first).cross(pair[1] - first))
             .sum();
+        let faces_eye = normal.dot(self.optics.toward_eye(first)) > 0.0;
+        if self.is_closed && !faces_eye {
+            self.bounds.push(Bounds::NOWHERE);
+            return self.facets.push(InView::nothing());
+        }
         let start = self.corners.len();
         if corners.iter().all(|at| at.z <= -self.optics.near) {
             self.corners.extend(corners);
@@ -76,10 +90,10 @@ impl FacetsInView {
         let seen = start..self.corners.len();
         let shown = &self.corners[seen.clone()];
         let places = shown.iter().map(|&at| self.optics.picture_from_view(at));
+        self.bounds.push(Bounds::around(places));
         self.facets.push(InView {
             normal,
-            faces_eye: normal.dot(self.optics.toward_eye(first)) > 0.0,
-            bounds: Bounds::around(places),
+            faces_eye,
             nearest: shown.iter().fold(f64::NEG_INFINITY, |z, at| z.max(at.z)),
             corners: seen,
         });
@@ -93,17 +107,16 @@ impl FacetsInView {
     /// The hidden parts of a segment between two points in view, none of which is too near, as intervals of its
     /// parameter in order. It is no edge of the facets `but`.
     pub fn hidden(&self, ends: [DVec3; 2], but: [Option<u32>; 2]) -> Vec<[f64; 2]> {
-        let bounds = Bounds::around(ends.map(|at| self.optics.picture_from_view(at)));
+        let places = ends.map(|at| self.optics.picture_from_view(at));
+        let bounds = Bounds::around(places);
         let farthest = ends[0].z.min(ends[1].z);
         let mut hidden = Vec::new();
-        for (idx, facet) in self.facets.iter().enumerate() {
-            if farthest >= facet.nearest || !bounds.meets(&facet.bounds) {
-                continue;
+        for idx in self.grid.near(places) {
+            let facet = &self.facets[idx as usize];
+            let is_before = farthest < facet.nearest && bounds.meets(&self.bounds[idx as usize]);
+            if is_before && !but.contains(&Some(idx)) {
+                hidden.extend(inside(ends, self.shadow(facet)));
             }
-            if but.contains(&Some(idx as u32)) {
-                continue;
-            }
-            hidden.extend(inside(ends, self.shadow(facet)));
         }
         union(hidden)
     }
@@ -134,7 +147,6 @@ impl InView {
             corners: 0..0,
             normal: DVec3::ZERO,
             faces_eye: false,
-            bounds: Bounds::NOWHERE,
             nearest: f64::NEG_INFINITY,
         }
     }

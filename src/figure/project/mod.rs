@@ -6,6 +6,7 @@ mod bounds;
 mod curves;
 mod edges;
 mod facets;
+mod grid;
 mod interval;
 mod marks;
 #[cfg(test)]
@@ -15,7 +16,7 @@ mod tests;
 
 use glam::DVec3;
 
-use super::{Lens, Mark, Role, Shape, Solids, Space, Weight, lens::Optics};
+use super::{Edge3, Lens, Mark, Role, Shape, Solids, Space, Weight, lens::Optics};
 
 use facets::FacetsInView;
 use interval::{between, complement, inside};
@@ -30,9 +31,11 @@ pub fn project(space: &Space, lens: &Lens) -> Vec<Mark> {
     let Some(optics) = Optics::of(lens) else {
         return Vec::new();
     };
+    let bounds_two = |edge: &Edge3| edge.facets.iter().all(Option::is_some);
+    let is_closed = space.edges.iter().all(bounds_two);
     let seen = Seen {
         optics,
-        facets: FacetsInView::new(&space.facets, optics),
+        facets: FacetsInView::new(&space.facets, is_closed, optics),
     };
     let mut marks: Vec<Mark> = space.marks.iter().flat_map(|it| seen.wash(it)).collect();
     if !space.facets.is_empty() {

@@ -69,8 +69,11 @@ impl OnSlate for Ribbon {
         for (i, stage) in self.stages.iter().enumerate() {
             let before = i.checked_sub(1).map(|before| places[before].top());
             if let Some(before) = before {
-                change(slate, stage, places[i], before);
-                gate(slate, rect, places[i].left(), self.at_work == Some(i));
+                change(slate, stage, places[i], (before, top));
+            }
+            let is_at_work = self.at_work == Some(i);
+            if i > 0 || is_at_work {
+                gate(slate, rect, places[i].left(), is_at_work);
             }
             let aside = if i == 0 { 0.0 } else { slate.pts(ASIDE) };
             let mut at = pos2(places[i].left() + aside, rect.top());
@@ -118,7 +121,7 @@ fn fill(slate: &Slate<'_>, stage: &RibbonStage, place: Rect) {
 }
 
 /// What a gate took away, from the height before; what it added is within the band.
-fn change(slate: &mut Slate<'_>, stage: &RibbonStage, place: Rect, before: f32) {
+fn change(slate: &mut Slate<'_>, stage: &RibbonStage, place: Rect, (before, top): (f32, f32)) {
     let theme = slate.theme();
     let Some(by) = stage.change.filter(|&by| by != 0) else {
         return;
@@ -138,6 +141,7 @@ fn change(slate: &mut Slate<'_>, stage: &RibbonStage, place: Rect, before: f32) 
     let high = text.size().y;
     // Between the words and the band.
     let y = (before.midpoint(place.top()) - 0.5 * high).min(place.top() - high - 1.0);
+    let y = y.max(top);
     slate.put(&text, pos2(end + gap, y), Align2::LEFT_TOP);
 }
 

@@ -166,6 +166,21 @@ fn coordinates_of_a_pipeline_are_whole() {
     check("clippers", &rooms, &data::polygons::pipeline());
 }
 
+#[test]
+fn numbers_stand_beside_their_axes() {
+    check("a1-distances", &ROOMS, &data::frustum::distances());
+    check("a6-products", &ROOMS, &data::frustum::products());
+}
+
+#[test]
+fn a_ribbon_says_what_each_gate_took_and_added() {
+    let rooms = [vec2(744.0, 84.0), vec2(1100.0, 110.0)];
+    let narrows = [322, 156, 151, 163, 85];
+    check("a1-ribbon", &rooms, &data::frustum::ribbon(narrows));
+    let widens = [150, 150, 0, 340, 339];
+    check("ribbon-widens", &rooms, &data::frustum::ribbon(widens));
+}
+
 /// Beside the drawing of a page, and under it.
 fn room_on_a_page(view: &View) -> Vec2 {
     match view.body {

@@ -5,8 +5,8 @@ use serde_json::{Value as Json, json};
 
 use crate::{
     figure::{
-        Body, Caption, Cell, Edge3, Facet, Mark3, Pixel, Raster, Role, Seer, Shape3, Space, Table,
-        TableRow, Tick, View, Watch, WatchRow, WatchSection,
+        Body, Caption, Cell, Edge3, Facet, Link, Mark3, Pixel, Raster, Role, Seer, Shape3, Space,
+        Table, TableRow, Tick, View, Watch, WatchRow, WatchSection,
     },
     geom::Orbit,
     labs::{Answer, CodeLine, Demo, Step},
@@ -214,7 +214,7 @@ fn facets(half: f64) -> Vec<Facet> {
     let facet = |face: [usize; 4]| Facet {
         corners: face.map(|idx| corner(half, idx)).to_vec(),
         role: Role::Accent,
-        link: None,
+        link: Some(Link::to("face")),
     };
     FACES.map(facet).to_vec()
 }

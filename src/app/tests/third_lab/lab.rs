@@ -6,7 +6,7 @@ use egui::Ui;
 
 use crate::{
     case::{self, Field, Refusal, Solve, Solver, Told},
-    figure::{Mark, Run},
+    figure::{Link, Mark, Run},
     labs::{
         Click, Document, Edit, Handle, HandleKind, Lab, MethodCard, Motion, Own, Scene, record,
     },
@@ -65,6 +65,8 @@ pub fn face() -> Handle {
 thread_local! {
     /// How often this thread has recorded a box.
     pub static N_RECORDED: Cell<usize> = const { Cell::new(0) };
+    /// What was clicked last on this thread.
+    pub static CLICKED: Cell<Option<Link>> = const { Cell::new(None) };
 }
 
 #[derive(Clone, PartialEq, Debug)]
@@ -124,7 +126,8 @@ impl Document for BoxScene {
         Ok(())
     }
 
-    fn click(&self, _: &Click<'_>) -> Option<Own> {
+    fn click(&self, click: &Click<'_>) -> Option<Own> {
+        CLICKED.set(click.link);
         None
     }
 

@@ -4,14 +4,16 @@
 mod corners;
 mod lab;
 
-use egui::{Key, vec2};
+use egui::{
+    Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, TouchPhase, vec2,
+};
 
 use super::{Bench, SIZE};
 use crate::{
     app::{App, Command, Kit, Settings},
     case::{Detail, Format, Solver, Solvers, Style, trace},
     export,
-    figure::{Body, Moment, Run, project},
+    figure::{Body, Link, Moment, Run, project},
     labs::Scene,
     lesson::{Course, FileError, Files, SceneFormat, SceneFormats},
     paint::ThemeKind,
@@ -19,7 +21,7 @@ use crate::{
 };
 
 use corners::corner;
-use lab::{BoxFormat, BoxPanel, BoxScene, LAB, N_RECORDED, SOLVERS};
+use lab::{BoxFormat, BoxPanel, BoxScene, CLICKED, LAB, N_RECORDED, SOLVERS};
 
 static FORMATS: [&dyn SceneFormat; 1] = [&BoxFormat];
 
@@ -165,6 +167,42 @@ fn its_window_turns_steps_drags_and_undoes() {
     bench.command(Command::Undo);
     assert_eq!(half(&bench), 1.0);
     assert_eq!(corner(1.0, 7), [1.0; 3]);
+}
+
+#[test]
+fn its_eye_comes_nearer_goes_sideways_and_knows_what_is_clicked() {
+    let mut bench = bench();
+    let [middle, side] = [0.0, 1.0].map(|y| bench.app.on_screen([0.0, y]).expect("on stage"));
+    bench.button(middle, true);
+    bench.button(middle, false);
+    assert_eq!(CLICKED.get(), Some(Link::to("face")));
+    let beside = middle + vec2(0.0, 3.0 * (side.y - middle.y));
+    bench.button(beside, true);
+    bench.button(beside, false);
+    assert_eq!(CLICKED.get(), None, "nothing is there");
+    let wheel = Event::MouseWheel {
+        unit: MouseWheelUnit::Point,
+        source: MouseWheelSource::Wheel,
+        delta: vec2(0.0, 80.0),
+        phase: TouchPhase::Move,
+        modifiers: Modifiers::NONE,
+    };
+    bench.frame(0.02, vec![Event::PointerMoved(middle), wheel]);
+    bench.settle();
+    let nearer = bench.app.on_screen([0.0, 1.0]).expect("on stage");
+    assert!(nearer.y < side.y - 1.0, "{nearer:?}, not over {side:?}");
+    let shift = |pressed| Event::PointerButton {
+        pos: beside,
+        button: PointerButton::Middle,
+        pressed,
+        modifiers: Modifiers::NONE,
+    };
+    bench.frame(0.02, vec![Event::PointerMoved(beside), shift(true)]);
+    let to = beside + vec2(40.0, -20.0);
+    bench.frame(0.02, vec![Event::PointerMoved(to)]);
+    bench.frame(0.02, vec![shift(false)]);
+    let moved = bench.app.on_screen([0.0, 0.0]).expect("on stage") - middle;
+    assert!((moved - vec2(40.0, -20.0)).length() < 1.0, "{moved:?}");
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! What the prototypes C1 to C4 show.
 
+pub mod frustum;
 pub mod polygons;
 
 use crate::{

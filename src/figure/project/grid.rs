@@ -1,0 +1,145 @@
+//! Which facets may hide a line: a grid over the picture, and in each of its cells the facets that reach into it.
+
+use std::ops::RangeInclusive;
+
+use super::bounds::Bounds;
+
+/// Of the picture so much on either side of its middle is divided into cells; what lies beyond belongs to the outermost.
+const REACH: f64 = 2.0;
+/// More cells along a side would each hold too few.
+const MOST_CELLS: usize = 64;
+
+/// Facets by the cells of a grid.
+pub struct Grid {
+    /// Cells along a side.
+    n: usize,
+    /// Where each cell's facets start; one more at the end.
+    starts: Vec<u32>,
+    facets: Vec<u32>,
+}
+
+impl Grid {
+    /// Of facets with these boxes around them.
+    pub fn new(bounds: &[Bounds]) -> Self {
+        let n = (bounds.len() as f64).sqrt() as usize / 2;
+        let mut grid = Self {
+            n: n.clamp(1, MOST_CELLS),
+            starts: Vec::new(),
+            facets: Vec::new(),
+        };
+        let mut ends = vec![0_u32; grid.n * grid.n + 1];
+        grid.for_each(bounds, |cell, _| ends[cell + 1] += 1);
+        for cell in 1..ends.len() {
+            ends[cell] += ends[cell - 1];
+        }
+        grid.starts.clone_from(&ends);
+        let mut facets = vec![0; ends[grid.n * grid.n] as usize];
+        grid.for_each(bounds, |cell, facet| {
+            facets[ends[cell] as usize] = facet;
+            ends[cell] += 1;
+        });
+        grid.facets = facets;
+        grid
+    }
+
+    /// Facets near to a segment, each once, in their order.
+    pub fn near(&self, [a, b]: [[f64; 2]; 2]) -> Vec<u32> {
+        let mut found = Vec::new();
+        for row in self.cells(a[1].min(b[1]), a[1].max(b[1])) {
+            // The part of the segment in this row.
+            let low = if row == 0 {
+                f64::NEG_INFINITY
+            } else {
+                self.edge(row)
+            };
+            let high = if row + 1 == self.n {
+                f64::INFINITY
+            } else {
+                self.edge(row + 1)
+            };
+            let at = |y: f64| {
+                let t = ((y - a[1]) / (b[1] - a[1])).clamp(0.0, 1.0);
+                a[0] + t * (b[0] - a[0])
+            };
+            let [from, to] = if a[1] == b[1] {
+                [a[0], b[0]]
+            } else {
+                [at(low), at(high)]
+            };
+            for column in self.cells(from.min(to), from.max(to)) {
+                let cell = row * self.n + column;
+                let [start, end] = [cell, cell + 1].map(|i| self.starts[i] as usize);
+                found.extend_from_slice(&self.facets[start..end]);
+            }
+        }
+        found.sort_unstable();
+        found.dedup();
+        found
+    }
+
+    /// Calls back with each cell, and each facet that reaches into it.
+    fn for_each(&self, bounds: &[Bounds], mut put: impl FnMut(usize, u32)) {
+        for (facet, bounds) in (0..).zip(bounds) {
+            let Some([min, max]) = bounds.corners() else {
+                continue;
+            };
+            for row in self.cells(min[1], max[1]) {
+                for column in self.cells(min[0], max[0]) {
+                    put(row * self.n + column, facet);
+                }
+            }
+        }
+    }
+
+    /// Along either axis.
+    fn cells(&self, low: f64, high: f64) -> RangeInclusive<usize> {
+        let cell = |x: f64| {
+            let at = (x + REACH) / (2.0 * REACH) * self.n as f64;
+            // What is negative, or no number, becomes 0.
+            (at as usize).min(self.n - 1)
+        };
+        cell(low)..=cell(high)
+    }
+
+    /// The lower edge of a row.
+    fn edge(&self, row: usize) -> f64 {
+        row as f64 / self.n as f64 * 2.0 * REACH - REACH
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_facet_whose_box_a_segment_meets_is_near_it() {
+        let at = |i: usize, n: usize| ((i * n) % 101) as f64 / 20.0 - 2.5;
+        let boxes: Vec<[[f64; 2]; 2]> = (0..300)
+            .map(|i| {
+                let min = [at(i, 7), at(i, 13)];
+                [min, [min[0] + 0.1, min[1] + 0.02 * (i % 9) as f64]]
+            })
+            .collect();
+        let bounds: Vec<Bounds> = boxes.iter().map(|&it| Bounds::around(it)).collect();
+        let grid = Grid::new(&bounds);
+        assert!(grid.n > 4);
+        let (mut n_met, mut n_near) = (0, 0);
+        for i in 0..200 {
+            let ends = [[at(i, 3), at(i, 17)], [at(i, 29), at(i, 41)]];
+            let near = grid.near(ends);
+            n_near += near.len();
+            for (facet, [min, max]) in (0..).zip(&boxes) {
+                let is_met = (0..=50).any(|k| {
+                    let t = f64::from(k) / 50.0;
+                    (0..2).all(|axis| {
+                        let x = ends[0][axis] + t * (ends[1][axis] - ends[0][axis]);
+                        min[axis] <= x && x <= max[axis]
+                    })
+                });
+                n_met += usize::from(is_met);
+                assert!(!is_met || near.contains(&facet), "{ends:?} {facet}");
+            }
+        }
+        assert!(n_met > 100 && n_near < 200 * 150, "{n_met} {n_near}");
+    }
+}

@@ -1,0 +1,88 @@
+//! What the prototypes A1 and A6 show.
+
+use crate::{
+    figure::{Gauge, Gauges, Ribbon, RibbonStage, Role},
+    text::{Message, Value},
+};
+
+fn gauge(name: Value, value: Option<f64>, role: Role) -> Gauge {
+    Gauge {
+        name,
+        value,
+        verdict: None,
+        role,
+        is_bar: false,
+        link: None,
+    }
+}
+
+/// One sphere, six planes, of which three have been asked.
+pub fn distances() -> Gauges {
+    let rows = [
+        ("side-near", Some(2.6), Role::Accent),
+        ("side-far", Some(4.4), Role::Accent),
+        ("side-left", Some(-3.4), Role::Signal),
+        ("side-right", None, Role::Accent),
+        ("side-bottom", None, Role::Accent),
+        ("side-top", None, Role::Accent),
+    ];
+    let sides = ["gauge-outside", "gauge-inside"].map(Message::new);
+    Gauges {
+        title: Message::new("gauges-sphere").with("planes", 6_usize),
+        sides,
+        band: Some(1.01),
+        rows: rows
+            .map(|(name, value, role)| gauge(Value::Term(name), value, role))
+            .to_vec(),
+    }
+}
+
+/// All eight faces.
+pub fn products() -> Gauges {
+    let products = [117.0, 45.0, 27.0, -9.0, -45.0, -81.0, -99.0, -171.0];
+    let row = |(i, &product): (usize, &f64)| {
+        let (verdict, role) = match (i, product > 0.0) {
+            (5, _) => ("gauge-culled", Role::Signal),
+            (_, true) => ("gauge-drawn", Role::Accent),
+            (_, false) => ("gauge-culled", Role::Discarded),
+        };
+        Gauge {
+            verdict: Some(Message::new(verdict)),
+            is_bar: true,
+            ..gauge(Value::Count(i + 1), Some(product), role)
+        }
+    };
+    Gauges {
+        title: Message::new("gauges-faces").with("faces", 8_usize),
+        sides: ["gauge-away", "gauge-faces-camera"].map(Message::new),
+        band: None,
+        rows: products.iter().enumerate().map(row).collect(),
+    }
+}
+
+/// Five levels: at the second gate, or with more after the cuts than there were at first.
+pub fn ribbon(amounts: [usize; 5]) -> Ribbon {
+    let titles = [
+        "level-scene",
+        "level-spheres",
+        "level-vertices",
+        "level-cuts",
+        "level-facing",
+    ];
+    let stage = |(i, title): (usize, &'static str)| RibbonStage {
+        title: Message::new(title),
+        counts: Message::new("level-counts")
+            .with("objects", 10_usize)
+            .with("triangles", amounts[i]),
+        amount: amounts[i],
+        change: i
+            .checked_sub(1)
+            .map(|before| amounts[i] as i64 - amounts[before] as i64),
+        is_to_come: i > 1,
+    };
+    Ribbon {
+        stages: titles.into_iter().enumerate().map(stage).collect(),
+        at_work: Some(1),
+        most: amounts.into_iter().fold(0, usize::max),
+    }
+}
