@@ -163,7 +163,7 @@ fn lesson_toml(
             None
         }
         Ok(bytes) => {
-            let source = Source::new(files.shown(&path), &bytes);
+            let source = Source::new(files.shown(&path), &bytes).among(files, id);
             let mut sink = Sink::new(&source);
             let skeleton = lesson_file::read(reading, &mut sink);
             problems.extend(sink.into_problems());

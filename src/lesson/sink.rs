@@ -106,6 +106,15 @@ impl<'s> Sink<'s> {
         });
     }
 
+    /// Adds what is wrong with another file that this one names.
+    pub fn report(&mut self, problems: Vec<Problem>) {
+        let is_error = |problem: &&Problem| problem.severity == Severity::Error;
+        self.n_errors += problems.iter().filter(is_error).count();
+        let room = MAX_PROBLEMS.saturating_sub(self.problems.len());
+        self.n_more += problems.len().saturating_sub(room);
+        self.problems.extend(problems.into_iter().take(room));
+    }
+
     /// Adds the problems of another sink for the same file that `keep` wants, by their codes.
     pub fn take_from(&mut self, other: Self, keep: impl Fn(&str) -> bool) {
         for problem in other.problems.into_iter().filter(|p| keep(p.code())) {
@@ -122,11 +131,11 @@ impl<'s> Sink<'s> {
     /// All of them, from the top of the file to its end.
     pub fn into_problems(self) -> Vec<Problem> {
         let mut problems = self.problems;
+        // Those of files that this one names come after its own.
         problems.sort_by_key(|problem| {
-            problem
-                .place
-                .as_ref()
-                .map(|place| (place.line, place.column))
+            let place = problem.place.as_ref();
+            let place = place.map(|place| (place.line, place.column));
+            (problem.file != self.source.file, place)
         });
         if self.n_more > 0 {
             problems.push(Problem {
@@ -147,7 +156,7 @@ impl<'s> Sink<'s> {
 }
 
 /// A name from a file as a message quotes it: not longer than a line.
-pub(super) fn clipped(name: &str) -> String {
+pub(in crate::lesson) fn clipped(name: &str) -> String {
     const MAX_CHARS: usize = 60;
     match name.char_indices().nth(MAX_CHARS) {
         Some((end, _)) => format!("{}…", &name[..end]),

@@ -2,14 +2,17 @@
 
 use std::{borrow::Cow, ops::Range};
 
-use super::problem::Place;
+use super::{
+    files::{FileError, Files},
+    problem::Place,
+};
 
 /// Of a longer line, only what surrounds the place is kept.
 const MAX_LINE_CHARS: usize = 120;
 /// What is kept before the place.
 const LEAD_CHARS: usize = 50;
 
-/// A file's name and text.
+/// A file's name and text, and the folder that it lies in.
 pub(crate) struct Source<'a> {
     /// As the person who runs the program knows it.
     pub file: String,
@@ -17,6 +20,8 @@ pub(crate) struct Source<'a> {
     pub text: Cow<'a, str>,
     /// Where the file stopped being UTF-8, and the byte that stands there.
     pub bad_byte: Option<(usize, u8)>,
+    /// Where files beside it come from, and their folder; none of a file that stands alone.
+    folder: Option<(&'a dyn Files, &'a str)>,
 }
 
 impl<'a> Source<'a> {
@@ -30,7 +35,21 @@ impl<'a> Source<'a> {
             file,
             text: String::from_utf8_lossy(bytes),
             bad_byte,
+            folder: None,
         }
+    }
+
+    /// The same file among others.
+    pub fn among(mut self, files: &'a dyn Files, folder: &'a str) -> Self {
+        self.folder = Some((files, folder));
+        self
+    }
+
+    /// A file beside it, as a person knows it, and what it holds; `None` where there is no such folder.
+    pub fn beside(&self, name: &str) -> Option<(String, Result<Vec<u8>, FileError>)> {
+        let (files, folder) = self.folder?;
+        let path = format!("{folder}/{name}");
+        Some((files.shown(&path), files.read(&path)))
     }
 
     /// The place of these bytes of the text; what lies past the end of the first line is not shown.

@@ -51,6 +51,7 @@ problem-two-kinds-of-objects = Both “objects” and “street” are given: on
 problem-two-openings = Both “fov_y_deg” and “height” are given: the first is for perspective, the second for a parallel camera.
 problem-two-models = Both “solid” and “mesh” are given: only one of the two may be.
 problem-mesh-too-large = The list has { $count } entries, where { $limit } are the most that a scene file holds.
+problem-no-such-mesh = There is no mesh “{ $name }” beside this file.
 problem-unknown-method = There is no method “{ $name }”.
 problem-unknown-lab = There is no lab “{ $name }”.
 problem-unknown-scene = There is no scene “{ $name }”.
@@ -103,6 +104,7 @@ expect-camera = Expected: position, target, up, fov_y_deg (or height), aspect, n
 expect-eye = Expected: pitch_deg from −89 to 89, distance from 1e-6 to 1e6, fov_y_deg from 1 to 120.
 expect-objects = Expected: a list of objects, [{ "{" } solid = "cube", at = [x, y, z], size = 1 { "}" }, …], or “street” with “count” and “seed”.
 expect-mesh = Expected: name, vertices [[x, y, z], …] and faces [[i, j, k], …], whose indices count from 0; uvs [[u, v], …] may stand there too, one for each vertex.
+expect-mesh-file = Expected: the name of an OBJ file in the lesson’s folder, such as "cow.obj", or a table with name, vertices and faces.
 expect-steps = Expected: at least one [[step]].
 expect-kebab = Expected: lower-case letters and digits, joined by single hyphens: nine-regions.
 expect-figure = Expected: at most 64 lower-case letters, digits and hyphens: nine-regions.

@@ -51,6 +51,7 @@ problem-two-kinds-of-objects = Se dan a la vez «objects» y «street»: solo pu
 problem-two-openings = Se dan a la vez «fov_y_deg» y «height»: el primero es para la perspectiva, el segundo para una cámara paralela.
 problem-two-models = Se dan a la vez «solid» y «mesh»: solo puede haber uno de los dos.
 problem-mesh-too-large = La lista tiene { $count } entradas; un archivo de escena admite { $limit } como máximo.
+problem-no-such-mesh = Junto a este archivo no hay ninguna malla «{ $name }».
 problem-unknown-method = No existe el método «{ $name }».
 problem-unknown-lab = No existe el laboratorio «{ $name }».
 problem-unknown-scene = No existe la escena «{ $name }».
@@ -103,6 +104,7 @@ expect-camera = Se esperaba: position, target, up, fov_y_deg (o height), aspect,
 expect-eye = Se esperaba: pitch_deg de −89 a 89, distance de 1e-6 a 1e6, fov_y_deg de 1 a 120.
 expect-objects = Se esperaba: una lista de objetos, [{ "{" } solid = "cube", at = [x, y, z], size = 1 { "}" }, …], o «street» con «count» y «seed».
 expect-mesh = Se esperaba: name, vertices [[x, y, z], …] y faces [[i, j, k], …], cuyos índices cuentan desde 0; también puede haber uvs [[u, v], …], una por vértice.
+expect-mesh-file = Se esperaba: el nombre de un archivo OBJ de la carpeta de la lección, como "cow.obj", o una tabla con name, vertices y faces.
 expect-steps = Se esperaba: al menos un [[step]].
 expect-kebab = Se esperaba: letras minúsculas sin tilde y cifras, unidas por guiones simples: nine-regions.
 expect-figure = Se esperaba: como mucho 64 letras minúsculas sin tilde, cifras y guiones: nine-regions.

@@ -51,6 +51,7 @@ problem-two-kinds-of-objects = “objects” e “street” foram dados ao mesmo
 problem-two-openings = “fov_y_deg” e “height” foram dados ao mesmo tempo: o primeiro é para a perspectiva, o segundo para uma câmera paralela.
 problem-two-models = “solid” e “mesh” foram dados ao mesmo tempo: só pode haver um dos dois.
 problem-mesh-too-large = A lista tem { $count } itens; um arquivo de cena aceita no máximo { $limit }.
+problem-no-such-mesh = Não há nenhuma malha “{ $name }” ao lado deste arquivo.
 problem-unknown-method = Não existe o método “{ $name }”.
 problem-unknown-lab = Não existe o laboratório “{ $name }”.
 problem-unknown-scene = Não existe a cena “{ $name }”.
@@ -103,6 +104,7 @@ expect-camera = Esperado: position, target, up, fov_y_deg (ou height), aspect, n
 expect-eye = Esperado: pitch_deg de −89 a 89, distance de 1e-6 a 1e6, fov_y_deg de 1 a 120.
 expect-objects = Esperado: uma lista de objetos, [{ "{" } solid = "cube", at = [x, y, z], size = 1 { "}" }, …], ou “street” com “count” e “seed”.
 expect-mesh = Esperado: name, vertices [[x, y, z], …] e faces [[i, j, k], …], cujos índices contam a partir de 0; também pode haver uvs [[u, v], …], uma por vértice.
+expect-mesh-file = Esperado: o nome de um arquivo OBJ da pasta da lição, como "cow.obj", ou uma tabela com name, vertices e faces.
 expect-steps = Esperado: pelo menos um [[step]].
 expect-kebab = Esperado: letras minúsculas sem acento e algarismos, unidos por hifens simples: nine-regions.
 expect-figure = Esperado: no máximo 64 letras minúsculas sem acento, algarismos e hifens: nine-regions.

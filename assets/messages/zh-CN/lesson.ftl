@@ -47,6 +47,7 @@ problem-two-kinds-of-objects = 同时给出了“objects”和“street”：只
 problem-two-openings = 同时给出了“fov_y_deg”和“height”：前者用于透视相机，后者用于平行投影相机。
 problem-two-models = 同时给出了“solid”和“mesh”：只能给出其中之一。
 problem-mesh-too-large = 该列表有 { $count } 项，场景文件最多容纳 { $limit } 项。
+problem-no-such-mesh = 该文件旁没有网格“{ $name }”。
 problem-unknown-method = 没有名为“{ $name }”的算法。
 problem-unknown-lab = 没有名为“{ $name }”的实验。
 problem-unknown-scene = 没有名为“{ $name }”的场景。
@@ -95,6 +96,7 @@ expect-camera = 应为：position、target、up、fov_y_deg（或 height）、as
 expect-eye = 应为：pitch_deg 在 −89 到 89 之间，distance 在 1e-6 到 1e6 之间，fov_y_deg 在 1 到 120 之间。
 expect-objects = 应为：物体的列表，[{ "{" } solid = "cube", at = [x, y, z], size = 1 { "}" }, …]，或带有“count”和“seed”的“street”。
 expect-mesh = 应为：name、vertices [[x, y, z], …] 和 faces [[i, j, k], …]，下标从 0 数起；也可以有 uvs [[u, v], …]，每个顶点一个。
+expect-mesh-file = 应为：课程文件夹中 OBJ 文件的名称，例如 "cow.obj"，或含有 name、vertices 和 faces 的表。
 expect-steps = 应为：至少一个 [[step]]。
 expect-kebab = 应为：小写字母和数字，用单个连字符连接：nine-regions。
 expect-figure = 应为：最多 64 个小写字母、数字和连字符：nine-regions。

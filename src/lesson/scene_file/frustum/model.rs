@@ -6,8 +6,9 @@ use crate::{
     geom::{Mesh, MeshError, Solid, SpaceError},
     labs::frustum::{Model, NamedMesh, Object},
     lesson::{
+        read_obj,
         scene_file::parts::{array, exact, span_of},
-        sink::Sink,
+        sink::{Sink, clipped},
         toml_fields::{Item, TomlFields, list, number, numbers, one_of, text, whole},
     },
     text::Message,
@@ -55,7 +56,13 @@ fn model(fields: &TomlFields<'_>, sink: &mut Sink<'_>) -> Option<Model> {
             sink.error(mesh.span(), Message::new("problem-two-models"), []);
             None
         }
-        (None, Some(item)) => mesh(item, sink).map(|mesh| Model::Mesh(Arc::new(mesh))),
+        (None, Some(item)) => {
+            let mesh = match item.get_ref().as_str() {
+                Some(name) => mesh_beside(item, name, sink),
+                None => mesh(item, sink),
+            };
+            Some(Model::Mesh(Arc::new(mesh?)))
+        }
         _ => {
             let item = fields.require("solid", sink)?;
             let mut known: Vec<&str> = Solid::ALL.map(Solid::id).to_vec();
@@ -65,6 +72,38 @@ fn model(fields: &TomlFields<'_>, sink: &mut Sink<'_>) -> Option<Model> {
                 let spot = || (name == spot::ID).then(spot::model);
                 solid.map(Model::Solid).or_else(spot)
             })
+        }
+    }
+}
+
+/// The mesh of an OBJ file in the lesson's folder, around the origin and between −1 and 1.
+fn mesh_beside(item: &Item<'_>, name: &str, sink: &mut Sink<'_>) -> Option<NamedMesh> {
+    let stem = name
+        .strip_suffix(".obj")
+        .filter(|_| !name.contains(['/', '\\']));
+    let found = stem.and_then(|_| sink.source().beside(name));
+    let Some((path, bytes)) = found else {
+        let message = Message::new("problem-no-such-mesh").with("name", clipped(name));
+        sink.error(item.span(), message, [Message::new("expect-mesh-file")]);
+        return None;
+    };
+    let bytes = match bytes {
+        Ok(bytes) => bytes,
+        Err(error) => {
+            sink.refuse(item.span(), error, [Message::new("expect-mesh-file")]);
+            return None;
+        }
+    };
+    match read_obj(&path, &bytes) {
+        Ok(read) => {
+            sink.report(read.warnings);
+            let name = stem.unwrap_or_default().to_owned();
+            let mesh = read.mesh.fitted();
+            Some(NamedMesh { name, mesh })
+        }
+        Err(problems) => {
+            sink.report(problems);
+            None
         }
     }
 }
