@@ -4,7 +4,9 @@
 //! curves and groups, is passed over: normals follow from the faces. Every complaint names file, line and column.
 
 mod faces;
+mod mtl;
 mod obj;
 mod statements;
 
-pub use obj::{ObjFile, read_mtl, read_obj, read_obj_while};
+pub use mtl::read_mtl;
+pub use obj::{ObjFile, read_obj, read_obj_while};

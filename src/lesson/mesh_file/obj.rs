@@ -1,4 +1,4 @@
-//! Reading an OBJ file, and the MTL file beside it.
+//! Reading an OBJ file.
 
 use std::{collections::HashMap, ops::Range};
 
@@ -67,22 +67,6 @@ pub fn read_obj_while(
         reader.faces(wanted(), &mut sink);
     }
     reader.finish(sink)
-}
-
-/// The picture that a material of an MTL file is painted with, by its file's name.
-#[must_use]
-pub fn read_mtl(bytes: &[u8], material: &str) -> Option<String> {
-    let text = String::from_utf8_lossy(bytes);
-    let mut is_wanted = false;
-    let mut found = None;
-    for statement in statements(&text) {
-        match statement.keyword() {
-            "newmtl" => is_wanted = statement.rest() == Some(material),
-            "map_Kd" if is_wanted => found = statement.rest().map(str::to_owned),
-            _ => {}
-        }
-    }
-    found
 }
 
 #[derive(Default)]
@@ -281,7 +265,10 @@ fn short(word: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::text::{Catalog, Lang};
+    use crate::{
+        lesson::read_mtl,
+        text::{Catalog, Lang},
+    };
 
     fn problems(text: &str) -> Vec<String> {
         let found = match read_obj("a.obj", text.as_bytes()) {
