@@ -11,12 +11,12 @@ use crate::{
         volume::PlaneSide,
     },
     figure::{
-        Body, Caption, Cell, Mark3, Role, Shape3, Table, TableRow, Tick, View, Watch, WatchRow,
-        WatchSection,
+        Body, Caption, Cell, Mark3, Role, Shape3, Table, TableNote, TableRow, Tick, View, Watch,
+        WatchRow, WatchSection,
     },
-    geom::{VolumeSide, planes_from_matrix},
+    geom::{Plane, VolumeSide, planes_from_matrix},
     labs::{Answer, CodeLine, Demo, Step, code_line, words::name},
-    text::{Formula, Message},
+    text::{Formula, Message, Value},
 };
 
 use super::{
@@ -25,13 +25,12 @@ use super::{
         method_info::FrustumDemo,
         stage::{Fate, Scenery, plane_at_work},
     },
-    planes::{distance_formula, gauges, perpendicular, place, plane_link, plane_name, triple},
+    planes::{distance_formula, perpendicular, place, plane_link, plane_name, triple},
 };
 
 type Input = OnSceneInput<PointPlanesInput>;
 type Shown = OnScene<PointPlanes>;
 
-const GAUGES_VIEW: &str = "distances";
 const PLANES_VIEW: &str = "planes";
 
 impl Answer for PointPlanesOutput {
@@ -132,26 +131,12 @@ impl Demo for Shown {
 
     fn views(step: &Step<'_, Self>) -> Vec<View> {
         let scenery = step.input.scenery.as_deref();
-        let known: Vec<(f64, Role)> = step
-            .state
-            .asked
-            .iter()
-            .enumerate()
-            .map(|(i, &(d, side))| (d, role(side, current(step) == Some(i))))
-            .collect();
-        let title = Message::new("gauges-point");
-        let n_planes = step.input.own.planes.len();
-        let distances = gauges(title, scenery, n_planes, None, &known);
         let mut views = Vec::new();
         if let Some(scenery) = scenery {
             views.push(scenery.observer(|_| Fate::ToCome, marks(step, scenery)));
             views.push(scenery.camera(|_| Fate::ToCome, |_, _| None, vec![dot(step)]));
         }
-        views.push(View::new(GAUGES_VIEW, Body::Gauges(distances)));
-        if let Some(scenery) = scenery {
-            let table = plane_table(scenery, current(step));
-            views.push(View::new(PLANES_VIEW, Body::Table(table)));
-        }
+        views.push(View::new(PLANES_VIEW, Body::Table(plane_table(step))));
         views
     }
 
@@ -167,7 +152,7 @@ impl Demo for Shown {
         });
         vec![
             WatchSection::list(rows),
-            WatchSection::list(distances.collect()).seen_in(GAUGES_VIEW),
+            WatchSection::list(distances.collect()).seen_in(PLANES_VIEW),
         ]
     }
 }
@@ -211,42 +196,50 @@ fn marks(step: &Step<'_, Shown>, scenery: &Scenery) -> Vec<Mark3> {
     marks
 }
 
-/// The planes as the angles give them, and as the rows of the matrix do: the same.
-fn plane_table(scenery: &Scenery, current: Option<usize>) -> Table {
-    let camera = scenery.scene().camera.camera();
-    let from_matrix = planes_from_matrix(&camera.clip_from_world()).ok();
-    let symbols = ["n_x", "n_y", "n_z", "D"].map(|name| Formula::default().sym(name));
+/// The planes, and how far the point is from each that has been asked.
+fn plane_table(step: &Step<'_, Shown>) -> Table {
+    let scenery = step.input.scenery.as_deref();
+    let symbols = ["n_x", "n_y", "n_z", "D", "d"].map(|name| Formula::default().sym(name));
     let mut header = vec![Formula::default().term("column-plane")];
     header.extend(symbols);
-    let row = |plane_idx: usize| {
+    let current = current(step);
+    let row = |(plane_idx, plane): (usize, &Plane)| {
         let is_current = current == Some(plane_idx);
-        let role = if is_current { Role::Signal } else { Role::Ink };
-        let [x, y, z, d] = scenery.planes()[plane_idx].to_array();
-        let cells = [x, y, z, d].map(|value| Cell::new(role, Some(value)));
+        let known = step.state.asked.get(plane_idx);
+        let given = plane
+            .to_array()
+            .map(|value| Cell::new(Role::Ink, Some(value)));
+        let distance = match known {
+            Some(&(d, side)) => Cell::new(role(side, is_current), Some(d)).strong(),
+            None => Cell::new(Role::Ink, None::<Value>),
+        };
         TableRow {
-            name: plane_name(Some(scenery), plane_idx),
-            cells: cells.to_vec(),
+            name: plane_name(scenery, plane_idx),
+            cells: given.into_iter().chain([distance]).collect(),
             is_current,
             link: Some(plane_link(plane_idx)),
         }
     };
-    let apart = from_matrix.map(|planes| {
-        let apart = planes.iter().zip(scenery.planes()).flat_map(|(a, b)| {
-            let unit = a.to_array().map(|x| x / a.length());
-            let both = unit.into_iter().zip(b.to_array());
-            both.map(|(a, b)| (a - b).abs()).collect::<Vec<f64>>()
-        });
-        apart.fold(0.0, f64::max)
+    let apart = scenery.and_then(apart_from_matrix);
+    let note = apart.map(|apart| TableNote {
+        text: Message::new("planes-from-matrix").with("apart", apart),
+        applies: true,
     });
     Table {
         header,
-        rows: (0..6).map(row).collect(),
-        notes: apart
-            .map(|apart| crate::figure::TableNote {
-                text: Message::new("planes-from-matrix").with("apart", apart),
-                applies: true,
-            })
-            .into_iter()
-            .collect(),
+        rows: step.input.own.planes.iter().enumerate().map(row).collect(),
+        notes: note.into_iter().collect(),
     }
+}
+
+/// By how much the planes that the angles give and those that the rows of the matrix give differ at most.
+fn apart_from_matrix(scenery: &Scenery) -> Option<f64> {
+    let camera = scenery.scene().camera.camera();
+    let from_matrix = planes_from_matrix(&camera.clip_from_world()).ok()?;
+    let apart = from_matrix.iter().zip(scenery.planes()).map(|(a, b)| {
+        let both = a.to_array().into_iter().zip(b.to_array());
+        let apart = both.map(|(x, y)| (x / a.length() - y).abs());
+        apart.fold(0.0, f64::max)
+    });
+    Some(apart.fold(0.0, f64::max))
 }
