@@ -138,7 +138,11 @@ level-spheres = after the spheres
 level-vertices = after the vertices
 level-cuts = after the cuts
 level-facing = facing the camera
-level-counts = { $triangles } triangles · { $objects } objects
+level-counts =
+    { $objects ->
+        [one] { $triangles } triangles · { $objects } object
+       *[other] { $triangles } triangles · { $objects } objects
+    }
 funnel-opening = { $objects } objects with { $triangles } triangles: which of them need be drawn?
 funnel-object = Object { $object }: { $triangles } triangles in one sphere.
 funnel-sphere-inside = Object { $object } is inside: its { $triangles } triangles need no clipping.

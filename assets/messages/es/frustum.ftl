@@ -138,7 +138,11 @@ level-spheres = tras las esferas
 level-vertices = tras los vértices
 level-cuts = tras los cortes
 level-facing = de cara a la cámara
-level-counts = { $triangles } triángulos · { $objects } objetos
+level-counts =
+    { $objects ->
+        [one] { $triangles } triángulos · { $objects } objeto
+       *[other] { $triangles } triángulos · { $objects } objetos
+    }
 funnel-opening = { $objects } objetos con { $triangles } triángulos: ¿cuáles hay que dibujar?
 funnel-object = Objeto { $object }: { $triangles } triángulos en una esfera.
 funnel-sphere-inside = El objeto { $object } está dentro: sus { $triangles } triángulos no necesitan recorte.

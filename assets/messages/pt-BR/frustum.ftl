@@ -138,7 +138,11 @@ level-spheres = após as esferas
 level-vertices = após os vértices
 level-cuts = após os cortes
 level-facing = de frente à câmera
-level-counts = { $triangles } triângulos · { $objects } objetos
+level-counts =
+    { $objects ->
+        [one] { $triangles } triângulos · { $objects } objeto
+       *[other] { $triangles } triângulos · { $objects } objetos
+    }
 funnel-opening = { $objects } objetos com { $triangles } triângulos: quais é preciso desenhar?
 funnel-object = Objeto { $object }: { $triangles } triângulos em uma esfera.
 funnel-sphere-inside = O objeto { $object } está dentro: seus { $triangles } triângulos não precisam de recorte.

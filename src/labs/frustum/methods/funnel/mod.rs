@@ -16,7 +16,7 @@ use crate::{
         },
         ring::Right,
     },
-    figure::{Body, Caption, Run, Tick, View, Watch, WatchRow, WatchSection},
+    figure::{Body, Caption, Gauges, Run, Tick, View, Watch, WatchRow, WatchSection},
     labs::{Answer, CodeLine, Demo, Step, record, record_wrong},
     text::Value,
 };
@@ -111,11 +111,9 @@ impl<L: CullRules + Variant> Demo for Shown<L> {
             views.push(marks::observer(step, scenery));
             views.push(marks::camera(step, scenery));
         }
-        let objects = &step.input.own.objects;
-        let object = step.state.object_idx.and_then(|i| objects.get(i));
-        let radius = object.map_or(0.0, |object| object.sphere.radius());
-        let distances = sphere_gauges(scenery, 6, radius, &step.state.sphere.asked, side_idx(step));
-        views.push(View::new(GAUGES_VIEW, Body::Gauges(distances)));
+        if !is_compared(step) {
+            views.push(View::new(GAUGES_VIEW, Body::Gauges(distances(step))));
+        }
         views.push(View::new(RIBBON_VIEW, Body::Ribbon(ribbon::ribbon(step))));
         views
     }
@@ -145,12 +143,31 @@ impl<L: CullRules + Variant> Demo for Shown<L> {
             WatchRow::new(super::super::stage::side_name(side), Some(d.into()))
                 .linked(side_link(side))
         });
+        let distances = WatchSection::list(distances.collect());
         vec![
             WatchSection::list(rows),
-            WatchSection::list(distances.collect()).seen_in(GAUGES_VIEW),
+            if is_compared(step) {
+                distances
+            } else {
+                distances.seen_in(GAUGES_VIEW)
+            },
             WatchSection::list(ribbon::level_rows(&step.state.levels)).seen_in(RIBBON_VIEW),
         ]
     }
+}
+
+/// Beside another method there is no room for the axes: the distances stand in the watch table.
+fn is_compared<L: CullRules>(step: &Step<'_, Shown<L>>) -> bool {
+    let scenery = step.input.scenery.as_deref();
+    scenery.is_some_and(|scenery| scenery.scene().compare.is_some())
+}
+
+fn distances<L: CullRules>(step: &Step<'_, Shown<L>>) -> Gauges {
+    let objects = &step.input.own.objects;
+    let object = step.state.object_idx.and_then(|i| objects.get(i));
+    let radius = object.map_or(0.0, |object| object.sphere.radius());
+    let scenery = step.input.scenery.as_deref();
+    sphere_gauges(scenery, 6, radius, &step.state.sphere.asked, side_idx(step))
 }
 
 /// The plane that is asked at this step.
