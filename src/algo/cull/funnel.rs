@@ -34,7 +34,7 @@
 //! # Ok::<(), clipscope::geom::SpaceError>(())
 //! ```
 
-use std::{marker::PhantomData, sync::Arc};
+use std::marker::PhantomData;
 
 use serde::Serialize;
 
@@ -43,62 +43,20 @@ use crate::{
         ring::Right,
         volume::{ClipVertex, HomogeneousTriangle, SideCode},
     },
-    geom::{Camera, Matrix, Mesh, Plane, Sight, SpaceError, Sphere, VolumeSide},
+    geom::{Matrix, Plane, VolumeSide},
     trace::{Algorithm, Real, silent},
 };
 
 use super::{
     BackFace, BackFaceInput, BackFaceOutput, Containment, CullRules, SphereCull, SphereCullEvent,
-    SphereCullInput, SphereCullState, Viewer, funnel_levels::FunnelLevels,
+    SphereCullInput, SphereCullState, Viewer,
+    funnel_input::{FunnelInput, FunnelObject, asked_camera, asked_sphere, asked_viewer},
+    funnel_levels::FunnelLevels,
 };
 
 /// The algorithm; see the module. `L` are its rules.
 #[derive(Clone, Copy, Debug)]
 pub struct Funnel<L = Right>(PhantomData<L>);
-
-/// What is to be drawn, and by whom it is seen.
-#[derive(Clone, PartialEq, Debug)]
-pub struct FunnelInput {
-    /// Who culls.
-    pub camera: Camera,
-    /// In the order in which they are asked.
-    pub objects: Vec<FunnelObject>,
-}
-
-/// An object in the world.
-#[derive(Clone, PartialEq, Debug)]
-pub struct FunnelObject {
-    /// Around all of it.
-    pub sphere: Sphere,
-    /// Where its model's origin lies: no test that is right asks for it.
-    pub origin: [f64; 3],
-    /// Its faces, counter-clockwise as seen from outside.
-    pub triangles: Arc<[[[f64; 3]; 3]]>,
-}
-
-impl FunnelObject {
-    /// A mesh, moved into the world, in the sphere around the centroid of its vertices.
-    ///
-    /// # Errors
-    /// [`SpaceError::NotFinite`] where it is moved beyond all numbers.
-    pub fn new(mesh: &Mesh, world_from_model: &Matrix) -> Result<Self, SpaceError> {
-        let placed = |p: [f64; 3]| world_from_model.point(p);
-        let points: Vec<[f64; 3]> = mesh
-            .positions()
-            .iter()
-            .map(|p| placed(p.map(f64::from)))
-            .collect();
-        let triangles = mesh
-            .faces()
-            .iter()
-            .map(|&face| mesh.corners(face).map(placed));
-        Ok(Self {
-            sphere: Sphere::around_centroid(&points)?,
-            origin: placed([0.0; 3]),
-            triangles: triangles.collect(),
-        })
-    }
-}
 
 /// What becomes of a triangle of an object that straddles.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
@@ -198,9 +156,9 @@ impl<L: CullRules> Algorithm for Funnel<L> {
 
     fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Self::Output {
         let asking = Asking {
-            planes: asked_planes::<L>(&input.camera),
+            planes: asked_camera::<L>(&input.camera).planes_in_world().to_vec(),
             clip_from_world: input.camera.clip_from_world(),
-            viewer: viewer::<L>(&input.camera),
+            viewer: asked_viewer::<L>(&input.camera),
         };
         let mut levels = FunnelLevels::default();
         for (object_idx, object) in input.objects.iter().enumerate() {
@@ -353,35 +311,6 @@ impl Asking {
             levels: *levels,
         });
         n_pieces
-    }
-}
-
-/// What spheres are asked of, by these rules.
-pub fn asked_planes<L: CullRules>(camera: &Camera) -> Vec<Plane> {
-    if L::ONE_ANGLE {
-        camera.with_one_angle().planes_in_world().to_vec()
-    } else {
-        camera.planes_in_world().to_vec()
-    }
-}
-
-/// What is asked of planes, by these rules.
-pub fn asked_sphere<L: CullRules>(object: &FunnelObject) -> Sphere {
-    if L::AROUND_ORIGIN {
-        object.sphere.moved_to(object.origin)
-    } else {
-        object.sphere
-    }
-}
-
-/// Who looks through a camera.
-fn viewer<L: CullRules>(camera: &Camera) -> Viewer {
-    match camera.volume().sight() {
-        Sight::Perspective if !L::CONSTANT_VIEW => Viewer::Eye(camera.position()),
-        Sight::Perspective | Sight::Parallel => {
-            let [_, _, back] = camera.axes();
-            Viewer::Direction(back.map(|x| -x))
-        }
     }
 }
 

@@ -7,6 +7,7 @@ mod batch;
 mod box_cull;
 pub mod faulty;
 mod funnel;
+mod funnel_input;
 mod funnel_levels;
 mod point_planes;
 mod rules;
@@ -19,10 +20,8 @@ pub use back_face::{
 };
 pub use batch::SphereBatch;
 pub use box_cull::{BoxCull, BoxCullEvent, BoxCullInput, BoxCullOutput, BoxCullState};
-pub use funnel::{
-    Funnel, FunnelEvent, FunnelInput, FunnelObject, FunnelState, TriangleFate, asked_planes,
-    asked_sphere,
-};
+pub use funnel::{Funnel, FunnelEvent, FunnelState, TriangleFate};
+pub use funnel_input::{FunnelInput, FunnelObject, asked_camera, asked_sphere, asked_viewer};
 pub use funnel_levels::{FunnelLevels, Level};
 pub use point_planes::{
     PointPlanes, PointPlanesEvent, PointPlanesInput, PointPlanesOutput, PointPlanesState,

@@ -1,6 +1,7 @@
 //! The frustum lab: what a camera sees of a scene, and what can be left out before it is drawn.
 
 mod change;
+mod demo;
 mod document;
 mod handles;
 mod lab;

@@ -1,23 +1,48 @@
-//! The methods of this lab. To add one: a file in `algo::cull`, its [`FrustumDemo`](super::method_info::FrustumDemo) here beside the
-//! others, one line below.
+//! The methods of this lab. To add one: a file in `algo::cull`, its [`FrustumDemo`] here beside the others, one line below.
 
-use crate::algo::cull::{
-    BackFace, BoxCull, Funnel, PointPlanes, SphereCull,
-    faulty::{AroundOrigin, Clockwise, ConstantView, FaultyFunnel, OneAngle, TurnsSign},
+use crate::{
+    algo::cull::{
+        BackFace, BoxCull, Funnel, PointPlanes, SphereCull,
+        faulty::{AroundOrigin, Clockwise, ConstantView, FaultyFunnel, OneAngle, TurnsSign},
+    },
+    labs::{Listed, MethodCard},
+    trace::{Counted, Counts},
 };
 
-use super::{MethodInfo, OnScene};
+use super::{MethodInfo, OnScene, Scene, demo::FrustumDemo};
+
+const fn info<A: FrustumDemo>() -> MethodInfo<Scene> {
+    MethodInfo {
+        card: MethodCard::of::<A>(),
+        asks_point: A::ASKS_POINT,
+        record: A::record,
+        cost: |scene| {
+            let input = A::input(scene);
+            Counts::of(|| A::run::<Counted>(&input, |_| {})).1
+        },
+    }
+}
 
 /// Every method, in the order in which they are taught; the mistakes last.
-pub static METHODS: [MethodInfo; 10] = [
-    MethodInfo::of::<OnScene<PointPlanes>>(),
-    MethodInfo::of::<OnScene<SphereCull>>(),
-    MethodInfo::of::<OnScene<BoxCull>>(),
-    MethodInfo::of::<OnScene<BackFace>>(),
-    MethodInfo::of::<OnScene<Funnel>>(),
-    MethodInfo::of::<OnScene<FaultyFunnel<OneAngle>>>(),
-    MethodInfo::of::<OnScene<FaultyFunnel<TurnsSign>>>(),
-    MethodInfo::of::<OnScene<FaultyFunnel<AroundOrigin>>>(),
-    MethodInfo::of::<OnScene<FaultyFunnel<Clockwise>>>(),
-    MethodInfo::of::<OnScene<FaultyFunnel<ConstantView>>>(),
+pub static METHODS: [MethodInfo<Scene>; 10] = [
+    info::<OnScene<PointPlanes>>(),
+    info::<OnScene<SphereCull>>(),
+    info::<OnScene<BoxCull>>(),
+    info::<OnScene<BackFace>>(),
+    info::<OnScene<Funnel>>(),
+    info::<OnScene<FaultyFunnel<OneAngle>>>(),
+    info::<OnScene<FaultyFunnel<TurnsSign>>>(),
+    info::<OnScene<FaultyFunnel<AroundOrigin>>>(),
+    info::<OnScene<FaultyFunnel<Clockwise>>>(),
+    info::<OnScene<FaultyFunnel<ConstantView>>>(),
 ];
+
+impl Listed for MethodInfo<Scene> {
+    fn all() -> &'static [Self] {
+        &METHODS
+    }
+
+    fn card(&self) -> &MethodCard {
+        &self.card
+    }
+}

@@ -13,7 +13,7 @@ use super::{MethodInfo, Model, Object, Opening, TaughtCamera};
 pub const MAX_OBJECTS: usize = 10_000;
 
 /// One of the lab's methods.
-pub type Method = crate::labs::Method<MethodInfo>;
+pub type Method = crate::labs::Method<MethodInfo<Scene>>;
 
 /// Always valid: at least one object, the focus is one of them, and the face is one of that object's.
 #[derive(Clone, PartialEq, Debug)]

@@ -4,22 +4,29 @@ use glam::{DVec2, DVec3};
 use serde_json::{Value as Json, json};
 
 use crate::{
-    algo::cull::{
-        BackFace, BackFaceEvent as Event, BackFaceInput, BackFaceOutput, BackFaceState as State,
-        Viewer,
+    algo::{
+        cull::{
+            BackFace, BackFaceEvent as Event, BackFaceInput, BackFaceOutput,
+            BackFaceState as State, Viewer, asked_viewer,
+        },
+        ring::Right,
     },
     figure::{
         Body, Caption, Gauge, Gauges, Link, Mark3, Role, Shape3, Tick, View, Watch, WatchRow,
         WatchSection,
     },
-    geom::{Camera, Sight},
+    geom::Camera,
     labs::{Answer, CodeLine, Demo, Step, code_line, words::name},
     text::{Formula, Message, Value},
     trace::silent,
 };
 
 use super::{
-    super::{OnScene, OnSceneInput, Scene, method_info::FrustumDemo, stage::Fate},
+    super::{
+        OnScene, OnSceneInput, Scene,
+        demo::FrustumDemo,
+        stage::{FaceLook, Fate},
+    },
     planes::{place, triple},
 };
 
@@ -36,21 +43,10 @@ impl Answer for BackFaceOutput {
     }
 }
 
-/// Who looks through a camera.
-fn viewer(camera: &Camera) -> Viewer {
-    match camera.volume().sight() {
-        Sight::Perspective => Viewer::Eye(camera.position()),
-        Sight::Parallel => {
-            let [_, _, back] = camera.axes();
-            Viewer::Direction(back.map(|x| -x))
-        }
-    }
-}
-
 fn input_of(scene: &Scene, face_idx: usize) -> Option<BackFaceInput> {
     Some(BackFaceInput {
         triangle: scene.focused().face(face_idx)?,
-        viewer: viewer(scene.camera.camera()),
+        viewer: asked_viewer::<Right>(scene.camera.camera()),
     })
 }
 
@@ -149,13 +145,15 @@ impl Demo for Shown {
         let fronts = fronts(scene);
         let role = |object: usize, face: usize| {
             if object != scene.focus() {
-                return None;
+                return FaceLook::Whole;
             }
             if face == scene.face() {
-                return Some(Role::Signal);
+                return FaceLook::Own(Role::Signal);
             }
-            let is_front = fronts.get(face).copied().unwrap_or(true);
-            (!is_front).then_some(Role::Discarded)
+            match fronts.get(face) {
+                Some(false) => FaceLook::Own(Role::Discarded),
+                Some(true) | None => FaceLook::Whole,
+            }
         };
         let corners = corner_marks(&step.input.own.triangle);
         vec![

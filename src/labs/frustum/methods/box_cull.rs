@@ -19,8 +19,8 @@ use crate::{
 use super::{
     super::{
         OnScene, OnSceneInput, Scene,
-        method_info::FrustumDemo,
-        stage::{Fate, plane_at_work},
+        demo::FrustumDemo,
+        stage::{FaceLook, Fate, plane_at_work},
     },
     planes::{fate_of, place, plane_link, plane_name, role_of},
     sphere_cull::{class_row, class_tick, plane_tick},
@@ -149,7 +149,7 @@ impl Demo for Shown {
                 marks.extend(plane_at_work(camera, VolumeSide::ALL[plane_idx]));
             }
             views.push(scenery.observer(fate, marks));
-            views.push(scenery.camera(fate, |_, _| None, Vec::new()));
+            views.push(scenery.camera(fate, |_, _| FaceLook::Whole, Vec::new()));
         }
         views.push(View::new(CORNERS_VIEW, Body::Table(corner_table(step))));
         views

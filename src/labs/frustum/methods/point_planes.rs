@@ -22,8 +22,8 @@ use crate::{
 use super::{
     super::{
         OnScene, OnSceneInput, Scene,
-        method_info::FrustumDemo,
-        stage::{Fate, Scenery, plane_at_work},
+        demo::FrustumDemo,
+        stage::{FaceLook, Fate, Scenery, plane_at_work},
     },
     planes::{distance_formula, perpendicular, place, plane_link, plane_name, triple},
 };
@@ -134,7 +134,7 @@ impl Demo for Shown {
         let mut views = Vec::new();
         if let Some(scenery) = scenery {
             views.push(scenery.observer(|_| Fate::ToCome, marks(step, scenery)));
-            views.push(scenery.camera(|_| Fate::ToCome, |_, _| None, vec![dot(step)]));
+            views.push(scenery.camera(|_| Fate::ToCome, |_, _| FaceLook::Whole, vec![dot(step)]));
         }
         views.push(View::new(PLANES_VIEW, Body::Table(plane_table(step))));
         views

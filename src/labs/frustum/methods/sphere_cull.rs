@@ -9,7 +9,7 @@ use crate::{
         SphereCullState as State,
     },
     figure::{Body, Caption, Mark3, Role, Shape3, Tick, View, Watch, WatchRow, WatchSection},
-    geom::{Plane, Sphere, VolumeSide},
+    geom::{Camera, Plane, Sphere, VolumeSide},
     labs::{Answer, CodeLine, Demo, Step, code_line, words::name},
     text::{Formula, Message, Value},
 };
@@ -17,8 +17,8 @@ use crate::{
 use super::{
     super::{
         OnScene, OnSceneInput, Scene,
-        method_info::FrustumDemo,
-        stage::{Fate, Scenery, plane_at_work},
+        demo::FrustumDemo,
+        stage::{FaceLook, Fate, Scenery, plane_at_work},
     },
     planes::{
         distance_formula, fate_of, gauges, perpendicular, place, plane_link, plane_name, role_of,
@@ -135,10 +135,14 @@ impl Demo for Shown {
                     Fate::ToCome
                 }
             };
-            let current = current(step).zip(step.state.asked.last());
-            let current = current.map(|(idx, &(d, class))| (idx, d, class));
-            views.push(scenery.observer(fate, sphere_marks(scenery, sphere, current)));
-            views.push(scenery.camera(fate, |_, _| None, Vec::new()));
+            let asked = current(step).zip(step.state.asked.last());
+            let asked = asked.map(|(plane_idx, &(distance, _))| Asked {
+                camera: *scenery.scene().camera.camera(),
+                plane_idx,
+                distance,
+            });
+            views.push(scenery.observer(fate, sphere_marks(sphere, asked.as_ref())));
+            views.push(scenery.camera(fate, |_, _| FaceLook::Whole, Vec::new()));
         }
         let distances = sphere_gauges(
             scenery,
@@ -222,35 +226,38 @@ pub fn sphere_formula(plane: &Plane, sphere: &Sphere, d: f64, class: Containment
     }
 }
 
+/// A plane that is asked at a step.
+pub struct Asked {
+    /// Whose it is.
+    pub camera: Camera,
+    /// Which of its six.
+    pub plane_idx: usize,
+    /// Of the centre from it.
+    pub distance: f64,
+}
+
 /// The sphere in hand, and the plane that is asked of it: its perpendicular in ink as far as the sphere reaches.
-pub fn sphere_marks(
-    scenery: &Scenery,
-    sphere: &Sphere,
-    current: Option<(usize, f64, Containment)>,
-) -> Vec<Mark3> {
+pub fn sphere_marks(sphere: &Sphere, asked: Option<&Asked>) -> Vec<Mark3> {
     let center = sphere.center();
     let mut marks = vec![
         Mark3::new(Role::Ink, Shape3::Ball(center, sphere.radius())),
         Mark3::new(Role::Ink, Shape3::Dot(center)).labelled(name("c")),
     ];
-    let Some((plane_idx, d, _)) = current else {
+    let Some(asked) = asked else {
         return marks;
     };
-    let (Some(&side), Some(plane)) = (
-        VolumeSide::ALL.get(plane_idx),
-        scenery.planes().get(plane_idx),
-    ) else {
-        return marks;
-    };
-    marks.extend(plane_at_work(scenery.scene().camera.camera(), side));
+    let plane = &asked.camera.planes_in_world()[asked.plane_idx];
+    let side = VolumeSide::ALL[asked.plane_idx];
+    marks.extend(plane_at_work(&asked.camera, side));
+    let d = asked.distance;
     let label = Formula::default().sym("d").equals(d);
     marks.extend(perpendicular(plane, center, d, label));
     let unit = DVec3::from(plane.normal()) / plane.length();
     let towards = DVec3::from(center) - unit * sphere.radius() * d.signum();
+    let radius = Formula::default().sym("r").equals(sphere.radius());
     marks.push(
-        Mark3::new(Role::Ink, Shape3::Segment([center, towards.into()])).labelled(Value::Formula(
-            Formula::default().sym("r").equals(sphere.radius()),
-        )),
+        Mark3::new(Role::Ink, Shape3::Segment([center, towards.into()]))
+            .labelled(Value::Formula(radius)),
     );
     marks
 }

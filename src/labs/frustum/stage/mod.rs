@@ -5,6 +5,6 @@ mod solids;
 mod views;
 mod volume;
 
-pub use solids::{Fate, Solids};
+pub use solids::{FaceLook, Fate, Solids};
 pub use views::Scenery;
 pub use volume::{plane_at_work, side_link, side_name};

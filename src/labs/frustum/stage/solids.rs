@@ -25,6 +25,17 @@ pub enum Fate {
     Culled,
 }
 
+/// How a face is drawn.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum FaceLook {
+    /// As its object.
+    Whole,
+    /// By what becomes of itself.
+    Own(Role),
+    /// Not at all: what it hides is seen.
+    Hidden,
+}
+
 /// Faces that meet at a smaller angle than this, by its cosine, make no crease: they stand for something round.
 const ROUND: f64 = 0.72;
 /// And these lie in one plane: there is no edge at all.
@@ -50,7 +61,7 @@ impl Solids {
         link: Link,
         fate: Fate,
         planes: &[Plane; 6],
-        face_role: impl Fn(usize) -> Option<Role>,
+        look: impl Fn(usize) -> FaceLook,
     ) {
         let mesh = object.model().mesh();
         let world_from_model = object.world_from_model();
@@ -58,19 +69,23 @@ impl Solids {
         // Of each face a part that has its plane.
         let mut facet_of = Vec::with_capacity(mesh.faces().len());
         for (face_idx, face) in mesh.faces().iter().enumerate() {
-            facet_of.push(self.facets.len() as u32);
-            let corners = face.map(|i| points[i as usize]).to_vec();
-            let link = Some(link);
-            match fate {
-                Fate::Cut => self.cut_face(corners, link, planes),
-                Fate::ToCome | Fate::Kept | Fate::Culled => {
-                    let role = face_role(face_idx).unwrap_or(fate.role());
-                    self.facets.push(Facet {
-                        corners,
-                        role,
-                        link,
-                    });
+            let role = match look(face_idx) {
+                FaceLook::Whole => fate.role(),
+                FaceLook::Own(role) => role,
+                FaceLook::Hidden => {
+                    facet_of.push(None);
+                    continue;
                 }
+            };
+            facet_of.push(Some(self.facets.len() as u32));
+            let whole = Facet {
+                corners: face.map(|i| points[i as usize]).to_vec(),
+                role,
+                link: Some(link),
+            };
+            match fate {
+                Fate::Cut => self.cut_face(whole, planes),
+                Fate::ToCome | Fate::Kept | Fate::Culled => self.facets.push(whole),
             }
         }
         let normals: Vec<DVec3> = mesh
@@ -89,7 +104,10 @@ impl Solids {
             let ends = edge
                 .ends
                 .map(|i| world_from_model.point(mesh.positions()[i as usize].map(f64::from)));
-            let facets = edge.faces.map(|face| Some(facet_of[face? as usize]));
+            let facets = edge.faces.map(|face| facet_of[face? as usize]);
+            if facets == [None; 2] {
+                continue;
+            }
             let drawn = |ends, role| Edge3 {
                 ends,
                 facets,
@@ -110,9 +128,13 @@ impl Solids {
     }
 
     /// The part inside all planes, and what each plane cuts off.
-    fn cut_face(&mut self, corners: Vec<[f64; 3]>, link: Option<Link>, planes: &[Plane; 6]) {
+    fn cut_face(&mut self, whole: Facet, planes: &[Plane; 6]) {
         let first = self.facets.len();
-        let mut left = corners;
+        let Facet {
+            corners: mut left,
+            role,
+            link,
+        } = whole;
         for plane in planes {
             let [inside, outside] = split(&left, plane);
             if !outside.is_empty() {
@@ -135,7 +157,7 @@ impl Solids {
         if !left.is_empty() {
             self.facets.push(Facet {
                 corners: left,
-                role: Role::Accent,
+                role,
                 link,
             });
         }

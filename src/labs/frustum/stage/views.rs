@@ -10,7 +10,7 @@ use crate::{
     text::Value,
 };
 
-use super::{super::Scene, Fate, Solids, ground::ground, volume::volume};
+use super::{super::Scene, FaceLook, Fate, Solids, ground::ground, volume::volume};
 
 /// The observer's, who goes round.
 pub const OBSERVER_VIEW: &str = "observer";
@@ -48,18 +48,18 @@ impl Scenery {
 
     /// The observer's view: solids by their fates, and the step's own marks over them.
     pub fn observer(&self, fate: impl Fn(usize) -> Fate, own: Vec<Mark3>) -> View {
-        self.observer_with(fate, |_, _| None, own)
+        self.observer_with(fate, |_, _| FaceLook::Whole, own)
     }
 
     /// The same with a look of their own for some faces.
     pub fn observer_with(
         &self,
         fate: impl Fn(usize) -> Fate,
-        face_role: impl Fn(usize, usize) -> Option<Role>,
+        look: impl Fn(usize, usize) -> FaceLook,
         own: Vec<Mark3>,
     ) -> View {
         let camera = self.scene.camera.camera();
-        let (facets, edges) = self.solids(&fate, &face_role, true);
+        let (facets, edges) = self.solids(&fate, &look, true);
         let mut marks = ground(&self.scene);
         marks.extend(volume(camera));
         marks.extend(self.numbers());
@@ -78,14 +78,14 @@ impl Scenery {
     pub fn camera(
         &self,
         fate: impl Fn(usize) -> Fate,
-        face_role: impl Fn(usize, usize) -> Option<Role>,
+        look: impl Fn(usize, usize) -> FaceLook,
         marks: Vec<Mark3>,
     ) -> View {
         let seen = |i: usize| match fate(i) {
             Fate::Cut => Fate::Kept,
             other => other,
         };
-        let (facets, edges) = self.solids(&seen, &face_role, false);
+        let (facets, edges) = self.solids(&seen, &look, false);
         let space = Space {
             title: Some(Value::Term("view-camera")),
             seer: Seer::Camera(*self.scene.camera.camera()),
@@ -99,15 +99,15 @@ impl Scenery {
     fn solids(
         &self,
         fate: &impl Fn(usize) -> Fate,
-        face_role: &impl Fn(usize, usize) -> Option<Role>,
+        look: &impl Fn(usize, usize) -> FaceLook,
         is_observed: bool,
     ) -> (Arc<[Facet]>, Arc<[Edge3]>) {
         let mut solids = Solids::default();
         for (i, object) in self.scene.objects().iter().enumerate() {
             let fate = fate(i);
             if is_observed || fate != Fate::Culled {
-                let role = |face| face_role(i, face);
-                solids.object(object, object_link(i), fate, &self.planes, role);
+                let look = |face| look(i, face);
+                solids.object(object, object_link(i), fate, &self.planes, look);
             }
         }
         if is_observed {

@@ -4,7 +4,7 @@ use crate::{
     algo::{
         cull::{
             Containment, CullRules, FunnelEvent as Event, FunnelInput, FunnelObject,
-            FunnelState as State, TriangleFate, asked_planes, asked_sphere,
+            FunnelState as State, TriangleFate, asked_camera, asked_sphere,
         },
         volume::SideCode,
     },
@@ -113,7 +113,7 @@ fn plane_caption<L: CullRules>(
     let Some(object) = object else {
         return caption;
     };
-    let plane = &asked_planes::<L>(&input.camera)[side as usize];
+    let plane = &asked_camera::<L>(&input.camera).planes_in_world()[side as usize];
     let formula = if L::TURNS_SIGN {
         let r = sphere::<L>(object).radius();
         let d = super::super::planes::distance_formula(

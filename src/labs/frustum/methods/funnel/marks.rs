@@ -1,40 +1,90 @@
-//! The funnel's two views: each object by its fate, and of the one in hand each triangle.
+//! The funnel's two views: each object by its fate, and each of its triangles.
 
 use crate::{
-    algo::cull::{Containment, CullRules, FunnelEvent as Event, TriangleFate},
+    algo::cull::{
+        BackFace, BackFaceInput, CullRules, FunnelEvent as Event, FunnelObject, TriangleFate,
+        asked_camera, asked_viewer,
+    },
     figure::{Mark3, Role, Shape3, View},
     labs::Step,
+    trace::silent,
 };
 
 use super::{
     super::{
-        super::stage::{Fate, Scenery},
+        super::stage::{FaceLook, Fate, Scenery},
         planes::fate_of,
-        sphere_cull::sphere_marks,
+        sphere_cull::{Asked, sphere_marks},
     },
     Shown, captions, side_idx,
 };
 
-/// What is known of each object.
-fn fate<L: CullRules>(step: &Step<'_, Shown<L>>, object_idx: usize) -> Fate {
-    fate_of(step.state.classes.get(object_idx).copied())
+/// Of scenes with more triangles the faces of objects that are done with are not asked again for the picture.
+const MOST_ASKED_AGAIN: usize = 2_000;
+
+/// What is known of all objects and faces at a step.
+struct Known<'a, L: CullRules> {
+    step: &'a Step<'a, Shown<L>>,
+    /// Of each object that is done with, which of its faces show their front.
+    fronts: Vec<Vec<bool>>,
 }
 
-/// Of the object in hand what is known of each triangle; of the current one that it is.
-fn face_role<L: CullRules>(step: &Step<'_, Shown<L>>, object: usize, face: usize) -> Option<Role> {
-    if step.state.object_idx != Some(object) {
-        return None;
+impl<'a, L: CullRules> Known<'a, L> {
+    fn of(step: &'a Step<'a, Shown<L>>) -> Self {
+        let input = &step.input.own;
+        let n_triangles: usize = input.objects.iter().map(|o| o.triangles.len()).sum();
+        let n_done = match step.state.object_idx {
+            _ if n_triangles > MOST_ASKED_AGAIN => 0,
+            Some(object_idx) => object_idx,
+            None => step.state.classes.len(),
+        };
+        let viewer = asked_viewer::<L>(&input.camera);
+        let fronts = |object: &FunnelObject| {
+            let faces = object.triangles.iter();
+            let asked = faces.map(|&triangle| BackFaceInput { triangle, viewer });
+            asked
+                .map(|input| silent::<BackFace<L>>(&input).front)
+                .collect()
+        };
+        Self {
+            step,
+            fronts: input.objects[..n_done].iter().map(fronts).collect(),
+        }
     }
-    if current_face(step) == Some(face) {
-        return Some(Role::Signal);
+
+    fn fate(&self, object_idx: usize) -> Fate {
+        fate_of(self.step.state.classes.get(object_idx).copied())
     }
-    let faces = step.state.faces.iter();
-    let is_back = faces.rev().any(|&(known, front)| known == face && !front);
-    let triangles = step.state.triangles.iter();
-    let is_outside = triangles
-        .rev()
-        .any(|&(known, fate)| known == face && fate == TriangleFate::Outside);
-    (is_back || is_outside).then_some(Role::Discarded)
+
+    /// Is it known that nothing of a face is drawn?
+    fn is_dropped(&self, object_idx: usize, face_idx: usize) -> bool {
+        if let Some(fronts) = self.fronts.get(object_idx) {
+            return fronts.get(face_idx) == Some(&false);
+        }
+        let state = self.step.state;
+        if state.object_idx != Some(object_idx) {
+            return false;
+        }
+        let mut faces = state.faces.iter();
+        let mut triangles = state.triangles.iter();
+        faces.any(|&known| known == (face_idx, false))
+            || triangles.any(|&known| known == (face_idx, TriangleFate::Outside))
+    }
+
+    fn is_current(&self, object_idx: usize, face_idx: usize) -> bool {
+        self.step.state.object_idx == Some(object_idx) && current_face(self.step) == Some(face_idx)
+    }
+
+    /// In the observer's view what is dropped is pale, in the camera's it is not there.
+    fn look(&self, object_idx: usize, face_idx: usize, dropped: FaceLook) -> FaceLook {
+        if self.is_current(object_idx, face_idx) {
+            FaceLook::Own(Role::Signal)
+        } else if self.is_dropped(object_idx, face_idx) {
+            dropped
+        } else {
+            FaceLook::Whole
+        }
+    }
 }
 
 fn current_face<L: CullRules>(step: &Step<'_, Shown<L>>) -> Option<usize> {
@@ -48,37 +98,40 @@ fn current_face<L: CullRules>(step: &Step<'_, Shown<L>>) -> Option<usize> {
 }
 
 /// The triangle of this step.
-fn triangle<L: CullRules>(step: &Step<'_, Shown<L>>) -> Option<[[f64; 3]; 3]> {
+fn triangle<L: CullRules>(step: &Step<'_, Shown<L>>) -> Option<Mark3> {
     let object = step.input.own.objects.get(step.state.object_idx?)?;
-    object.triangles.get(current_face(step)?).copied()
+    let corners = object.triangles.get(current_face(step)?)?.to_vec();
+    Some(Mark3::new(Role::Signal, Shape3::Outline(corners)))
+}
+
+/// The sphere of this step, and the plane that is asked of it.
+fn sphere<L: CullRules>(step: &Step<'_, Shown<L>>) -> Vec<Mark3> {
+    let input = &step.input.own;
+    let object = step.state.object_idx.and_then(|i| input.objects.get(i));
+    let is_asked = current_face(step).is_none();
+    let Some(object) = object.filter(|_| is_asked) else {
+        return Vec::new();
+    };
+    let known = side_idx(step).zip(step.state.sphere.asked.last());
+    let asked = known.map(|(plane_idx, &(distance, _))| Asked {
+        camera: asked_camera::<L>(&input.camera),
+        plane_idx,
+        distance,
+    });
+    sphere_marks(&captions::sphere::<L>(object), asked.as_ref())
 }
 
 pub fn observer<L: CullRules>(step: &Step<'_, Shown<L>>, scenery: &Scenery) -> View {
-    let mut marks = Vec::new();
-    let object = step
-        .state
-        .object_idx
-        .and_then(|i| step.input.own.objects.get(i));
-    match (object, step.event) {
-        (Some(object), Some(Event::Object { .. } | Event::Plane { .. } | Event::Sphere { .. })) => {
-            let known = side_idx(step).zip(step.state.sphere.asked.last());
-            let current: Option<(usize, f64, Containment)> =
-                known.map(|(idx, &(d, class))| (idx, d, class));
-            let sphere = captions::sphere::<L>(object);
-            marks.extend(sphere_marks(scenery, &sphere, current));
-        }
-        _ => marks.extend(
-            triangle(step)
-                .map(|corners| Mark3::new(Role::Signal, Shape3::Outline(corners.to_vec()))),
-        ),
-    }
-    let role = |object, face| face_role(step, object, face);
-    scenery.observer_with(|i| fate(step, i), role, marks)
+    let known = Known::of(step);
+    let mut marks = sphere(step);
+    marks.extend(triangle(step));
+    let look = |object, face| known.look(object, face, FaceLook::Own(Role::Discarded));
+    scenery.observer_with(|i| known.fate(i), look, marks)
 }
 
 pub fn camera<L: CullRules>(step: &Step<'_, Shown<L>>, scenery: &Scenery) -> View {
-    let outline =
-        triangle(step).map(|corners| Mark3::new(Role::Signal, Shape3::Outline(corners.to_vec())));
-    let role = |object, face| face_role(step, object, face);
-    scenery.camera(|i| fate(step, i), role, outline.into_iter().collect())
+    let known = Known::of(step);
+    let look = |object, face| known.look(object, face, FaceLook::Hidden);
+    let marks = triangle(step).into_iter().collect();
+    scenery.camera(|i| known.fate(i), look, marks)
 }

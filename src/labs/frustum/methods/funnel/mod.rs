@@ -22,7 +22,7 @@ use crate::{
 };
 
 use super::{
-    super::{OnScene, OnSceneInput, Scene, method_info::FrustumDemo, stage::side_link},
+    super::{OnScene, OnSceneInput, Scene, demo::FrustumDemo, stage::side_link},
     sphere_cull::{class_row, class_tick, plane_tick, sphere_gauges, sphere_rows},
 };
 use variant::Variant;
