@@ -1,9 +1,13 @@
 ### What the frustum lab says: planes, spheres, boxes, faces, the funnel, and what goes wrong in it.
 
-## Sides of the view volume beyond those of a window
+## Planes of the view volume, as they agree with “plane”
 
-side-near = near
-side-far = far
+plane-near = near
+plane-far = far
+plane-left = left
+plane-right = right
+plane-bottom = bottom
+plane-top = top
 
 ## Views
 
@@ -18,7 +22,7 @@ gauge-culled = culled
 gauges-point = One point, six planes
 gauges-sphere = One sphere, { $planes } planes
 gauges-faces = Faces: { $faces }
-planes-from-matrix = Taken from the rows of the matrix they differ by at most { $apart }.
+planes-from-matrix = Taken from the rows of the matrix they are the same, to { $decimals } decimals.
 column-plane = plane
 column-outside = out
 column-least = least

@@ -2,8 +2,12 @@
 
 ## Sides of the view volume beyond those of a window
 
-side-near = cercano
-side-far = lejano
+plane-near = cercano
+plane-far = lejano
+plane-left = izquierdo
+plane-right = derecho
+plane-bottom = inferior
+plane-top = superior
 
 ## Views
 
@@ -14,11 +18,11 @@ gauge-inside = dentro
 gauge-away = mira a otro lado
 gauge-faces-camera = mira a la cámara
 gauge-drawn = se dibuja
-gauge-culled = descartada
+gauge-culled = se descarta
 gauges-point = Un punto, seis planos
 gauges-sphere = Una esfera, { $planes } planos
 gauges-faces = Caras: { $faces }
-planes-from-matrix = Tomados de las filas de la matriz difieren como mucho en { $apart }.
+planes-from-matrix = Tomados de las filas de la matriz son los mismos, con { $decimals } decimales.
 column-plane = plano
 column-outside = fuera
 column-least = mínimo
@@ -49,10 +53,10 @@ alg-faulty-constant-view = Erróneo: una sola dirección de visión
 
 ## A point
 
-point-opening = ¿Está P dentro de los { $planes } planos?
-point-inside = P está dentro del plano { $plane }.
+point-opening = ¿Está P por dentro de los { $planes } planos?
+point-inside = P está por dentro del plano { $plane }.
 point-on = P está en el plano { $plane }, lo que cuenta como dentro.
-point-outside = P está fuera del plano { $plane }.
+point-outside = P está por fuera del plano { $plane }.
 point-done-inside = Ninguno de los { $planes } planos deja P fuera: está en el volumen.
 point-done-outside = { $outside } de { $planes } planos dejan P fuera: no está en el volumen.
 code-point-each = para cada plano (n, D):
@@ -60,18 +64,18 @@ code-point-distance = d ← n·P + D
 code-point-outside = si d < 0: fuera
 code-point-inside = dentro si ningún plano dice fuera
 words-point-each = Pregunta a cada plano; su normal apunta hacia dentro.
-words-point-distance = La normal por el punto, más D, es la distancia con signo.
-words-point-outside = Negativa es fuera; cero es en el plano, y dentro.
+words-point-distance = El producto escalar de la normal y el punto, más D, es la distancia con signo.
+words-point-outside = Negativa: por fuera. Cero: en el plano, y cuenta como dentro.
 words-point-inside = Lo que ningún plano deja fuera está en el volumen.
 
 ## A bounding sphere
 
 sphere-opening = Una esfera alrededor de todos los vértices responde por el objeto: { $planes } planos.
-sphere-inside = La esfera está dentro del plano { $plane }.
+sphere-inside = La esfera está por dentro del plano { $plane }.
 sphere-straddles = La esfera cruza el plano { $plane }.
-sphere-outside = La esfera está fuera del plano { $plane }: se descarta entera.
+sphere-outside = La esfera está por fuera del plano { $plane }: se descarta entera.
 sphere-done-inside = Los { $planes } planos la tienen dentro: ningún triángulo necesita prueba.
-sphere-done-straddles = Cruza { $cut } de { $planes } planos: se pregunta a sus triángulos.
+sphere-done-straddles = Cruza { $cut } de { $planes } planos: se prueban sus triángulos.
 sphere-done-outside = El plano { $plane } la rechaza tras { $planes } pruebas: no se dibuja nada.
 code-sphere-each = para cada plano (n, D):
 code-sphere-distance = d ← n·c + D
@@ -92,13 +96,13 @@ watch-object = objeto
 ## A bounding box
 
 box-opening = Una caja alrededor de todos los vértices responde por el objeto: { $planes } planos, ocho vértices cada uno.
-box-inside = Los ocho vértices están dentro del plano { $plane } ({ $outside } fuera).
-box-straddles = { $outside } de 8 vértices están fuera del plano { $plane }: la caja lo cruza.
-box-outside = Los { $outside } vértices están fuera del plano { $plane }: se descarta entera.
+box-inside = Los ocho vértices están por dentro del plano { $plane } ({ $outside } por fuera).
+box-straddles = { $outside } de 8 vértices están por fuera del plano { $plane }: la caja lo cruza.
+box-outside = Los { $outside } vértices están por fuera del plano { $plane }: se descarta entera.
 box-meets = Cruza { $cut } planos, y algo de ella está dentro de todos.
 box-in-vain = Cruza { $cut } planos y, sin embargo, nada de ella está dentro de todos.
 box-done-inside = Los { $planes } planos la tienen dentro.
-box-done-straddles = Ninguno de los { $planes } planos la rechaza: se pregunta a sus triángulos.
+box-done-straddles = Ninguno de los { $planes } planos la rechaza: se prueban sus triángulos.
 box-done-in-vain = Los { $planes } planos la conservan y se dibujaría en vano: es conservador, no erróneo.
 box-done-outside = El plano { $plane } la rechaza tras { $planes } pruebas: no se dibuja nada.
 code-box-each = para cada plano (n, D):
@@ -108,20 +112,20 @@ code-box-meets = ¿hay un punto dentro de todos?
 code-box-done = conservar, o dibujar en vano
 words-box-each = Pregunta a cada plano; su normal apunta hacia dentro.
 words-box-corners = Solo cuentan los signos de los ocho vértices.
-words-box-outside = Los ocho fuera de un plano: nada de ella se puede ver.
+words-box-outside = Los ocho por fuera de un mismo plano: no se puede ver nada de ella.
 words-box-meets = Una segunda prueba halla las cajas que cruzan planos y aun así están fuera.
 words-box-done = Los planos nunca rechazan lo visible; pueden conservar lo que no lo es.
 
 ## A face
 
 face-opening = ¿Muestra la cara { $face } su frente a la cámara?
-face-normal = Vista desde fuera, la cara { $face } gira en sentido antihorario: su normal apunta hacia fuera.
+face-normal = Vista desde fuera, la cara { $face } se recorre en sentido antihorario: su normal apunta hacia fuera.
 face-to-eye = Desde V₀ de la cara { $face } hasta la cámara: e = ojo − V₀.
 face-to-direction = Paralela: para la cara { $face }, como para todas, e vuelve por la línea de visión.
 face-products = Cara { $face }: el producto escalar y, como determinante, el mismo número.
 face-front = La cara { $face } mira a la cámara: se dibuja.
 face-back = La cara { $face } mira a otro lado: se descarta.
-face-edge-on = La cara { $face } se ve de canto: no se ve nada, se descarta.
+face-edge-on = La cara { $face } está de canto: no se ve nada de ella, se descarta.
 code-face-normal = n ← (V₁ − V₀) × (V₂ − V₀)
 code-face-viewer = e ← ojo − V₀
 code-face-product = n·e = |e, V₁ − V₀, V₂ − V₀|
@@ -129,7 +133,7 @@ code-face-decide = frente si n·e > 0; si no, descartar
 words-face-normal = El producto vectorial de dos aristas es perpendicular a la cara.
 words-face-viewer = En perspectiva la dirección al ojo cambia de cara a cara.
 words-face-product = Su signo dice de qué lado de la cara está el ojo.
-words-face-decide = Los dorsos de sólidos cerrados quedan tapados por sus frentes.
+words-face-decide = En un sólido cerrado, las caras delanteras tapan las traseras.
 
 ## The funnel
 
@@ -146,13 +150,13 @@ level-counts =
 funnel-opening = { $objects } objetos con { $triangles } triángulos: ¿cuáles hay que dibujar?
 funnel-object = Objeto { $object }: { $triangles } triángulos en una esfera.
 funnel-sphere-inside = El objeto { $object } está dentro: sus { $triangles } triángulos no necesitan recorte.
-funnel-sphere-straddles = El objeto { $object } cruza el borde: se pregunta a sus { $triangles } triángulos uno a uno.
+funnel-sphere-straddles = El objeto { $object } cruza el borde: sus { $triangles } triángulos se prueban uno a uno.
 funnel-sphere-outside = El objeto { $object } se descarta entero: { $triangles } triángulos ahorrados.
 funnel-triangle-inside = Triángulo { $triangle }: { $inside } de 3 vértices dentro, se conserva entero.
 funnel-triangle-outside = Triángulo { $triangle }: todos los vértices más allá de un lado ({ $inside } dentro), se descarta.
 funnel-triangle-cut = Triángulo { $triangle }: { $inside } de 3 vértices dentro, recortado en { $pieces } triángulos.
 funnel-triangle-across = Triángulo { $triangle }: { $inside } vértices dentro y, sin embargo, se ve: { $pieces } triángulos.
-funnel-triangle-nothing = Triángulo { $triangle }: { $inside } vértices dentro, y el recorte deja { $pieces } piezas.
+funnel-triangle-nothing = Triángulo { $triangle }: { $inside } vértices dentro, y el recorte deja { $pieces } trozos.
 funnel-face-front = El triángulo { $triangle } del objeto { $object } mira a la cámara: se dibuja.
 funnel-face-back = El triángulo { $triangle } del objeto { $object } mira a otro lado: se descarta.
 funnel-face-edge-on = El triángulo { $triangle } del objeto { $object } se ve de canto: se descarta.

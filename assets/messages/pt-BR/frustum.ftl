@@ -2,8 +2,12 @@
 
 ## Sides of the view volume beyond those of a window
 
-side-near = próximo
-side-far = distante
+plane-near = próximo
+plane-far = distante
+plane-left = esquerdo
+plane-right = direito
+plane-bottom = inferior
+plane-top = superior
 
 ## Views
 
@@ -11,14 +15,14 @@ view-observer = Observador
 view-camera = Câmera
 gauge-outside = fora
 gauge-inside = dentro
-gauge-away = olha para longe
-gauge-faces-camera = olha para a câmera
+gauge-away = de costas
+gauge-faces-camera = de frente para a câmera
 gauge-drawn = desenhada
 gauge-culled = descartada
 gauges-point = Um ponto, seis planos
 gauges-sphere = Uma esfera, { $planes } planos
 gauges-faces = Faces: { $faces }
-planes-from-matrix = Tirados das linhas da matriz, diferem no máximo em { $apart }.
+planes-from-matrix = Tirados das linhas da matriz, são os mesmos, com { $decimals } casas decimais.
 column-plane = plano
 column-outside = fora
 column-least = mínimo
@@ -49,10 +53,10 @@ alg-faulty-constant-view = Errado: uma só direção de visão
 
 ## A point
 
-point-opening = P está dentro dos { $planes } planos?
-point-inside = P está dentro do plano { $plane }.
+point-opening = P está do lado de dentro dos { $planes } planos?
+point-inside = P está do lado de dentro do plano { $plane }.
 point-on = P está no plano { $plane }, o que conta como dentro.
-point-outside = P está fora do plano { $plane }.
+point-outside = P está do lado de fora do plano { $plane }.
 point-done-inside = Nenhum dos { $planes } planos deixa P fora: está no volume.
 point-done-outside = { $outside } de { $planes } planos deixam P fora: não está no volume.
 code-point-each = para cada plano (n, D):
@@ -60,18 +64,18 @@ code-point-distance = d ← n·P + D
 code-point-outside = se d < 0: fora
 code-point-inside = dentro se nenhum plano diz fora
 words-point-each = Pergunte a cada plano; sua normal aponta para dentro.
-words-point-distance = A normal vezes o ponto, mais D, é a distância com sinal.
-words-point-outside = Negativa é fora; zero é no plano, e dentro.
+words-point-distance = O produto escalar da normal e do ponto, mais D, é a distância com sinal.
+words-point-outside = Negativa: do lado de fora. Zero: no plano, e conta como dentro.
 words-point-inside = O que nenhum plano deixa fora está no volume.
 
 ## A bounding sphere
 
 sphere-opening = Uma esfera em torno de todos os vértices responde pelo objeto: { $planes } planos.
-sphere-inside = A esfera está dentro do plano { $plane }.
+sphere-inside = A esfera está do lado de dentro do plano { $plane }.
 sphere-straddles = A esfera cruza o plano { $plane }.
-sphere-outside = A esfera está fora do plano { $plane }: descartada inteira.
+sphere-outside = A esfera está do lado de fora do plano { $plane }: descartada inteira.
 sphere-done-inside = Os { $planes } planos a têm dentro: nenhum triângulo precisa de teste.
-sphere-done-straddles = Cruza { $cut } de { $planes } planos: pergunta-se aos seus triângulos.
+sphere-done-straddles = Cruza { $cut } de { $planes } planos: seus triângulos são testados.
 sphere-done-outside = O plano { $plane } a rejeita após { $planes } testes: nada é desenhado.
 code-sphere-each = para cada plano (n, D):
 code-sphere-distance = d ← n·c + D
@@ -80,7 +84,7 @@ code-sphere-straddles = se d < r: cruza
 code-sphere-done = dentro se nenhum cruza
 words-sphere-each = Pergunte a cada plano; sua normal aponta para dentro.
 words-sphere-distance = A distância com sinal do centro ao plano.
-words-sphere-outside = Mais fora que o raio: toda ela está fora.
+words-sphere-outside = Mais para fora que o raio: ela está toda do lado de fora.
 words-sphere-straddles = Mais perto que o raio: o plano corta a esfera.
 words-sphere-done = Dentro de todos os planos não há mais o que perguntar.
 class-inside = dentro
@@ -92,13 +96,13 @@ watch-object = objeto
 ## A bounding box
 
 box-opening = Uma caixa em torno de todos os vértices responde pelo objeto: { $planes } planos, oito cantos cada um.
-box-inside = Os oito cantos estão dentro do plano { $plane } ({ $outside } fora).
-box-straddles = { $outside } de 8 cantos estão fora do plano { $plane }: a caixa o cruza.
-box-outside = Os { $outside } cantos estão fora do plano { $plane }: descartada inteira.
+box-inside = Os oito cantos estão do lado de dentro do plano { $plane } ({ $outside } fora).
+box-straddles = { $outside } de 8 cantos estão do lado de fora do plano { $plane }: a caixa o cruza.
+box-outside = Os { $outside } cantos estão do lado de fora do plano { $plane }: descartada inteira.
 box-meets = Cruza { $cut } planos, e algo dela está dentro de todos.
 box-in-vain = Cruza { $cut } planos e, mesmo assim, nada dela está dentro de todos.
 box-done-inside = Os { $planes } planos a têm dentro.
-box-done-straddles = Nenhum dos { $planes } planos a rejeita: pergunta-se aos seus triângulos.
+box-done-straddles = Nenhum dos { $planes } planos a rejeita: seus triângulos são testados.
 box-done-in-vain = Os { $planes } planos a mantêm e ela seria desenhada em vão: é conservador, não errado.
 box-done-outside = O plano { $plane } a rejeita após { $planes } testes: nada é desenhado.
 code-box-each = para cada plano (n, D):
@@ -108,19 +112,19 @@ code-box-meets = há um ponto dentro de todos?
 code-box-done = manter, ou desenhar em vão
 words-box-each = Pergunte a cada plano; sua normal aponta para dentro.
 words-box-corners = Só contam os sinais dos oito cantos.
-words-box-outside = Os oito fora de um plano: nada dela se pode ver.
+words-box-outside = Os oito do lado de fora de um mesmo plano: nada dela pode ser visto.
 words-box-meets = Um segundo teste acha as caixas que cruzam planos e mesmo assim estão fora.
-words-box-done = Os planos nunca rejeitam o visível; podem manter o que não é.
+words-box-done = Os planos nunca rejeitam o que é visível; podem manter o que não é visível.
 
 ## A face
 
 face-opening = A face { $face } mostra sua frente à câmera?
-face-normal = Vista de fora, a face { $face } gira em sentido anti-horário: sua normal aponta para fora.
+face-normal = Vista de fora, a face { $face } é percorrida no sentido anti-horário: sua normal aponta para fora.
 face-to-eye = De V₀ da face { $face } até a câmera: e = olho − V₀.
 face-to-direction = Paralela: para a face { $face }, como para todas, e volta pela linha de visão.
 face-products = Face { $face }: o produto escalar e, como determinante, o mesmo número.
-face-front = A face { $face } olha para a câmera: desenhada.
-face-back = A face { $face } olha para longe da câmera: descartada.
+face-front = A face { $face } está de frente para a câmera: desenhada.
+face-back = A face { $face } está de costas para a câmera: descartada.
 face-edge-on = A face { $face } está de perfil: nada se vê, descartada.
 code-face-normal = n ← (V₁ − V₀) × (V₂ − V₀)
 code-face-viewer = e ← olho − V₀
@@ -129,7 +133,7 @@ code-face-decide = frente se n·e > 0; senão, descartar
 words-face-normal = O produto vetorial de duas arestas é perpendicular à face.
 words-face-viewer = Em perspectiva a direção ao olho muda de face para face.
 words-face-product = O sinal diz de que lado da face está o olho.
-words-face-decide = As costas de sólidos fechados ficam tapadas pelas frentes.
+words-face-decide = Em um sólido fechado, as faces da frente escondem as traseiras.
 
 ## The funnel
 
@@ -137,7 +141,7 @@ level-scene = na cena
 level-spheres = após as esferas
 level-vertices = após os vértices
 level-cuts = após os cortes
-level-facing = de frente à câmera
+level-facing = de frente para a câmera
 level-counts =
     { $objects ->
         [one] { $triangles } triângulos · { $objects } objeto
@@ -146,15 +150,15 @@ level-counts =
 funnel-opening = { $objects } objetos com { $triangles } triângulos: quais é preciso desenhar?
 funnel-object = Objeto { $object }: { $triangles } triângulos em uma esfera.
 funnel-sphere-inside = O objeto { $object } está dentro: seus { $triangles } triângulos não precisam de recorte.
-funnel-sphere-straddles = O objeto { $object } cruza a borda: pergunta-se aos seus { $triangles } triângulos um a um.
+funnel-sphere-straddles = O objeto { $object } cruza a borda: seus { $triangles } triângulos são testados um a um.
 funnel-sphere-outside = O objeto { $object } é descartado inteiro: { $triangles } triângulos poupados.
 funnel-triangle-inside = Triângulo { $triangle }: { $inside } de 3 vértices dentro, mantido inteiro.
 funnel-triangle-outside = Triângulo { $triangle }: todos os vértices além de um lado ({ $inside } dentro), descartado.
 funnel-triangle-cut = Triângulo { $triangle }: { $inside } de 3 vértices dentro, recortado em { $pieces } triângulos.
 funnel-triangle-across = Triângulo { $triangle }: { $inside } vértices dentro e, mesmo assim, visível: { $pieces } triângulos.
-funnel-triangle-nothing = Triângulo { $triangle }: { $inside } vértices dentro, e o recorte deixa { $pieces } peças.
-funnel-face-front = O triângulo { $triangle } do objeto { $object } olha para a câmera: desenhado.
-funnel-face-back = O triângulo { $triangle } do objeto { $object } olha para longe: descartado.
+funnel-triangle-nothing = Triângulo { $triangle }: { $inside } vértices dentro, e o recorte deixa { $pieces } pedaços.
+funnel-face-front = O triângulo { $triangle } do objeto { $object } está de frente para a câmera: desenhado.
+funnel-face-back = O triângulo { $triangle } do objeto { $object } está de costas: descartado.
 funnel-face-edge-on = O triângulo { $triangle } do objeto { $object } está de perfil: descartado.
 funnel-done = Restam a desenhar { $facing } triângulos de { $kept } objetos, de { $triangles } triângulos de { $objects }.
 code-funnel-each = para cada objeto:
@@ -168,10 +172,10 @@ code-funnel-draw = desenhar o que resta
 words-funnel-each = Primeiro objetos inteiros: um teste pode poupar todos os triângulos.
 words-funnel-sphere = Em torno da média dos vértices, até o mais distante.
 words-funnel-plane = Pergunte aos seis planos a distância do centro.
-words-funnel-cull = Mais fora que o raio: deixe o objeto de fora.
+words-funnel-cull = Mais para fora que o raio: deixe o objeto de fora.
 words-funnel-straddles = Só o que cruza desce de nível.
 words-funnel-triangle = Vértices além de um mesmo lado: descartar; nenhum fora: manter; senão, recortar.
-words-funnel-face = O que olha para longe fica tapado pelo que olha para a câmera.
+words-funnel-face = O que está de costas para a câmera fica escondido pelo que está de frente para ela.
 words-funnel-draw = Cada nível tirou o que o anterior podia decidir.
 
 ## Mistakes

@@ -2,8 +2,12 @@
 
 ## Sides of the view volume beyond those of a window
 
-side-near = 近
-side-far = 远
+plane-near = 近
+plane-far = 远
+plane-left = 左
+plane-right = 右
+plane-bottom = 下
+plane-top = 上
 
 ## Views
 
@@ -18,7 +22,7 @@ gauge-culled = 剔除
 gauges-point = 一个点，六个平面
 gauges-sphere = 一个包围球，{ $planes } 个平面
 gauges-faces = 面数：{ $faces }
-planes-from-matrix = 从矩阵各行取出的平面与此最多相差 { $apart }。
+planes-from-matrix = 从矩阵各行取出的平面与此相同，精确到 { $decimals } 位小数。
 column-plane = 平面
 column-outside = 外
 column-least = 最小
@@ -41,7 +45,7 @@ alg-sphere-cull = 包围球剔除
 alg-box-cull = 包围盒剔除
 alg-back-face = 背面剔除
 alg-funnel = 剔除漏斗
-alg-faulty-one-angle = 错误：两个方向用同一个视角
+alg-faulty-one-angle = 错误：两个方向用同一个视场角
 alg-faulty-turned-sign = 错误：符号取反
 alg-faulty-around-origin = 错误：球心取在原点
 alg-faulty-winding = 错误：把顶点当作顺时针
@@ -59,7 +63,7 @@ code-point-each = 对每个平面 (n, D)：
 code-point-distance = d ← n·P + D
 code-point-outside = 若 d < 0：在外侧
 code-point-inside = 没有平面判为外侧：在内部
-words-point-each = 依次询问每个平面；法向量指向内侧。
+words-point-each = 依次测试每个平面；法向量指向内侧。
 words-point-distance = 法向量点乘该点再加 D，就是有符号距离。
 words-point-outside = 为负在外侧；为零在平面上，算内侧。
 words-point-inside = 没有被任何平面分到外侧的点在视见体内。
@@ -78,11 +82,11 @@ code-sphere-distance = d ← n·c + D
 code-sphere-outside = 若 d < −r：剔除
 code-sphere-straddles = 若 d < r：跨界
 code-sphere-done = 无跨界则在内部
-words-sphere-each = 依次询问每个平面；法向量指向内侧。
+words-sphere-each = 依次测试每个平面；法向量指向内侧。
 words-sphere-distance = 球心到平面的有符号距离。
-words-sphere-outside = 比半径更靠外：整个在外侧。
-words-sphere-straddles = 比半径更近：平面截到球。
-words-sphere-done = 在所有平面内侧，就不必再问。
+words-sphere-outside = 在外侧且距离大于半径：整个球在外侧。
+words-sphere-straddles = 距离小于半径：平面截到球。
+words-sphere-done = 在所有平面内侧，就不必再测。
 class-inside = 内部
 class-straddles = 跨界
 class-outside = 外部
@@ -106,7 +110,7 @@ code-box-corners = 数 n·p + D < 0 的角
 code-box-outside = 若八个全是：剔除
 code-box-meets = 有没有一点在所有平面内侧？
 code-box-done = 保留，或者白画
-words-box-each = 依次询问每个平面；法向量指向内侧。
+words-box-each = 依次测试每个平面；法向量指向内侧。
 words-box-corners = 只看八个角的符号。
 words-box-outside = 八个角都在同一平面外侧：什么也看不到。
 words-box-meets = 第二个测试找出跨界却仍在外部的盒子。
@@ -145,7 +149,7 @@ funnel-sphere-inside = 物体 { $object } 在内部：{ $triangles } 个三角�
 funnel-sphere-straddles = 物体 { $object } 跨界：逐个测它的 { $triangles } 个三角形。
 funnel-sphere-outside = 物体 { $object } 整个剔除：省下 { $triangles } 个三角形。
 funnel-triangle-inside = 三角形 { $triangle }：3 个顶点中 { $inside } 个在内部，整个保留。
-funnel-triangle-outside = 三角形 { $triangle }：顶点都在同一面之外（内部 { $inside } 个），剔除。
+funnel-triangle-outside = 三角形 { $triangle }：顶点都在同一平面外侧（内部 { $inside } 个），剔除。
 funnel-triangle-cut = 三角形 { $triangle }：3 个顶点中 { $inside } 个在内部，裁成 { $pieces } 个三角形。
 funnel-triangle-across = 三角形 { $triangle }：{ $inside } 个顶点在内部，却仍看得见：{ $pieces } 个三角形。
 funnel-triangle-nothing = 三角形 { $triangle }：{ $inside } 个顶点在内部，裁剪后剩 { $pieces } 块。
@@ -163,21 +167,21 @@ code-funnel-face = 剔除 n·e ≤ 0 的三角形
 code-funnel-draw = 绘制剩下的
 words-funnel-each = 先测整个物体：一次测试可以省下全部三角形。
 words-funnel-sphere = 以顶点平均为心，以最远顶点为半径。
-words-funnel-plane = 向六个平面询问球心的距离。
-words-funnel-cull = 比半径更靠外：舍去该物体。
+words-funnel-plane = 求球心到六个平面的距离。
+words-funnel-cull = 在外侧且距离大于半径：舍去该物体。
 words-funnel-straddles = 只有跨界的才往下一层。
-words-funnel-triangle = 顶点同在一面之外：剔除；都不在外：保留；否则裁剪。
+words-funnel-triangle = 顶点都在同一平面外侧：剔除；没有一个在外侧：保留；否则裁剪。
 words-funnel-face = 背向相机的面被朝向相机的面挡住。
 words-funnel-draw = 每一层都去掉了上一层能判断的部分。
 
 ## Mistakes
 
-faulty-one-angle-differs = 第 { $step } 步首次出现差别：把上下视角也当成了左右视角。
+faulty-one-angle-differs = 第 { $step } 步首次出现差别：把上下视场角也当成了左右视场角。
 faulty-turned-sign-differs = 第 { $step } 步首次出现差别：把平面的内侧当成了外侧。
 faulty-around-origin-differs = 第 { $step } 步首次出现差别：包围球以模型原点为心，而不是质心。
 faulty-winding-differs = 第 { $step } 步首次出现差别：把顶点顺序当成顺时针，法向量指向了里面。
 faulty-constant-view-differs = 第 { $step } 步首次出现差别：所有面用了同一个视线方向。
-code-faulty-one-angle = 用同一视角的平面：d ← n·c + D
+code-faulty-one-angle = 用同一视场角的平面：d ← n·c + D
 words-faulty-one-angle = 左右平面与上下平面张角相同。
 code-faulty-turned-sign = 若 d > r：剔除物体
 words-faulty-turned-sign = 舍去法向量一侧的物体。

@@ -7,7 +7,7 @@ use egui::{Event, Rect, Ui, UiBuilder, Vec2, vec2};
 use super::{Bench, SIZE};
 use crate::{
     app::{App, Command, Settings, inspector},
-    figure::{CodeLinks, Link},
+    figure::{Body, CodeLinks, Link},
     labs::Edit,
     lesson::{CodeView, Course},
     paint::ThemeKind,
@@ -281,11 +281,15 @@ fn what_is_pointed_at_in_a_view_lights_up_on_the_stage() {
                 lit.insert(id.0);
                 let mut marks = bench.app.scene().document().backdrop(0, false);
                 marks.extend(bench.app.playback.frames()[0].marks().iter().cloned());
-                let is_there = marks.iter().any(|mark| mark.link == Some(link));
-                // A side of the window is drawn on its own only when its turn comes.
-                let is_side = ["left", "right", "bottom", "top"]
-                    .map(Link::from)
-                    .contains(&link);
+                let mut links: Vec<Option<Link>> = marks.iter().map(|mark| mark.link).collect();
+                if let Body::Space(space) = &bench.app.playback.frames()[0].views[0].body {
+                    links.extend(space.marks.iter().map(|mark| mark.link));
+                    links.extend(space.facets.iter().map(|facet| facet.link));
+                }
+                let is_there = links.contains(&Some(link));
+                // A side of the window or of the volume is drawn on its own only when its turn comes.
+                let sides = ["left", "right", "bottom", "top"].map(Link::from);
+                let is_side = sides.contains(&link) || (0..6).any(|i| link == Link::nth("side", i));
                 assert!(is_there || is_side, "{place} {id:?} {link:?}");
             }
         }

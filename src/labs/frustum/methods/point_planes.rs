@@ -220,9 +220,9 @@ fn plane_table(step: &Step<'_, Shown>) -> Table {
             link: Some(plane_link(plane_idx)),
         }
     };
-    let apart = scenery.and_then(apart_from_matrix);
-    let note = apart.map(|apart| TableNote {
-        text: Message::new("planes-from-matrix").with("apart", apart),
+    let decimals = scenery.and_then(decimals_of_matrix);
+    let note = decimals.map(|decimals| TableNote {
+        text: Message::new("planes-from-matrix").with("decimals", decimals),
         applies: true,
     });
     Table {
@@ -232,8 +232,8 @@ fn plane_table(step: &Step<'_, Shown>) -> Table {
     }
 }
 
-/// By how much the planes that the angles give and those that the rows of the matrix give differ at most.
-fn apart_from_matrix(scenery: &Scenery) -> Option<f64> {
+/// To how many decimals the planes that the angles give and those that the rows of the matrix give agree.
+fn decimals_of_matrix(scenery: &Scenery) -> Option<usize> {
     let camera = scenery.scene().camera.camera();
     let from_matrix = planes_from_matrix(&camera.clip_from_world()).ok()?;
     let apart = from_matrix.iter().zip(scenery.planes()).map(|(a, b)| {
@@ -241,5 +241,6 @@ fn apart_from_matrix(scenery: &Scenery) -> Option<f64> {
         let apart = both.map(|(x, y)| (x / a.length() - y).abs());
         apart.fold(0.0, f64::max)
     });
-    Some(apart.fold(0.0, f64::max))
+    let apart = apart.fold(f64::EPSILON, f64::max);
+    Some((-libm::log10(apart)).floor().max(0.0) as usize)
 }

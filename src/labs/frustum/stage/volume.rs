@@ -11,12 +11,12 @@ use crate::{
 /// Catalogue key of a side of a view volume.
 pub const fn side_key(side: VolumeSide) -> &'static str {
     match side {
-        VolumeSide::Near => "side-near",
-        VolumeSide::Far => "side-far",
-        VolumeSide::Left => "side-left",
-        VolumeSide::Right => "side-right",
-        VolumeSide::Bottom => "side-bottom",
-        VolumeSide::Top => "side-top",
+        VolumeSide::Near => "plane-near",
+        VolumeSide::Far => "plane-far",
+        VolumeSide::Left => "plane-left",
+        VolumeSide::Right => "plane-right",
+        VolumeSide::Bottom => "plane-bottom",
+        VolumeSide::Top => "plane-top",
     }
 }
 
