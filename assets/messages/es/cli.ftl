@@ -81,8 +81,8 @@ case-point-outside = Fuera: al menos un plano deja el punto fuera.
 case-cull-inside = Dentro: ningún plano lo corta.
 case-cull-outside = Fuera: el plano { $plane } lo descarta, a una distancia de { $distance }.
 case-box-outside = Fuera: un plano tiene los ocho vértices en su lado exterior.
-case-cull-straddles = A ambos lados: al menos un plano lo corta y ninguno lo descarta.
-case-cull-in-vain = A ambos lados según los planos, y sin embargo ningún punto suyo está dentro: se conserva en vano.
+case-cull-straddles = Cruza: al menos un plano lo corta y ninguno lo descarta.
+case-cull-in-vain = Cruza según los planos, y sin embargo ningún punto suyo está dentro: se conserva en vano.
 case-front = Muestra su cara frontal: n·e = { $dot }.
 case-back = No muestra su cara frontal: n·e = { $dot }.
 case-polygons =

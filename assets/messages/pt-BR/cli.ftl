@@ -81,8 +81,8 @@ case-point-outside = Fora: pelo menos um plano deixa o ponto fora.
 case-cull-inside = Dentro: nenhum plano o corta.
 case-cull-outside = Fora: o plano { $plane } o descarta, a uma distância de { $distance }.
 case-box-outside = Fora: um plano tem os oito vértices do seu lado externo.
-case-cull-straddles = Dos dois lados: pelo menos um plano o corta e nenhum o descarta.
-case-cull-in-vain = Dos dois lados segundo os planos, e no entanto nenhum ponto seu está dentro: mantido em vão.
+case-cull-straddles = Cruza: pelo menos um plano o corta e nenhum o descarta.
+case-cull-in-vain = Cruza segundo os planos, e no entanto nenhum ponto seu está dentro: mantido em vão.
 case-front = Mostra a frente: n·e = { $dot }.
 case-back = Não mostra a frente: n·e = { $dot }.
 case-polygons =

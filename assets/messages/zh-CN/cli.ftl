@@ -65,8 +65,8 @@ case-point-outside = 在外部：该点至少在一个平面的外侧。
 case-cull-inside = 在内部：没有平面与它相交。
 case-cull-outside = 在外部：平面 { $plane } 将其剔除，距离为 { $distance }。
 case-box-outside = 在外部：八个顶点全部位于某一平面的外侧。
-case-cull-straddles = 相交：至少有一个平面与它相交，且没有平面将其剔除。
-case-cull-in-vain = 按各平面判定为相交，但它没有任何一点在内部：白白保留。
+case-cull-straddles = 跨界：至少有一个平面与它相交，且没有平面将其剔除。
+case-cull-in-vain = 按各平面判定为跨界，但它没有任何一点在内部：白白保留。
 case-front = 可见正面：n·e = { $dot }。
 case-back = 看不到正面：n·e = { $dot }。
 case-polygons = { $n } 个多边形：{ $rings }

@@ -22,8 +22,8 @@ error-target-at-position = 相机没有方向：目标点与相机位置重合�
 error-up-along-view = 相机的上方向不得为零向量，也不得与视线方向平行。
 error-field-of-view = 视场角必须大于 0° 且小于 180°，而这里是 { $degrees }°。
 error-size = 大小必须大于 0，而这里是 { $size }。
-error-height = 视体的高度必须大于 0，而这里是 { $height }。
-error-aspect = 宽高比必须大于 0，且使视体具有有效的宽度，而这里是 { $aspect }。
+error-height = 视见体的高度必须大于 0，而这里是 { $height }。
+error-aspect = 宽高比必须大于 0，且使视见体具有有效的宽度，而这里是 { $aspect }。
 error-near = 近平面必须位于视点前方，距离大于 0，而这里是 { $near }。
 error-far = 远平面必须比近平面更远：far = { $far } 必须大于 near = { $near }。
 error-not-affine = 该矩阵的最后一行必须是 0 0 0 1。
