@@ -20,7 +20,7 @@ const FEW: usize = 3;
 /// And so many can still be told apart.
 const SOME: usize = 50;
 
-/// A line thinner than this has shorter dashes, by this factor.
+/// A line of a weight of its own that is thinner than this has shorter dashes, by this factor.
 const THIN: f32 = 1.9;
 const THIN_DASH: f32 = 0.6;
 
@@ -58,7 +58,10 @@ impl Pen {
         Self {
             stroke: theme.stroke(width, colour),
             is_dashed: mark.is_dashed || is_quiet,
-            dash: if width < THIN { THIN_DASH } else { 1.0 },
+            dash: match mark.weight {
+                Some(weight) if weight.points < THIN => THIN_DASH,
+                _ => 1.0,
+            },
             wash: wash(theme, mark.role)
                 .gamma_multiply(mark.weight.map_or(1.0, |weight| weight.strength)),
             text: text_colour(theme, mark.role),

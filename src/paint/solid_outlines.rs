@@ -37,22 +37,6 @@ pub fn outlines(seen: &Seen, normals: &[[f32; 3]]) -> Vec<bool> {
 }
 
 impl Seen {
-    /// The first and the last column, of some rows from the sample `top` on, in which anything is seen; of what is empty the
-    /// last comes first.
-    pub fn columns(&self, top: usize, n_rows: usize) -> [usize; 2] {
-        let rows =
-            (0..n_rows).map(|row| &self.facets[top + row * self.n_columns..][..self.n_columns]);
-        let is_seen = |facet: &u32| *facet != NONE;
-        rows.fold([self.n_columns, 0], |[first, last], row| {
-            let from = row.iter().position(is_seen);
-            let to = row.iter().rposition(is_seen);
-            [
-                from.map_or(first, |from| first.min(from)),
-                to.map_or(last, |to| last.max(to)),
-            ]
-        })
-    }
-
     /// Is there a line between a sample and the one so many further on?
     fn is_parted(&self, at: usize, step: usize, normals: &[[f32; 3]]) -> bool {
         let [a, b] = [at, at + step].map(|at| self.facets[at]);
@@ -99,20 +83,6 @@ mod tests {
         let found = outlines(&seen(facets, depths), &normals);
         assert_eq!(found[..5], found[5..], "both rows are alike");
         std::array::from_fn(|i| found[i])
-    }
-
-    #[test]
-    fn what_is_seen_lies_between_two_columns() {
-        let seen = seen([NONE, 0, NONE, 1, NONE], [0.5; 5]);
-        assert_eq!(seen.columns(0, 2), [1, 3]);
-        assert_eq!(
-            super::Seen {
-                facets: vec![NONE; 10],
-                ..seen
-            }
-            .columns(0, 2),
-            [5, 0]
-        );
     }
 
     #[test]

@@ -17,6 +17,9 @@ const ROWS_AT_ONCE: u32 = 24;
 /// More threads have too little to do.
 const MOST_THREADS: usize = 4;
 
+/// Pixels beside each other that are looked at together, if anything is seen in them.
+const BLOCK: usize = 32;
+
 /// What pixels are made of.
 pub struct Samples<'a> {
     /// Where facets are.
@@ -95,22 +98,29 @@ impl Samples<'_> {
         let above = (rows.start * self.fine - first) as usize;
         for (row, pixels) in pixels.chunks_mut(self.size[0] as usize).enumerate() {
             let top = (above + row * fine) * n_columns;
-            // A sample's line may lie on the pixel beside it.
-            let [from, to] = seen.columns(top, fine).map(|column| column / fine);
-            let from = from.saturating_sub(1);
-            let to = (to + 2).min(pixels.len());
-            for (column, pixel) in pixels.iter_mut().enumerate().take(to).skip(from) {
-                let left = top + column * fine;
-                if let Some(whole) = self.whole(seen, &is_dark, left) {
-                    *pixel = whole;
-                    continue;
+            for (block, pixels) in pixels.chunks_mut(BLOCK).enumerate() {
+                let left = top + block * BLOCK * fine;
+                if !is_empty(seen, &is_dark, left, [pixels.len() * fine, fine]) {
+                    self.block(seen, &is_dark, left, pixels);
                 }
-                let samples = (0..fine).flat_map(|i| {
-                    let start = left + i * n_columns;
-                    start..start + fine
-                });
-                *pixel = self.pixel(seen, &is_dark, samples);
             }
+        }
+    }
+
+    /// Pixels beside each other, from this sample on.
+    fn block(&self, seen: &Seen, is_dark: &[bool], left: usize, pixels: &mut [Color32]) {
+        let fine = self.fine as usize;
+        for (column, pixel) in pixels.iter_mut().enumerate() {
+            let left = left + column * fine;
+            if let Some(whole) = self.whole(seen, is_dark, left) {
+                *pixel = whole;
+                continue;
+            }
+            let samples = (0..fine).flat_map(|i| {
+                let start = left + i * seen.n_columns;
+                start..start + fine
+            });
+            *pixel = self.pixel(seen, is_dark, samples);
         }
     }
 
@@ -155,4 +165,16 @@ impl Samples<'_> {
         let [r, g, b, a] = sum.map(|sum: u32| ((sum + n / 2) / n) as u8);
         Color32::from_rgba_premultiplied(r, g, b, a)
     }
+}
+
+/// Is nothing in so many columns and rows of samples?
+fn is_empty(seen: &Seen, is_dark: &[bool], left: usize, [width, n_rows]: [usize; 2]) -> bool {
+    (0..n_rows).all(|row| {
+        let start = left + row * seen.n_columns;
+        let samples = start..start + width;
+        // All of them are looked at, several at once.
+        let is_bare = |bare, facet: &u32| bare & (*facet == NONE);
+        let is_bare = seen.facets[samples.clone()].iter().fold(true, is_bare);
+        is_bare && (is_dark.is_empty() || !is_dark[samples].contains(&true))
+    })
 }

@@ -3,7 +3,7 @@
 use egui::Color32;
 use glam::DVec3;
 
-use crate::figure::{Facet, Role};
+use crate::figure::{Facet, Link, Role};
 
 use super::{Theme, ThemeKind, pen::stroke_colour};
 
@@ -12,13 +12,26 @@ const LIGHT: DVec3 = DVec3::new(-0.35, 0.8, 0.48);
 /// Cosines of the angle to it: what is turned to it more than the first is lit, more than the second half.
 const LIT: [f64; 2] = [0.62, 0.15];
 
-/// One for each facet and its normal.
-pub fn tones(theme: &Theme, facets: &[Facet], normals: &[DVec3]) -> Vec<Color32> {
+/// What stands out has so much of the accent.
+const STANDS_OUT: f32 = 0.28;
+
+/// One for each facet and its normal; what is about `lit` stands out.
+pub fn tones(
+    theme: &Theme,
+    facets: &[Facet],
+    normals: &[[f32; 3]],
+    lit: Option<Link>,
+) -> Vec<Color32> {
     let light = LIGHT.normalize();
-    let tone = |(facet, normal): (&Facet, &DVec3)| {
-        let cosine = normal.dot(light);
+    let tone = |(facet, normal): (&Facet, &[f32; 3])| {
+        let cosine = DVec3::from(normal.map(f64::from)).dot(light);
         let darkness = LIT.iter().filter(|least| cosine <= **least).count();
-        tone(theme, facet.role, darkness)
+        let tone = tone(theme, facet.role, darkness);
+        if lit.is_some() && facet.link == lit {
+            tone.lerp_to_gamma(theme.accent, STANDS_OUT)
+        } else {
+            tone
+        }
     };
     facets.iter().zip(normals).map(tone).collect()
 }
@@ -40,5 +53,11 @@ fn tone(theme: &Theme, role: Role, darkness: usize) -> Color32 {
         // On a dark ground what is lit is the farthest from it.
         ThemeKind::Dark => strengths[2 - darkness] + 0.06,
     };
-    theme.background.lerp_to_gamma(hue, strength)
+    match role {
+        // The ground shows through what is cut away.
+        Role::Discarded => hue.gamma_multiply(strength),
+        Role::Ink | Role::Soft | Role::Faint | Role::Accent | Role::Signal | Role::Accepted => {
+            theme.background.lerp_to_gamma(hue, strength)
+        }
+    }
 }

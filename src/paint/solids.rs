@@ -7,9 +7,7 @@ use egui::{
     Color32, ColorImage, Context, Id, Mesh, Rect, Shape, TextureHandle, TextureOptions, Vec2, pos2,
 };
 
-use glam::DVec3;
-
-use crate::figure::{Facet, SolidMesh, SolidPicture, Solids};
+use crate::figure::{Facet, Link, SolidMesh, SolidPicture, Solids};
 
 use super::{Theme, Viewport, solid_samples::Samples, solid_tones::tones};
 
@@ -18,12 +16,21 @@ const FINE: u32 = 2;
 /// While the eye turns, more facets than this are drawn coarsely.
 const MANY: usize = 20_000;
 
+/// What a picture is asked for.
+struct Asked<'a> {
+    solids: &'a Solids,
+    place: Place,
+    theme: &'a Theme,
+    lit: Option<Link>,
+}
+
 /// A picture of solids, and what it was drawn for.
 #[derive(Clone)]
 struct Drawn {
     solids: Solids,
     place: Place,
     theme: &'static str,
+    lit: Option<Link>,
     is_fine: bool,
     /// In which frame it was last asked for.
     frame: u64,
@@ -52,8 +59,14 @@ struct Place {
 #[derive(Clone, Default)]
 struct Kept(Vec<Drawn>);
 
-/// What is seen of solids, where it was not yet, drawn.
-pub fn solids(ctx: &Context, theme: &Theme, viewport: &Viewport, solids: &Solids) -> Shape {
+/// What is seen of solids, where it was not yet, drawn; what is about `lit` stands out.
+pub fn solids(
+    ctx: &Context,
+    theme: &Theme,
+    viewport: &Viewport,
+    solids: &Solids,
+    lit: Option<Link>,
+) -> Shape {
     let Some(place) = Place::of(viewport, ctx.pixels_per_point()) else {
         return Shape::Noop;
     };
@@ -65,9 +78,16 @@ pub fn solids(ctx: &Context, theme: &Theme, viewport: &Viewport, solids: &Solids
     let found = kept.0.iter().position(|it| it.place.rect == place.rect);
     let before = found.map(|found| kept.0.swap_remove(found));
     let is_moving = ctx.input(|input| input.pointer.any_down());
+    let is_lit = |lit: &Link| solids.facets.iter().any(|facet| facet.link == Some(*lit));
+    let asked = Asked {
+        solids,
+        place,
+        theme,
+        lit: lit.filter(is_lit),
+    };
     let mut drawn = match before {
-        Some(drawn) if drawn.is_of(solids, place, theme) && (drawn.is_fine || is_moving) => drawn,
-        before => Drawn::new(ctx, theme, (solids, place), is_moving, before),
+        Some(drawn) if drawn.is_of(&asked) && (drawn.is_fine || is_moving) => drawn,
+        before => Drawn::new(ctx, &asked, is_moving, before),
     };
     drawn.frame = frame;
     if !drawn.is_fine {
@@ -98,29 +118,31 @@ impl Place {
 }
 
 impl Drawn {
-    fn new(
-        ctx: &Context,
-        theme: &Theme,
-        (solids, place): (&Solids, Place),
-        is_moving: bool,
-        before: Option<Self>,
-    ) -> Self {
-        let has_room = place
-            .size
-            .iter()
-            .all(|side| FINE * side <= SolidPicture::MAX_SIDE);
+    fn new(ctx: &Context, asked: &Asked<'_>, is_moving: bool, before: Option<Self>) -> Self {
+        let &Asked {
+            solids,
+            place,
+            theme,
+            lit,
+        } = asked;
+        let has_room = |side: &u32| FINE * side <= SolidPicture::MAX_SIDE;
         let is_fine = !(is_moving && solids.facets.len() > MANY);
-        let (surface, texture) = match before {
-            Some(drawn) if drawn.has_surface(solids, theme) => {
-                (Some(drawn.surface), Some(drawn.texture))
-            }
-            before => (None, before.map(|drawn| drawn.texture)),
+        let known = before.as_ref().filter(|drawn| drawn.has_surface(asked));
+        let mut surface = match known {
+            Some(drawn) => drawn.surface.clone(),
+            None => Surface::of(&solids.facets, theme, lit),
         };
-        let surface = surface.unwrap_or_else(|| Surface::of(&solids.facets, theme));
-        let fine = if is_fine && has_room { FINE } else { 1 };
+        if known.is_some_and(|drawn| drawn.lit != lit) {
+            surface.tones = tones(theme, &solids.facets, &surface.normals, lit).into();
+        }
+        let fine = if is_fine && place.size.iter().all(has_room) {
+            FINE
+        } else {
+            1
+        };
         let image = image(&surface, solids, place, fine, theme);
         let options = TextureOptions::LINEAR;
-        let texture = match texture {
+        let texture = match before.map(|drawn| drawn.texture) {
             Some(mut texture) => {
                 texture.set(image, options);
                 texture
@@ -131,6 +153,7 @@ impl Drawn {
             solids: solids.clone(),
             place,
             theme: theme.kind.id(),
+            lit,
             is_fine,
             frame: 0,
             surface,
@@ -138,12 +161,16 @@ impl Drawn {
         }
     }
 
-    fn has_surface(&self, solids: &Solids, theme: &Theme) -> bool {
-        Arc::ptr_eq(&self.solids.facets, &solids.facets) && self.theme == theme.kind.id()
+    fn has_surface(&self, asked: &Asked<'_>) -> bool {
+        Arc::ptr_eq(&self.solids.facets, &asked.solids.facets)
+            && self.theme == asked.theme.kind.id()
     }
 
-    fn is_of(&self, solids: &Solids, place: Place, theme: &Theme) -> bool {
-        self.has_surface(solids, theme) && self.place == place && self.solids.lens == solids.lens
+    fn is_of(&self, asked: &Asked<'_>) -> bool {
+        self.has_surface(asked)
+            && self.place == asked.place
+            && self.lit == asked.lit
+            && self.solids.lens == asked.solids.lens
     }
 
     /// Texel on pixel.
@@ -156,12 +183,13 @@ impl Drawn {
 }
 
 impl Surface {
-    fn of(facets: &[Facet], theme: &Theme) -> Self {
-        let normals: Vec<DVec3> = facets.iter().map(Facet::normal).collect();
+    fn of(facets: &[Facet], theme: &Theme, lit: Option<Link>) -> Self {
+        let normal = |facet: &Facet| facet.normal().as_vec3().to_array();
+        let normals: Arc<[[f32; 3]]> = facets.iter().map(normal).collect();
         Self {
             mesh: Arc::new(SolidMesh::of(facets)),
-            normals: normals.iter().map(|n| n.as_vec3().to_array()).collect(),
-            tones: tones(theme, facets, &normals).into(),
+            tones: tones(theme, facets, &normals, lit).into(),
+            normals,
         }
     }
 }

@@ -36,6 +36,7 @@ pub fn stage(
         painter,
         viewport,
         theme,
+        lit,
     };
     let pieces = pieces(viewport, theme, marks, lit);
     for piece in &pieces {
@@ -77,6 +78,7 @@ struct Stage<'a> {
     painter: &'a Painter,
     viewport: &'a Viewport,
     theme: &'a Theme,
+    lit: Option<Link>,
 }
 
 impl Stage<'_> {
@@ -88,7 +90,13 @@ impl Stage<'_> {
             Part::Texture(triangles) => {
                 textured(self.painter.ctx(), self.theme, self.viewport, triangles)
             }
-            Part::Solids(shown) => solids(self.painter.ctx(), self.theme, self.viewport, shown),
+            Part::Solids(shown) => solids(
+                self.painter.ctx(),
+                self.theme,
+                self.viewport,
+                shown,
+                self.lit,
+            ),
             Part::Crowd(segments) => {
                 let pen = Pen::of_crowd(self.theme, mark, segments.len());
                 return crowd(self.painter, self.theme, self.viewport, segments, &pen);

@@ -12,6 +12,8 @@ const FINE_FAINT: (f32, f32) = (1.0, 0.35);
 const FINE_HIDDEN: (f32, f32) = (1.0, 0.5);
 /// What is hidden of a line that is taught.
 const HIDDEN: (f32, f32) = (1.5, 0.7);
+/// An outline that is taught, whole or in parts.
+const OUTLINE: (f32, f32) = (2.25, 1.0);
 /// Radius of a point where a line of construction ends.
 const FINE_DOT: f32 = 2.2;
 /// A ball's outline.
@@ -93,10 +95,8 @@ impl Seen {
         let is_outline = is_whole && edges.len() > 1;
         if is_outline {
             let corners = visible.iter().map(|ends| ends[0]).collect();
-            drawn.push(weighed(
-                Mark::new(mark.role, Shape::Outline(corners)),
-                mark.is_fine,
-            ));
+            let outline = Mark::new(mark.role, Shape::Outline(corners));
+            drawn.push(weighed(light(outline, OUTLINE.0, OUTLINE.1), mark.is_fine));
         } else {
             let shape = |ends: [[f64; 2]; 2]| match edges.len() {
                 1 => Shape::Segment(ends),
@@ -105,6 +105,11 @@ impl Seen {
             let parts = visible
                 .into_iter()
                 .map(|ends| Mark::new(mark.role, shape(ends)));
+            let is_part = edges.len() > 1;
+            let parts = parts.map(|part| match is_part {
+                true => light(part, OUTLINE.0, OUTLINE.1),
+                false => part,
+            });
             drawn.extend(parts.map(|part| weighed(part, mark.is_fine)));
         }
         for part in &mut drawn {

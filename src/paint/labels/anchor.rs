@@ -91,6 +91,19 @@ impl Anchor {
         }
     }
 
+    /// A place that moves as it does.
+    pub fn middle(&self) -> Pos2 {
+        match self {
+            Self::Point(at, _) => *at,
+            Self::Along(edges) => edges.first().map_or(Pos2::ZERO, |[a, b]| a.lerp(*b, 0.5)),
+            Self::Inside(rect) => rect.center(),
+            Self::Within(outlines) => {
+                let points: Vec<Pos2> = outlines.iter().flatten().copied().collect();
+                Rect::from_points(&points).center()
+            }
+        }
+    }
+
     fn along(parts: &[Part<'_>], stage: Rect) -> Option<Self> {
         let edges = parts.iter().flat_map(edges_of);
         let seen = edges.filter_map(|ends| cut_to(ends, stage));

@@ -57,6 +57,8 @@ pub struct Placed {
     pub text: String,
     /// The box around its letters.
     pub rect: Rect,
+    /// From what it belongs to, to the middle of its box: while an eye turns, both go together.
+    pub offset: Vec2,
     /// A stroke or a marker runs under it: it has a halo, so that it can be read.
     pub has_halo: bool,
     /// It stands on a picture, and on a plate of its own.
@@ -134,6 +136,7 @@ impl Labels {
                 let placed = Placed {
                     text: label.text.plain.clone(),
                     rect,
+                    offset: rect.center() - label.anchor.middle(),
                     has_halo: obstacles.iter().any(|obstacle| obstacle.covers(rect)),
                     has_plate: obstacles
                         .iter()
@@ -268,7 +271,10 @@ fn candidates(
         .before
         .iter()
         .filter(|it| it.text == label.text.plain);
-    let stood: Vec<Pos2> = stood.map(|placed| placed.rect.center()).collect();
+    let middle = label.anchor.middle();
+    let stood: Vec<Pos2> = stood
+        .flat_map(|placed| [placed.rect.center(), middle + placed.offset])
+        .collect();
     let size = label.text.size();
     let lean = Lean {
         toward: label.toward,
