@@ -58,9 +58,10 @@ impl Pen {
         Self {
             stroke: theme.stroke(width, colour),
             is_dashed: mark.is_dashed || is_quiet,
-            dash: match mark.weight {
-                Some(weight) if weight.points < THIN => THIN_DASH,
-                _ => 1.0,
+            dash: if mark.weight.is_some_and(|weight| weight.points < THIN) {
+                THIN_DASH
+            } else {
+                1.0
             },
             wash: wash(theme, mark.role)
                 .gamma_multiply(mark.weight.map_or(1.0, |weight| weight.strength)),

@@ -27,11 +27,14 @@ pub fn link_at(viewport: &Viewport, marks: &[Mark], at: Pos2) -> Option<Link> {
     let point = nearby.iter().find(|(is_point, _)| *is_point);
     let mark = point.or(nearby.first()).map(|&(_, link)| link);
     mark.or_else(|| {
-        let mut solids = marks.iter().rev().filter_map(|mark| match &mark.shape {
-            Shape::Solids(solids) => Some(solids),
-            _ => None,
-        });
-        solids.find_map(|solids| solids.link_at(viewport.to_world(at)))
+        let place = viewport.to_world(at);
+        marks.iter().rev().find_map(|mark| {
+            if let Shape::Solids(solids) = &mark.shape {
+                solids.link_at(place)
+            } else {
+                None
+            }
+        })
     })
 }
 

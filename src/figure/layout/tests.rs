@@ -87,3 +87,28 @@ fn what_has_no_room_is_left_out_from_the_last_on() {
     assert_eq!(shown([960.0, 540.0]), 5);
     assert_eq!(shown([400.0, 200.0]), 1);
 }
+
+#[test]
+fn an_inset_stands_on_its_drawing_in_its_own_proportions() {
+    let mut needs = needs();
+    needs.push(need("inset", Stand::Inset, [9.6, 6.0], [16.0, 10.0]));
+    for size in [[1280.0, 720.0], [700.0, 500.0], [420.0, 700.0]] {
+        let layout = sheet(size, 13.0).lay_out(&[needs.clone()]);
+        let column = &layout.columns[0];
+        let [drawing, inset] = ["plane", "inset"].map(|id| column.slot(ViewId(id)).unwrap());
+        assert_eq!(
+            column.over(ViewId("plane")).collect::<Vec<_>>(),
+            [inset],
+            "{size:?}"
+        );
+        for i in 0..2 {
+            assert!(drawing.min[i] < inset.min[i] && inset.max[i] < drawing.max[i]);
+        }
+        let [width, height] = inset.size();
+        assert!((width / height - 1.6).abs() < 0.05, "{inset:?}");
+        assert!(width <= 0.28 * drawing.size()[0], "{inset:?}");
+    }
+    // Alone it is the drawing.
+    let alone = sheet([800.0, 500.0], 13.0).lay_out(&[vec![needs[5]]]);
+    assert!(alone.columns[0].views[0].1.size()[0] > 600.0);
+}

@@ -200,10 +200,14 @@ fn weighed(drawn: Mark, is_fine: bool) -> Mark {
 }
 
 fn length(shape: &Shape) -> f64 {
-    let ends = match shape {
-        Shape::Segment(ends) => *ends,
-        Shape::Path(points) if points.len() == 2 => [points[0], points[1]],
-        _ => return f64::INFINITY,
+    let ends = if let Shape::Segment(ends) = shape {
+        *ends
+    } else if let Shape::Path(points) = shape
+        && let [a, b] = points[..]
+    {
+        [a, b]
+    } else {
+        return f64::INFINITY;
     };
     libm::hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1])
 }

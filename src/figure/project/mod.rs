@@ -16,7 +16,7 @@ mod tests;
 
 use glam::DVec3;
 
-use super::{Edge3, Lens, Mark, Role, Shape, Solids, Space, Weight, lens::Optics};
+use super::{Edge3, Lens, Mark, Mark3, Role, Shape, Shape3, Solids, Space, Weight, lens::Optics};
 
 use facets::FacetsInView;
 use interval::{between, complement, inside};
@@ -33,20 +33,28 @@ pub fn project(space: &Space, lens: &Lens) -> Vec<Mark> {
     };
     let bounds_two = |edge: &Edge3| edge.facets.iter().all(Option::is_some);
     let is_closed = space.edges.iter().all(bounds_two);
+    let is_outlined = space.edges.len() > MOST_EDGES;
+    let is_line = |mark: &Mark3| matches!(mark.shape, Shape3::Segment(_) | Shape3::Outline(_));
+    // Where no line is drawn, none is hidden.
+    let hiding = if is_outlined && !space.marks.iter().any(is_line) {
+        &[]
+    } else {
+        &space.facets[..]
+    };
     let seen = Seen {
         optics,
-        facets: FacetsInView::new(&space.facets, is_closed, optics),
+        facets: FacetsInView::new(hiding, is_closed, optics),
     };
     let mut marks: Vec<Mark> = space.marks.iter().flat_map(|it| seen.wash(it)).collect();
     if !space.facets.is_empty() {
         let solids = Solids {
             facets: space.facets.clone(),
             lens: *lens,
-            is_outlined: space.edges.len() > MOST_EDGES,
+            is_outlined,
         };
         marks.push(Mark::new(Role::Ink, Shape::Solids(solids)));
     }
-    if space.edges.len() <= MOST_EDGES {
+    if !is_outlined {
         marks.extend(space.edges.iter().flat_map(|edge| seen.edge(edge)));
     }
     marks.extend(space.marks.iter().flat_map(|mark| seen.mark(mark)));

@@ -237,8 +237,12 @@ const fn rank(label: &Label, anchor: &Anchor, role: Role) -> u8 {
     }
 }
 
+/// What is said beside a point that has no mark is said of something larger.
 fn is_same_point(a: &Anchor, b: &Anchor) -> bool {
-    matches!((a, b), (Anchor::Point(a, _), Anchor::Point(b, _)) if a.distance(*b) < SAME_POINT)
+    let (Anchor::Point(a, radius), Anchor::Point(b, other)) = (a, b) else {
+        return false;
+    };
+    (*radius > 0.0) == (*other > 0.0) && a.distance(*b) < SAME_POINT
 }
 
 /// Names can be said to be of one thing; an equation cannot.

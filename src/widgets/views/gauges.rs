@@ -328,12 +328,12 @@ fn strength(row: &Gauge) -> Face {
 
 fn name_colour(slate: &Slate<'_>, row: &Gauge) -> egui::Color32 {
     let theme = slate.theme();
-    match row.role {
-        Role::Signal => theme.signal_text,
-        _ if row.value.is_none() => theme.faint,
-        Role::Ink | Role::Soft | Role::Faint | Role::Accent | Role::Accepted | Role::Discarded => {
-            theme.soft
-        }
+    if row.role == Role::Signal {
+        theme.signal_text
+    } else if row.value.is_none() {
+        theme.faint
+    } else {
+        theme.soft
     }
 }
 
