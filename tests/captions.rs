@@ -8,7 +8,7 @@ use clipscope::{
     figure::{Body, Run},
     geom::{Polygon, Segment, Window},
     labs::{
-        LABS, MethodCard, Scene,
+        Change, LABS, MethodCard, Scene, frustum,
         lines::{self, Method},
         polygons,
     },
@@ -89,6 +89,26 @@ fn polygon_scenes() -> Vec<Scene> {
     scenes
 }
 
+/// What stands everywhere that something can stand, for every method and both kinds of cameras.
+fn frustum_scenes() -> Vec<Scene> {
+    let mut scenes = Vec::new();
+    for method in frustum::Method::all() {
+        for is_parallel in [false, true] {
+            for point in [[0.0, 1.0, 0.0], [0.0, 2.0, 6.0], [9.0, 9.0, 9.0]] {
+                let mut scene = frustum::Scene::first();
+                scene.method = method;
+                scene.set_point(point).unwrap();
+                scene.set_focus(2).unwrap();
+                let mut scene: Scene = scene.into();
+                let turned = frustum::FrustumChange::Parallel(is_parallel);
+                Change::apply(&turned, &mut scene).unwrap();
+                scenes.push(scene);
+            }
+        }
+    }
+    scenes
+}
+
 fn scenes() -> Vec<Scene> {
     let window = Window::new(-1.0, -1.0, 1.0, 1.0).unwrap();
     let mut scenes: Vec<Scene> = Method::all()
@@ -102,6 +122,7 @@ fn scenes() -> Vec<Scene> {
         })
         .collect();
     scenes.extend(polygon_scenes());
+    scenes.extend(frustum_scenes());
     let course = Course::embedded();
     for step in course.lessons.iter().flat_map(|lesson| &lesson.steps) {
         scenes.push((*step.scene).clone());

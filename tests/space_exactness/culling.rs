@@ -4,8 +4,8 @@ use std::cmp::Ordering;
 
 use clipscope::{
     algo::cull::{
-        BackFace, BackFaceInput, BoxCull, BoxCullInput, Containment, SphereCull, SphereCullInput,
-        Viewer,
+        BackFace, BackFaceInput, BoxCull, BoxCullInput, Containment, PointPlanes, PointPlanesInput,
+        SphereCull, SphereCullInput, Viewer,
     },
     geom::{AlignedBox, Plane, Sphere},
     trace::{laws, silent},
@@ -70,6 +70,10 @@ proptest! {
         let asked_all = output.distances.len() == planes_in.len();
         prop_assert!(asked_all || output.class == Containment::Outside);
         laws::check::<SphereCull>(&input);
+        let point = PointPlanesInput { planes: input.planes.clone(), point: sphere.center() };
+        laws::check::<PointPlanes>(&point);
+        let answer = silent::<PointPlanes>(&point);
+        prop_assert_eq!(answer.inside, planes_in.iter().all(|&plane| sum(plane, center) >= 0));
     }
 
     #[test]

@@ -19,7 +19,6 @@ gauge-away = looks away
 gauge-faces-camera = faces the camera
 gauge-drawn = drawn
 gauge-culled = culled
-gauges-point = One point, six planes
 gauges-sphere = One sphere, { $planes } planes
 gauges-faces = Faces: { $faces }
 planes-from-matrix = Taken from the rows of the matrix they are the same, to { $decimals } decimals.

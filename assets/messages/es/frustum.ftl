@@ -19,7 +19,6 @@ gauge-away = mira a otro lado
 gauge-faces-camera = mira a la cámara
 gauge-drawn = se dibuja
 gauge-culled = se descarta
-gauges-point = Un punto, seis planos
 gauges-sphere = Una esfera, { $planes } planos
 gauges-faces = Caras: { $faces }
 planes-from-matrix = Tomados de las filas de la matriz son los mismos, con { $decimals } decimales.

@@ -19,7 +19,6 @@ gauge-away = de costas
 gauge-faces-camera = de frente para a câmera
 gauge-drawn = desenhada
 gauge-culled = descartada
-gauges-point = Um ponto, seis planos
 gauges-sphere = Uma esfera, { $planes } planos
 gauges-faces = Faces: { $faces }
 planes-from-matrix = Tirados das linhas da matriz, são os mesmos, com { $decimals } casas decimais.

@@ -19,7 +19,6 @@ gauge-away = 背向
 gauge-faces-camera = 朝向相机
 gauge-drawn = 绘制
 gauge-culled = 剔除
-gauges-point = 一个点，六个平面
 gauges-sphere = 一个包围球，{ $planes } 个平面
 gauges-faces = 面数：{ $faces }
 planes-from-matrix = 从矩阵各行取出的平面与此相同，精确到 { $decimals } 位小数。

@@ -122,17 +122,17 @@ impl Scene {
             1.6,
             [2.0, 13.0],
         );
-        let eye = Orbit::new([0.0, 1.0, -0.5], [-58.0, 24.0], 26.0, 26.0);
+        let eye = Orbit::new([0.6, 1.2, -1.2], [34.0, 25.0], 33.0, 26.0);
         let object = |solid, at, turn, size| {
             Object::new(Model::Solid(solid), at, [0.0, turn, 0.0], size).expect("finite")
         };
         let objects = vec![
-            object(Solid::Cube, [-0.4, 0.6, 1.0], 20.0, 0.6),
+            object(Solid::Cube, [-0.4, 0.9, 0.2], 20.0, 0.6),
             object(Solid::Octahedron, [1.6, 2.4, -2.5], 0.0, 0.9),
-            object(Solid::Cube, [3.2, 0.75, -1.5], 10.0, 0.75),
+            object(Solid::Cube, [3.0, 0.75, -1.5], 10.0, 0.75),
             object(Solid::Tetrahedron, [-1.8, 1.4, -6.6], 30.0, 0.8),
             object(Solid::Cube, [-6.5, 0.8, 0.5], 35.0, 0.8),
-            object(Solid::Octahedron, [5.6, 1.0, 3.0], 15.0, 0.8),
+            object(Solid::Octahedron, [3.2, 1.0, 8.0], 15.0, 0.8),
         ];
         let camera = camera.expect("constants that are valid");
         Self::new(method, camera, eye, objects).expect("objects")

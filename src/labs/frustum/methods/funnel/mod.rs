@@ -132,7 +132,12 @@ impl<L: CullRules + Variant> Demo for Shown<L> {
             let plane = plane.and_then(|(scenery, side)| scenery.planes().get(side));
             rows.extend(sphere_rows(&captions::sphere::<L>(object), plane));
         }
-        rows.extend(step.state.sphere.class.map(class_row));
+        let class = step.state.sphere.class;
+        rows.extend(
+            class
+                .filter(|_| step.state.object_idx.is_some())
+                .map(class_row),
+        );
         let asked = step
             .state
             .sphere
@@ -167,7 +172,8 @@ fn distances<L: CullRules>(step: &Step<'_, Shown<L>>) -> Gauges {
     let object = step.state.object_idx.and_then(|i| objects.get(i));
     let radius = object.map_or(0.0, |object| object.sphere.radius());
     let scenery = step.input.scenery.as_deref();
-    sphere_gauges(scenery, 6, radius, &step.state.sphere.asked, side_idx(step))
+    let asked = object.map_or(&[][..], |_| &step.state.sphere.asked);
+    sphere_gauges(scenery, 6, radius, asked, side_idx(step))
 }
 
 /// The plane that is asked at this step.
