@@ -95,6 +95,7 @@ pub fn content(
     );
     rule(ui, look);
     costs(model, ui, column, commands);
+    verdict(model, ui, state, commands);
     if let Some(of_all) = state.all_costs.of(model, ui, column) {
         let text = RichText::new(look.catalog.message(of_all)).small();
         ui.add(Label::new(text.color(look.theme.soft)).wrap());
@@ -264,6 +265,25 @@ fn lines(model: &Model<'_>, column: usize) -> Vec<CodeText> {
         }),
     };
     code.iter().map(line).collect()
+}
+
+/// Why what is looked at was kept or dropped, and the way to the step that says so.
+fn verdict(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &mut Vec<Command>) {
+    let look = model.look;
+    let Some(verdict) = state.verdicts.of(model, ui) else {
+        return;
+    };
+    rule(ui, look);
+    section(ui, look, &look.say("verdict-title"));
+    ui.label(RichText::new(look.catalog.message(&verdict.message)));
+    let run = model.playback.main();
+    let step = verdict.moment.as_ref().and_then(|moment| run.find(moment));
+    if let Some(step) = step {
+        let text = RichText::new(look.say("verdict-go")).color(look.theme.accent);
+        if ui.add(egui::Button::new(text).frame(false)).clicked() {
+            commands.push(Command::Seek(step));
+        }
+    }
 }
 
 fn costs(model: &Model<'_>, ui: &mut Ui, column: usize, commands: &mut Vec<Command>) {

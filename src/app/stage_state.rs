@@ -17,7 +17,7 @@ use super::{
     caption_room::CaptionRoom,
     model::Model,
     typing::Typing,
-    watch_room::{AllCosts, CodeLinkRooms, WatchRooms},
+    watch_room::{AllCosts, CodeLinkRooms, Verdicts, WatchRooms},
 };
 
 /// What the stage remembers between frames. None of it is part of the document.
@@ -57,6 +57,8 @@ pub struct StageState {
     pub code_links: CodeLinkRooms,
     /// What all that a run is one of costs.
     pub all_costs: AllCosts,
+    /// Why what is looked at was kept or dropped.
+    pub verdicts: Verdicts,
     /// Of two methods side by side, the one that the inspector is about.
     pub inspected: usize,
     /// The drawing that was shown last, and its lens.

@@ -5,6 +5,7 @@ use egui::Ui;
 
 use crate::{
     figure::{CodeLinks, Run, Watch, watches},
+    labs::Verdict,
     text::Message,
     widgets::WatchRoom,
 };
@@ -49,6 +50,18 @@ impl CodeLinkRooms {
         (column, run): (usize, &dyn Run),
     ) -> &CodeLinks {
         self.0[column].get(model, ui, 0.0, || CodeLinks::of(run))
+    }
+}
+
+/// Why what is looked at was kept or dropped.
+#[derive(Default)]
+pub struct Verdicts(RunRoom<Option<Verdict>>);
+
+impl Verdicts {
+    /// Of the scene on stage.
+    pub fn of(&mut self, model: &Model<'_>, ui: &Ui) -> Option<&Verdict> {
+        let verdict = || model.scene.document().verdict();
+        self.0.get(model, ui, 0.0, verdict).as_ref()
     }
 }
 

@@ -4,7 +4,7 @@
 use std::{any::Any, fmt, sync::Arc};
 
 use crate::{
-    figure::{Link, Mark, Run, Shape},
+    figure::{Link, Mark, Moment, Run, Shape},
     text::{Diagnostic, Message},
     trace::Counts,
 };
@@ -63,6 +63,10 @@ pub trait Document: Plain {
     fn cost_of_all(&self, _column: usize) -> Option<Message> {
         None
     }
+    /// What decided the fate of the part that is looked at, and what would turn it.
+    fn verdict(&self) -> Option<Verdict> {
+        None
+    }
     /// Can the method of this id take the scene?
     fn takes(&self, _id: &str) -> bool {
         true
@@ -98,6 +102,15 @@ pub trait Document: Plain {
     }
     /// How large it is, in segments or vertices.
     fn size(&self) -> usize;
+}
+
+/// What decided the fate of something, and what would turn it.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Verdict {
+    /// In a sentence, with the numbers.
+    pub message: Message,
+    /// Where the first run says so.
+    pub moment: Option<Moment>,
 }
 
 /// What any document can do besides: it is copied, compared and printed. Nobody writes this by hand.

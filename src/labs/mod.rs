@@ -23,7 +23,9 @@ pub use demo::{Answer, Demo, Step};
 pub use difference::Difference;
 pub use edit::Edit;
 pub use handle::{Handle, HandleKind, Motion};
-pub use lab::{Change, ChangeOf, Click, Document, Lab, Lock, OutlineKind, Own, Plain, Scene};
+pub use lab::{
+    Change, ChangeOf, Click, Document, Lab, Lock, OutlineKind, Own, Plain, Scene, Verdict,
+};
 pub use registry::{Listed, Method};
 pub use sketch::Sketch;
 pub use typed::{place_of, written};

@@ -4,4 +4,5 @@ mod culling;
 mod funnel;
 mod homogeneous;
 mod pixels;
+mod verdicts;
 mod whole;

@@ -224,3 +224,10 @@ solid-spot = Spot the cow
 street-title = Street of boxes
 street-count = Boxes
 street-make = Build the street
+
+## The verdict
+
+verdict-culled = Object { $object } is culled by the { $plane } plane: d = { $distance } < −r, r = { $radius }. { $move } further in, and no plane would reject it.
+verdict-culled-for-good = Object { $object } is culled by the { $plane } plane: d = { $distance } < −r, r = { $radius }. No move along that plane’s normal would bring it in.
+verdict-straddles = Object { $object } straddles: nearest is the { $plane } plane, d = { $distance } < r = { $radius }. { $move } further out, and it would be culled.
+verdict-inside = Object { $object } is inside: nearest is the { $plane } plane, d = { $distance } ≥ r = { $radius }. { $move } further out, and it would be culled.

@@ -224,3 +224,10 @@ solid-spot = La vaca Spot
 street-title = Calle de cajas
 street-count = Cajas
 street-make = Construir la calle
+
+## El veredicto
+
+verdict-culled = El plano { $plane } descarta el objeto { $object }: d = { $distance } < −r, r = { $radius }. { $move } más adentro y ningún plano lo rechazaría.
+verdict-culled-for-good = El plano { $plane } descarta el objeto { $object }: d = { $distance } < −r, r = { $radius }. Ningún desplazamiento por la normal de ese plano lo haría entrar.
+verdict-straddles = El objeto { $object } cruza el borde: el más cercano es el plano { $plane }, d = { $distance } < r = { $radius }. { $move } más afuera y se descartaría.
+verdict-inside = El objeto { $object } está dentro: el más cercano es el plano { $plane }, d = { $distance } ≥ r = { $radius }. { $move } más afuera y se descartaría.

@@ -224,3 +224,10 @@ solid-spot = A vaca Spot
 street-title = Rua de caixas
 street-count = Caixas
 street-make = Construir a rua
+
+## O veredito
+
+verdict-culled = O plano { $plane } descarta o objeto { $object }: d = { $distance } < −r, r = { $radius }. { $move } mais para dentro e nenhum plano o rejeitaria.
+verdict-culled-for-good = O plano { $plane } descarta o objeto { $object }: d = { $distance } < −r, r = { $radius }. Nenhum deslocamento pela normal desse plano o faria entrar.
+verdict-straddles = O objeto { $object } cruza a borda: o mais próximo é o plano { $plane }, d = { $distance } < r = { $radius }. { $move } mais para fora e seria descartado.
+verdict-inside = O objeto { $object } está dentro: o mais próximo é o plano { $plane }, d = { $distance } ≥ r = { $radius }. { $move } mais para fora e seria descartado.

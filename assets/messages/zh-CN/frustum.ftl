@@ -220,3 +220,10 @@ solid-spot = 奶牛 Spot
 street-title = 排满盒子的街道
 street-count = 盒子数
 street-make = 建造街道
+
+## 判定的理由
+
+verdict-culled = 物体 { $object } 被{ $plane }平面剔除：d = { $distance } < −r，r = { $radius }。再向内移 { $move }，就没有平面拒绝它。
+verdict-culled-for-good = 物体 { $object } 被{ $plane }平面剔除：d = { $distance } < −r，r = { $radius }。沿该平面的法向量怎样移动都进不来。
+verdict-straddles = 物体 { $object } 跨界：最近的是{ $plane }平面，d = { $distance } < r = { $radius }。再向外移 { $move }，就会被剔除。
+verdict-inside = 物体 { $object } 在内部：最近的是{ $plane }平面，d = { $distance } ≥ r = { $radius }。再向外移 { $move }，就会被剔除。

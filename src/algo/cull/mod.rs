@@ -12,6 +12,7 @@ mod funnel_levels;
 mod point_planes;
 mod rules;
 mod sphere_cull;
+mod verdict;
 
 use serde::Serialize;
 
@@ -30,6 +31,8 @@ pub use rules::CullRules;
 pub use sphere_cull::{
     SphereCull, SphereCullEvent, SphereCullInput, SphereCullOutput, SphereCullState,
 };
+
+pub use verdict::{SphereVerdict, sphere_verdict};
 
 /// Where something lies, as seen from one plane or from a volume.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, Serialize)]

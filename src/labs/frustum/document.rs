@@ -1,12 +1,16 @@
 //! What the frustum lab's scene shows, and how it is changed.
 
+use std::sync::Arc;
+
 use crate::{
     figure::{Mark, Run},
-    labs::{Click, Document, Handle, Lab, MethodCard, Own},
+    labs::{Click, Document, Handle, Lab, MethodCard, Own, Verdict},
     text::Diagnostic,
 };
 
-use super::{LAB, Method, Scene, change::beside};
+use super::{
+    FrustumChange, LAB, Method, Scene, change::beside, stage::object_link, verdict::verdict,
+};
 
 impl Scene {
     /// The methods on stage.
@@ -38,6 +42,10 @@ impl Document for Scene {
     fn record(&self) -> Vec<Box<dyn Run>> {
         let record = |method: Method| method.info().record(self);
         self.on_stage().map(record).collect()
+    }
+
+    fn verdict(&self) -> Option<Verdict> {
+        verdict(self)
     }
 
     /// Everything is in the views: what is seen depends on the step.
@@ -72,8 +80,10 @@ impl Document for Scene {
         Ok(())
     }
 
-    fn click(&self, _: &Click<'_>) -> Option<Own> {
-        None
+    fn click(&self, click: &Click<'_>) -> Option<Own> {
+        let mut objects = 0..self.objects().len();
+        let clicked = objects.find(|&i| click.link == Some(object_link(i)))?;
+        (clicked != self.focus()).then(|| -> Own { Arc::new(FrustumChange::Focus(clicked)) })
     }
 
     fn size(&self) -> usize {

@@ -14,6 +14,7 @@ mod scene;
 mod stage;
 mod street;
 mod taught_camera;
+mod verdict;
 
 pub use change::{CameraNumber, FrustumChange};
 pub use lab::LAB;

@@ -134,7 +134,9 @@ impl Scenery {
             let [min, max] = [bounds.min(), bounds.max()];
             let top = [0.5 * (min[0] + max[0]), max[1], 0.5 * (min[2] + max[2])];
             let mark = Mark3::new(Role::Ink, Shape3::Label(top));
-            Some(mark.labelled(Value::Count(i + 1)).linked(object_link(i)))
+            let mark = mark.labelled(Value::Count(i + 1)).linked(object_link(i));
+            let is_focused = i == self.scene.focus();
+            Some(if is_focused { mark.strong() } else { mark })
         };
         objects.iter().enumerate().filter_map(number).collect()
     }

@@ -1,0 +1,39 @@
+//! Why the object that is looked at was kept or culled, in a sentence.
+
+use crate::{
+    algo::cull::{Containment, SphereCullInput, sphere_verdict},
+    geom::VolumeSide,
+    labs::Verdict,
+    text::{Message, Value},
+};
+
+use super::{Scene, stage::side_name};
+
+/// The verdict on the object in focus, by its bounding sphere; and the step of the funnel that says so.
+pub fn verdict(scene: &Scene) -> Option<Verdict> {
+    let sphere = scene.focused().in_funnel().sphere;
+    let planes = scene.camera.camera().planes_in_world().to_vec();
+    let verdict = sphere_verdict(&SphereCullInput { planes, sphere })?;
+    let side = VolumeSide::ALL[verdict.plane_idx];
+    let key = match (verdict.class, verdict.turn) {
+        (Containment::Outside, Some(_)) => "verdict-culled",
+        (Containment::Outside, None) => "verdict-culled-for-good",
+        (Containment::Straddles, _) => "verdict-straddles",
+        (Containment::Inside, _) => "verdict-inside",
+    };
+    let message = Message::new(key)
+        .with("object", scene.focus() + 1)
+        .with("plane", side_name(side))
+        .with("distance", Value::Number(verdict.distance))
+        .with("radius", Value::Number(sphere.radius()))
+        .with(
+            "move",
+            Value::Number(verdict.turn.unwrap_or_default().abs()),
+        );
+    let is_in_funnel = scene.method.card().id.contains("funnel");
+    let moment = format!("object #{}", scene.focus() + 1).parse().ok();
+    Some(Verdict {
+        message,
+        moment: moment.filter(|_| is_in_funnel),
+    })
+}
