@@ -267,10 +267,12 @@ fn lines(model: &Model<'_>, column: usize) -> Vec<CodeText> {
     code.iter().map(line).collect()
 }
 
-/// Why what is looked at was kept or dropped, and the way to the step that says so.
+/// Why what is looked at was kept or dropped, and the way to the step that says so: once somebody has looked at something else than
+/// the page does.
 fn verdict(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &mut Vec<Command>) {
     let look = model.look;
-    let Some(verdict) = state.verdicts.of(model, ui) else {
+    let verdict = state.verdicts.of(model, ui);
+    let Some(verdict) = verdict.filter(|_| !model.is_untouched) else {
         return;
     };
     rule(ui, look);
