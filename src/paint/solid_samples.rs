@@ -173,8 +173,9 @@ fn is_empty(seen: &Seen, is_dark: &[bool], left: usize, [width, n_rows]: [usize;
         let start = left + row * seen.n_columns;
         let samples = start..start + width;
         // All of them are looked at, several at once.
-        let is_bare = |bare, facet: &u32| bare & (*facet == NONE);
-        let is_bare = seen.facets[samples.clone()].iter().fold(true, is_bare);
+        let n_seen = seen.facets[samples.clone()].iter();
+        let n_seen: usize = n_seen.map(|facet| usize::from(*facet != NONE)).sum();
+        let is_bare = n_seen == 0;
         is_bare && (is_dark.is_empty() || !is_dark[samples].contains(&true))
     })
 }

@@ -106,9 +106,12 @@ impl Seen {
                 .into_iter()
                 .map(|ends| Mark::new(mark.role, shape(ends)));
             let is_part = edges.len() > 1;
-            let parts = parts.map(|part| match is_part {
-                true => light(part, OUTLINE.0, OUTLINE.1),
-                false => part,
+            let parts = parts.map(|part| {
+                if is_part {
+                    light(part, OUTLINE.0, OUTLINE.1)
+                } else {
+                    part
+                }
             });
             drawn.extend(parts.map(|part| weighed(part, mark.is_fine)));
         }

@@ -45,7 +45,7 @@ pub fn project(space: &Space, lens: &Lens) -> Vec<Mark> {
         optics,
         facets: FacetsInView::new(hiding, is_closed, optics),
     };
-    let mut marks: Vec<Mark> = space.marks.iter().flat_map(|it| seen.wash(it)).collect();
+    let mut marks: Vec<Mark> = space.marks.iter().filter_map(|it| seen.wash(it)).collect();
     if !space.facets.is_empty() {
         let solids = Solids {
             facets: space.facets.clone(),

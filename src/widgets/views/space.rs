@@ -73,6 +73,10 @@ pub fn covered(places: &ColumnLayout, drawing: ViewId, look: Look<'_>) -> Vec<Re
 }
 
 /// Draws what is seen, but for labels where something else stands; what is under the pointer.
+#[expect(
+    clippy::must_use_candidate,
+    reason = "drawing is what it is called for"
+)]
 pub fn space(
     ui: &Ui,
     look: Look<'_>,
