@@ -21,9 +21,10 @@ use egui::vec2;
 use pictures::Pictures;
 
 /// A lesson's figure of each lab, by lesson and name.
-const FIGURES: [[&str; 2]; 2] = [
+const FIGURES: [[&str; 2]; 3] = [
     ["03-outcodes", "outcode-reject"],
     ["14-both-lists", "walk-switch"],
+    ["21-whole-objects-first", "sphere-culled"],
 ];
 
 #[test]

@@ -39,9 +39,9 @@ pub fn sphere_verdict(input: &SphereCullInput) -> Option<SphereVerdict> {
     let SphereCullInput { planes, sphere } = input;
     let output = silent::<SphereCull>(input);
     let is_culled = output.class == Containment::Outside;
-    let distances = output.distances.iter().copied().enumerate();
+    let mut distances = output.distances.iter().copied().enumerate();
     let (plane_idx, distance) = if is_culled {
-        distances.last()
+        distances.next_back()
     } else {
         distances.min_by(|a, b| a.1.total_cmp(&b.1))
     }?;

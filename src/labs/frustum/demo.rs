@@ -12,6 +12,9 @@ pub trait FrustumDemo: Demo {
     /// Is it about the scene's point?
     const ASKS_POINT: bool = false;
 
+    /// Is it about a face of the object in focus?
+    const ASKS_FACE: bool = false;
+
     /// Its input, from the scene.
     fn input(scene: &Scene) -> Self::Input;
 

@@ -9,7 +9,10 @@ use crate::{
 };
 
 use super::{
-    FrustumChange, LAB, Method, Scene, change::beside, stage::object_link, verdict::verdict,
+    FrustumChange, LAB, Method, Scene,
+    change::beside,
+    stage::{face_link, object_link},
+    verdict::verdict,
 };
 
 impl Scene {
@@ -81,9 +84,20 @@ impl Document for Scene {
     }
 
     fn click(&self, click: &Click<'_>) -> Option<Own> {
+        let clicked = click.link?;
         let mut objects = 0..self.objects().len();
-        let clicked = objects.find(|&i| click.link == Some(object_link(i)))?;
-        (clicked != self.focus()).then(|| -> Own { Arc::new(FrustumChange::Focus(clicked)) })
+        let mut faces = 0..self.focused().model().mesh().faces().len();
+        let change = if let Some(object_idx) = objects.find(|&i| clicked == object_link(i)) {
+            FrustumChange::Focus(object_idx)
+        } else {
+            FrustumChange::Face(faces.find(|&i| clicked == face_link(i))?)
+        };
+        let there = [
+            FrustumChange::Focus(self.focus()),
+            FrustumChange::Face(self.face()),
+        ];
+        let is_there = there.contains(&change);
+        (!is_there).then(|| -> Own { Arc::new(change) })
     }
 
     fn size(&self) -> usize {

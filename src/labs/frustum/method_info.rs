@@ -8,6 +8,8 @@ pub struct MethodInfo<S> {
     pub card: MethodCard,
     /// Is it about the scene's point?
     pub asks_point: bool,
+    /// Is it about a face of the object in focus?
+    pub asks_face: bool,
     pub(super) record: fn(&S) -> Box<dyn Run>,
     pub(super) cost: fn(&S) -> Counts,
 }

@@ -27,6 +27,9 @@ pub enum Model {
 
 impl Model {
     /// Its surface, about its own origin.
+    ///
+    /// # Panics
+    /// Never: every solid has its mesh.
     #[must_use]
     pub fn mesh(&self) -> &Mesh {
         static MESHES: LazyLock<Vec<(Solid, Mesh)>> =
@@ -61,7 +64,7 @@ impl Object {
         turn_deg: [f64; 3],
         size: f64,
     ) -> Result<Self, SpaceError> {
-        if !(size > 0.0) {
+        if size.is_nan() || size <= 0.0 {
             return Err(SpaceError::Size(size));
         }
         let object = Self {

@@ -15,6 +15,7 @@ const fn info<A: FrustumDemo>() -> MethodInfo<Scene> {
     MethodInfo {
         card: MethodCard::of::<A>(),
         asks_point: A::ASKS_POINT,
+        asks_face: A::ASKS_FACE,
         record: A::record,
         cost: |scene| {
             let input = A::input(scene);

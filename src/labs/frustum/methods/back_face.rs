@@ -12,7 +12,7 @@ use crate::{
         ring::Right,
     },
     figure::{
-        Body, Caption, Gauge, Gauges, Link, Mark3, Role, Shape3, Tick, View, Watch, WatchRow,
+        Body, Caption, Gauge, Gauges, Mark3, Role, Shape3, Tick, View, Watch, WatchRow,
         WatchSection,
     },
     geom::Camera,
@@ -25,7 +25,7 @@ use super::{
     super::{
         OnScene, OnSceneInput, Scene,
         demo::FrustumDemo,
-        stage::{FaceLook, Fate},
+        stage::{FaceLook, Fate, face_link},
     },
     planes::{place, triple},
 };
@@ -51,6 +51,8 @@ fn input_of(scene: &Scene, face_idx: usize) -> Option<BackFaceInput> {
 }
 
 impl FrustumDemo for Shown {
+    const ASKS_FACE: bool = true;
+
     fn input(scene: &Scene) -> Input {
         let own = input_of(scene, scene.face()).expect("the face is one of the object's");
         OnSceneInput::of(scene, own)
@@ -301,7 +303,7 @@ fn face_gauges(step: &Step<'_, Shown>, scene: &Scene) -> Gauges {
             }),
             role,
             is_bar: true,
-            link: Some(Link::nth("face", face_idx)),
+            link: Some(face_link(face_idx)),
         }
     };
     Gauges {

@@ -6,5 +6,5 @@ mod views;
 mod volume;
 
 pub use solids::{FaceLook, Fate, Solids};
-pub use views::{Scenery, object_link};
+pub use views::{Scenery, face_link, object_link};
 pub use volume::{plane_at_work, side_link, side_name};

@@ -41,6 +41,16 @@ const ROUND: f64 = 0.72;
 /// And these lie in one plane: there is no edge at all.
 const FLAT: f64 = 1.0 - 1e-9;
 
+/// Corners of a box by the bits of their numbers, counter-clockwise as seen from outside.
+const BOX_FACES: [[usize; 4]; 6] = [
+    [0, 4, 6, 2],
+    [1, 3, 7, 5],
+    [0, 1, 5, 4],
+    [2, 6, 7, 3],
+    [0, 2, 3, 1],
+    [4, 5, 7, 6],
+];
+
 /// Faces and edges of many solids.
 #[derive(Default)]
 pub struct Solids {
@@ -58,7 +68,7 @@ impl Solids {
     pub fn object(
         &mut self,
         object: &Object,
-        link: Link,
+        link: impl Fn(usize) -> Link,
         fate: Fate,
         planes: &[Plane; 6],
         look: impl Fn(usize) -> FaceLook,
@@ -81,7 +91,7 @@ impl Solids {
             let whole = Facet {
                 corners: face.map(|i| points[i as usize]).to_vec(),
                 role,
-                link: Some(link),
+                link: Some(link(face_idx)),
             };
             match fate {
                 Fate::Cut => self.cut_face(whole, planes),
@@ -176,15 +186,7 @@ impl Solids {
             ];
             camera.world_from_view(at)
         };
-        const FACES: [[usize; 4]; 6] = [
-            [0, 4, 6, 2],
-            [1, 3, 7, 5],
-            [0, 1, 5, 4],
-            [2, 6, 7, 3],
-            [0, 2, 3, 1],
-            [4, 5, 7, 6],
-        ];
-        self.facets.extend(FACES.map(|face| Facet {
+        self.facets.extend(BOX_FACES.map(|face| Facet {
             corners: face.map(corner).to_vec(),
             role: Role::Ink,
             link: Some(Link::to("camera")),
@@ -224,9 +226,9 @@ fn cuts<'a>(polygon: &'a [[f64; 3]], plane: &'a Plane) -> impl Iterator<Item = [
 /// Of a segment what is inside of all planes, and what is not: one part, and up to two.
 fn parts_of_segment(ends: [[f64; 3]; 2], planes: &[Plane; 6]) -> [Vec<[[f64; 3]; 2]>; 2] {
     let mut outside = Vec::new();
-    let mut left = vec![ends[0], ends[1]];
+    let mut left = ends;
     for plane in planes {
-        let distances = [left[0], left[1]].map(|at| {
+        let distances = left.map(|at| {
             let distance: f64 = crate::algo::volume::signed_distance(plane, at);
             distance
         });
@@ -235,10 +237,10 @@ fn parts_of_segment(ends: [[f64; 3]; 2], planes: &[Plane; 6]) -> [Vec<[[f64; 3];
             continue;
         }
         if d1 < 0.0 && d2 < 0.0 {
-            outside.push([left[0], left[1]]);
+            outside.push(left);
             return [Vec::new(), outside];
         }
-        let [a, b] = [left[0], left[1]].map(DVec3::from);
+        let [a, b] = left.map(DVec3::from);
         let cut: [f64; 3] = a.lerp(b, d1 / (d1 - d2)).into();
         if d1 < 0.0 {
             outside.push([left[0], cut]);
@@ -248,5 +250,5 @@ fn parts_of_segment(ends: [[f64; 3]; 2], planes: &[Plane; 6]) -> [Vec<[[f64; 3];
             left[1] = cut;
         }
     }
-    [vec![[left[0], left[1]]], outside]
+    [vec![left], outside]
 }

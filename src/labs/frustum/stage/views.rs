@@ -107,13 +107,24 @@ impl Scenery {
             let fate = fate(i);
             if is_observed || fate != Fate::Culled {
                 let look = |face| look(i, face);
-                solids.object(object, object_link(i), fate, &self.planes, look);
+                let link = |face| self.link(i, face);
+                solids.object(object, link, fate, &self.planes, look);
             }
         }
         if is_observed {
             solids.camera(self.scene.camera.camera(), self.glyph_size());
         }
         solids.into_parts()
+    }
+
+    /// What a face is about: itself where faces are asked, else its object.
+    fn link(&self, object_idx: usize, face_idx: usize) -> Link {
+        let asks_face = self.scene.on_stage().any(|method| method.info().asks_face);
+        if asks_face && object_idx == self.scene.focus() {
+            face_link(face_idx)
+        } else {
+            object_link(object_idx)
+        }
     }
 
     /// A share of what the observer sees.
@@ -140,6 +151,11 @@ impl Scenery {
         };
         objects.iter().enumerate().filter_map(number).collect()
     }
+}
+
+/// What facets and gauges about a face of the object in focus have in common.
+pub const fn face_link(face_idx: usize) -> Link {
+    Link::nth("face", face_idx)
 }
 
 /// What facets, marks and rows about an object have in common.
