@@ -49,6 +49,21 @@ fn compare_with_radius(sum: i128, radius: i64, plane: [i64; 4]) -> Ordering {
     }
 }
 
+/// Sums beyond all numbers tell nothing, and what tells nothing must neither cull nor call it inside.
+#[test]
+fn a_sphere_too_far_out_to_be_measured_straddles() {
+    let plane = Plane::new([1.0, -1.0, 0.0, 0.0]).expect("a plane");
+    let sphere = Sphere::new([1e308, 1e308, 0.0, 1.0]).expect("a sphere");
+    let far = Plane::new([1e300, -1e300, 0.0, 0.0]).expect("a plane");
+    for (planes, expected) in [
+        (vec![plane], Containment::Straddles),
+        (vec![far], Containment::Straddles),
+    ] {
+        let input = SphereCullInput { planes, sphere };
+        assert_eq!(silent::<SphereCull>(&input).class, expected);
+    }
+}
+
 proptest! {
     #[test]
     fn spheres(planes_in in any_planes(), center in prop::array::uniform3(-9..10_i64), radius in 0..9_i64) {

@@ -109,10 +109,11 @@ impl<L: CullRules> Algorithm for SphereCull<L> {
             let inwards = if L::TURNS_SIGN { -distance } else { distance };
             let class = if inwards < -radius {
                 Containment::Outside
-            } else if inwards < radius {
-                Containment::Straddles
-            } else {
+            } else if inwards >= radius {
                 Containment::Inside
+            } else {
+                // Also where sums are larger than any number: a test that cannot tell keeps.
+                Containment::Straddles
             };
             distances.push(distance.get());
             emit(SphereCullEvent::Plane {
