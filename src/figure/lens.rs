@@ -194,3 +194,65 @@ impl Optics {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn eyes() -> impl Iterator<Item = Orbit> {
+        let angles = [[0.0, 0.0], [30.0, 20.0], [-135.0, -80.0], [400.0, 95.0]];
+        angles
+            .into_iter()
+            .map(|angles| Orbit::new([1.0, -2.0, 3.0], angles, 7.0, 24.0))
+    }
+
+    fn seen(eye: Orbit, at: [f64; 3]) -> [f64; 2] {
+        let seen = Lens::Eye(eye).drawing_from_world(at);
+        seen.expect("before the eye")
+    }
+
+    #[test]
+    fn an_eye_looks_along_its_own_z_axis_backwards() {
+        let eye = Orbit::new([0.0; 3], [0.0, 0.0], 5.0, 30.0);
+        let optics = Optics::of(&Lens::Eye(eye)).expect("an eye");
+        let view = optics.view_from_world(DVec3::new(1.0, 2.0, 0.0));
+        assert_eq!(view, DVec3::new(1.0, 2.0, -5.0));
+    }
+
+    #[test]
+    fn world_and_picture_lead_back_to_each_other() {
+        let at = [0.5, -1.0, 2.5];
+        for eye in eyes() {
+            let optics = Optics::of(&Lens::Eye(eye)).expect("an eye");
+            let view = optics.view_from_world(at.into());
+            let back = optics.world_from_view(view);
+            let again = optics.view_from_picture(optics.picture_from_view(view), view.z);
+            for i in 0..3 {
+                assert!((back[i] - at[i]).abs() < 1e-12, "{eye:?}: {back:?}");
+                assert!((again[i] - view[i]).abs() < 1e-12, "{eye:?}: {again:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_target_is_in_the_middle_and_up_is_up() {
+        for eye in eyes() {
+            let [middle, above] = [-2.0, -1.0].map(|y| seen(eye, [1.0, y, 3.0]));
+            assert!(
+                middle[0].abs() < 1e-12 && middle[1].abs() < 1e-12,
+                "{eye:?}"
+            );
+            assert!(above[1] > middle[1], "{eye:?}: {above:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_looked_at_goes_the_other_way_by_as_much_as_the_eye_is_moved() {
+        for eye in eyes() {
+            let moved = eye.panned([0.25, -0.5]);
+            let at = seen(moved, [1.0, -2.0, 3.0]);
+            let off = [at[0] + 0.25, at[1] - 0.5];
+            assert!(off.iter().all(|x| x.abs() < 1e-12), "{eye:?}: {at:?}");
+        }
+    }
+}

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::{AlignedBox, SpaceError, Sphere};
+use super::{AlignedBox, SpaceError};
 
 /// Triangles that share their vertices. All numbers are finite, all indices name a vertex, and there is a triangle.
 #[derive(Clone, PartialEq, Debug)]
@@ -163,22 +163,6 @@ impl Mesh {
     /// Never: a mesh has vertices, and they are finite.
     pub fn bounds(&self) -> Result<AlignedBox, SpaceError> {
         AlignedBox::around(self.points())
-    }
-
-    /// The sphere around the centroid of its vertices, as S1 has it.
-    ///
-    /// # Errors
-    /// As for [`Mesh::bounds`].
-    pub fn centroid_sphere(&self) -> Result<Sphere, SpaceError> {
-        Sphere::around_centroid(&self.points().collect::<Vec<_>>())
-    }
-
-    /// A tighter sphere.
-    ///
-    /// # Errors
-    /// As for [`Mesh::bounds`].
-    pub fn tighter_sphere(&self) -> Result<Sphere, SpaceError> {
-        Sphere::tighter(&self.points().collect::<Vec<_>>())
     }
 
     fn points(&self) -> impl Iterator<Item = [f64; 3]> + '_ {

@@ -7,7 +7,7 @@ use glam::DVec3;
 /// ```
 /// use clipscope::geom::Orbit;
 /// let eye = Orbit::new([0.0; 3], [0.0, 0.0], 5.0, 30.0);
-/// assert_eq!(eye.view_from_world([1.0, 2.0, 0.0]), [1.0, 2.0, -5.0]);
+/// assert_eq!(eye.position(), [0.0, 0.0, 5.0]);
 /// ```
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Orbit {
@@ -104,37 +104,6 @@ impl Orbit {
         (self.target + back * self.distance).into()
     }
 
-    /// A world point in the eye's own axes: x to the right, y up, what is seen at negative z.
-    #[must_use]
-    pub fn view_from_world(&self, at: [f64; 3]) -> [f64; 3] {
-        let from_target = DVec3::from(at) - self.target;
-        let [x, y, z] = self.basis().map(|axis| axis.dot(from_target));
-        [x, y, z - self.distance]
-    }
-
-    /// The world point of one in the eye's own axes.
-    #[must_use]
-    pub fn world_from_view(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
-        let [right, up, back] = self.basis();
-        let at = self.target + right * x + up * y + back * (z + self.distance);
-        at.into()
-    }
-
-    /// On the picture, whose lower edge is at −1 and upper at 1: of a point in the eye's own axes that is farther
-    /// away than [`Orbit::near`].
-    #[must_use]
-    pub fn picture_from_view(&self, [x, y, z]: [f64; 3]) -> [f64; 2] {
-        let scale = -z * self.half_height();
-        [x / scale, y / scale]
-    }
-
-    /// The point in the eye's own axes at this depth that is seen at a place of the picture.
-    #[must_use]
-    pub fn view_from_picture(&self, [x, y]: [f64; 2], z: f64) -> [f64; 3] {
-        let scale = -z * self.half_height();
-        [x * scale, y * scale, z]
-    }
-
     /// What is nearer is not seen.
     #[must_use]
     pub fn near(&self) -> f64 {
@@ -165,50 +134,6 @@ impl Orbit {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn eyes() -> impl Iterator<Item = Orbit> {
-        let angles = [[0.0, 0.0], [30.0, 20.0], [-135.0, -80.0], [400.0, 95.0]];
-        angles
-            .into_iter()
-            .map(|angles| Orbit::new([1.0, -2.0, 3.0], angles, 7.0, 24.0))
-    }
-
-    #[test]
-    fn world_and_picture_lead_back_to_each_other() {
-        let at = [0.5, -1.0, 2.5];
-        for eye in eyes() {
-            let view = eye.view_from_world(at);
-            let back = eye.world_from_view(view);
-            let again = eye.view_from_picture(eye.picture_from_view(view), view[2]);
-            for i in 0..3 {
-                assert!((back[i] - at[i]).abs() < 1e-12, "{eye:?}: {back:?}");
-                assert!((again[i] - view[i]).abs() < 1e-12, "{eye:?}: {again:?}");
-            }
-        }
-    }
-
-    #[test]
-    fn the_target_is_in_the_middle_and_up_is_up() {
-        for eye in eyes() {
-            let middle = eye.picture_from_view(eye.view_from_world([1.0, -2.0, 3.0]));
-            let above = eye.picture_from_view(eye.view_from_world([1.0, -1.0, 3.0]));
-            assert!(
-                middle[0].abs() < 1e-12 && middle[1].abs() < 1e-12,
-                "{eye:?}"
-            );
-            assert!(above[1] > middle[1], "{eye:?}: {above:?}");
-        }
-    }
-
-    #[test]
-    fn what_is_looked_at_goes_the_other_way_by_as_much_as_the_eye_is_moved() {
-        for eye in eyes() {
-            let moved = eye.panned([0.25, -0.5]);
-            let at = moved.picture_from_view(moved.view_from_world([1.0, -2.0, 3.0]));
-            let off = [at[0] + 0.25, at[1] - 0.5];
-            assert!(off.iter().all(|x| x.abs() < 1e-12), "{eye:?}: {at:?}");
-        }
-    }
 
     #[test]
     fn nothing_that_is_asked_for_makes_an_eye_that_cannot_see() {

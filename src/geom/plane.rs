@@ -47,6 +47,12 @@ impl Plane {
         Self { normal, d, length }
     }
 
+    /// n/|n|
+    #[must_use]
+    pub fn unit_normal(&self) -> [f64; 3] {
+        self.normal.map(|x| x / self.length)
+    }
+
     /// The other side of it.
     #[must_use]
     pub fn turned(&self) -> Self {

@@ -76,6 +76,29 @@ impl SpaceError {
     }
 }
 
+impl SpaceError {
+    /// The number or the place of a camera that is to blame, as files and cases spell it; none where it is no camera's.
+    #[must_use]
+    pub const fn camera_field(&self) -> Option<&'static str> {
+        Some(match self {
+            Self::TargetAtPosition => "target",
+            Self::UpAlongView => "up",
+            Self::FieldOfView(_) => "fov_y_deg",
+            Self::Height(_) => "height",
+            Self::Aspect(_) => "aspect",
+            Self::Near(_) => "near",
+            Self::Far { .. } => "far",
+            Self::NotFinite { .. }
+            | Self::EmptyBox { .. }
+            | Self::ZeroNormal
+            | Self::NegativeRadius(_)
+            | Self::NoVertices
+            | Self::Size(_)
+            | Self::NotAffine => return None,
+        })
+    }
+}
+
 impl fmt::Display for SpaceError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{self:?}")

@@ -194,6 +194,12 @@ impl Formula {
         self.push(Token::Point(p))
     }
 
+    /// Appends a place in space: `(−1, 0.5, 2)`.
+    #[must_use]
+    pub fn place(self, at: [f64; 3]) -> Self {
+        self.sym("(").list(&at).sym(")")
+    }
+
     /// Appends `=` or `≈` and the quotient `num/den`.
     #[must_use]
     pub fn equals_ratio(self, num: f64, den: f64) -> Self {

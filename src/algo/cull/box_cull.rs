@@ -125,13 +125,9 @@ impl Algorithm for BoxCull {
                 n_outside,
                 class,
             });
-            match class {
-                Containment::Inside => {}
-                Containment::Straddles => all = class,
-                Containment::Outside => {
-                    all = class;
-                    break;
-                }
+            all = all.and(class);
+            if class == Containment::Outside {
+                break;
             }
         }
         let mut false_positive = false;

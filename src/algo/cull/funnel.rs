@@ -258,8 +258,7 @@ impl Asking {
                 };
                 let BackFaceOutput { dot, front, .. } = BackFace::<L>::run::<R>(&input, |_| {});
                 if front {
-                    levels.facing.triangles += n_pieces;
-                    levels.facing.objects = before.facing.objects + 1;
+                    levels.facing.gain(n_pieces, before.facing);
                 }
                 emit(FunnelEvent::Face {
                     triangle_idx,
@@ -296,12 +295,10 @@ impl Asking {
             (TriangleFate::Cut, n)
         };
         if fate != TriangleFate::Outside {
-            levels.vertices.triangles += 1;
-            levels.vertices.objects = before.vertices.objects + 1;
+            levels.vertices.gain(1, before.vertices);
         }
         if n_pieces > 0 {
-            levels.cuts.triangles += n_pieces;
-            levels.cuts.objects = before.cuts.objects + 1;
+            levels.cuts.gain(n_pieces, before.cuts);
         }
         emit(FunnelEvent::Triangle {
             triangle_idx,

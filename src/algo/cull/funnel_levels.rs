@@ -44,6 +44,12 @@ impl FunnelLevels {
 }
 
 impl Level {
+    /// More triangles of an object of which there was `before` as much.
+    pub(super) const fn gain(&mut self, n_triangles: usize, before: Self) {
+        self.triangles += n_triangles;
+        self.objects = before.objects + 1;
+    }
+
     pub(super) const fn add(&mut self, objects: usize, triangles: usize) {
         self.objects += objects;
         self.triangles += triangles;

@@ -45,3 +45,13 @@ pub enum Containment {
     /// It lies on both sides, or this test cannot tell: what it is made of is asked in turn.
     Straddles,
 }
+
+impl Containment {
+    /// What is known after one plane more.
+    const fn and(self, of_plane: Self) -> Self {
+        match of_plane {
+            Self::Inside => self,
+            Self::Straddles | Self::Outside => of_plane,
+        }
+    }
+}

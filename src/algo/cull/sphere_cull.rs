@@ -121,13 +121,9 @@ impl<L: CullRules> Algorithm for SphereCull<L> {
                 distance: distance.get(),
                 class,
             });
-            match class {
-                Containment::Inside => {}
-                Containment::Straddles => all = class,
-                Containment::Outside => {
-                    all = class;
-                    break;
-                }
+            all = all.and(class);
+            if class == Containment::Outside {
+                break;
             }
         }
         emit(SphereCullEvent::Done { class: all });

@@ -61,11 +61,12 @@ pub fn sphere_verdict(input: &SphereCullInput) -> Option<SphereVerdict> {
 
 /// The least move along a plane's normal by which no plane rejects a sphere any more.
 fn least_move(planes: &[Plane], sphere: &Sphere, plane_idx: usize) -> Option<f64> {
-    let along = unit(planes.get(plane_idx)?);
+    let along = planes.get(plane_idx)?.unit_normal();
     let [mut low, mut high] = [f64::NEG_INFINITY, f64::INFINITY];
     for plane in planes {
         let distance: f64 = signed_distance(plane, sphere.center());
-        let slope: f64 = unit(plane).iter().zip(along).map(|(a, b)| a * b).sum();
+        let both = plane.unit_normal().into_iter().zip(along);
+        let slope: f64 = both.map(|(a, b)| a * b).sum();
         let room = distance + sphere.radius();
         if slope > 0.0 {
             low = low.max(-room / slope);
@@ -77,8 +78,4 @@ fn least_move(planes: &[Plane], sphere: &Sphere, plane_idx: usize) -> Option<f64
     }
     // The deciding plane rejects it where it is, so that the move leads inwards.
     (low <= high).then_some(low)
-}
-
-fn unit(plane: &Plane) -> [f64; 3] {
-    plane.normal().map(|x| x / plane.length())
 }

@@ -14,4 +14,4 @@ pub use homogeneous_triangle::{
 };
 pub use point_plane::{PlaneSide, signed_distance, weighted_sum};
 pub use side_code::SideCode;
-pub use split::split;
+pub use split::{clipped, split};

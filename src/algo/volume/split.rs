@@ -40,31 +40,33 @@ impl Limit<[f64; 3]> for Plane {
     }
 }
 
-/// A convex polygon in two: what lies inside of a plane, and what lies outside; either may have no vertices. What is on the plane
-/// belongs to both.
+/// The part of a convex polygon that lies inside of a plane: none of one that only touches it.
+#[must_use]
+pub fn clipped(polygon: &[[f64; 3]], plane: &Plane) -> Vec<[f64; 3]> {
+    let mut left = Vec::with_capacity(polygon.len() + 1);
+    let Some((&first, following)) = polygon.split_first() else {
+        return left;
+    };
+    let mut tell = |happening| {
+        if let Happening::Output(at) = happening {
+            left.push(at);
+        }
+    };
+    let mut clip = Clip::<_, _, f64>::begin::<Right>(*plane, first, &mut tell);
+    for &vertex in following {
+        clip.vertex::<Right>(vertex, &mut tell);
+    }
+    clip.close::<Right>(&mut tell);
+    if left.len() < 3 {
+        left.clear();
+    }
+    left
+}
+
+/// A convex polygon in two: what lies inside of a plane, and what lies outside. What is on the plane belongs to both.
 #[must_use]
 pub fn split(polygon: &[[f64; 3]], plane: &Plane) -> [Vec<[f64; 3]>; 2] {
-    [*plane, plane.turned()].map(|plane| {
-        let mut left = Vec::with_capacity(polygon.len() + 1);
-        let Some((&first, following)) = polygon.split_first() else {
-            return left;
-        };
-        let mut tell = |happening| {
-            if let Happening::Output(at) = happening {
-                left.push(at);
-            }
-        };
-        let mut clip = Clip::<_, _, f64>::begin::<Right>(plane, first, &mut tell);
-        for &vertex in following {
-            clip.vertex::<Right>(vertex, &mut tell);
-        }
-        clip.close::<Right>(&mut tell);
-        // What only touches the plane is no part of a polygon.
-        if left.len() < 3 {
-            left.clear();
-        }
-        left
-    })
+    [*plane, plane.turned()].map(|plane| clipped(polygon, &plane))
 }
 
 #[cfg(test)]

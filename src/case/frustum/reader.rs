@@ -56,7 +56,7 @@ impl<'a> Reader<'a> {
             .collect::<Result<_, _>>()?;
         let inside = |(i, plane): (usize, &Plane)| {
             let formula = Formula::default().sym(plane_symbol(i)).sym(": ");
-            let formula = vector(formula, plane.normal()).sym("·p + ");
+            let formula = formula.place(plane.normal()).sym("·p + ");
             Value::Formula(formula.operand(plane.d()).sym(" ≥ 0"))
         };
         let given = Given::new("object-planes", planes.iter().enumerate().map(inside));
@@ -77,7 +77,7 @@ impl<'a> Reader<'a> {
         let radius = Path::Index(&node.path, 3);
         let sphere = Sphere::new(node.numbers()?).map_err(|e| Refusal::space(&radius, e))?;
         let told = [
-            vector(Formula::default().sym("c = "), sphere.center()),
+            Formula::default().sym("c = ").place(sphere.center()),
             Formula::default().sym("r = ").num(sphere.radius()),
         ];
         let given = Given::new("object-sphere", told.map(Value::Formula).into_iter());
@@ -104,7 +104,7 @@ impl<'a> Reader<'a> {
     pub fn triangle(&mut self) -> Result<[[f64; 3]; 3], Refusal> {
         let triangle = self.fields.need("triangle")?.rows()?;
         let corners = ["V₀ = ", "V₁ = ", "V₂ = "].into_iter().zip(triangle);
-        let corners = corners.map(|(name, at)| vector(Formula::default().sym(name), at));
+        let corners = corners.map(|(name, at)| Formula::default().sym(name).place(at));
         let given = Given::new("object-triangle", corners.map(Value::Formula));
         self.given.push(given);
         Ok(triangle)
@@ -129,11 +129,6 @@ impl<'a> Reader<'a> {
 }
 
 fn place(name_key: &'static str, at: [f64; 3]) -> Given {
-    let formula = vector(Formula::default(), at);
+    let formula = Formula::default().place(at);
     Given::new(name_key, [Value::Formula(formula)].into_iter())
-}
-
-/// `(1, 2, 3)`
-fn vector(formula: Formula, at: [f64; 3]) -> Formula {
-    formula.sym("(").list(&at).sym(")")
 }

@@ -41,24 +41,7 @@ pub fn read_volume(node: &Node<'_>, detail: Detail) -> Result<(ViewVolume, Given
 
 /// At the field of the volume that is to blame.
 fn refused(volume: &Path<'_>, error: SpaceError) -> Refusal {
-    let field = match error {
-        SpaceError::FieldOfView(_) => Some("fov_y_deg"),
-        SpaceError::Height(_) => Some("height"),
-        SpaceError::Aspect(_) => Some("aspect"),
-        SpaceError::Near(_) => Some("near"),
-        SpaceError::Far { .. } => Some("far"),
-        // No volume is refused for these; its numbers have been read one by one before.
-        SpaceError::NotFinite { .. }
-        | SpaceError::EmptyBox { .. }
-        | SpaceError::ZeroNormal
-        | SpaceError::NegativeRadius(_)
-        | SpaceError::NoVertices
-        | SpaceError::Size(_)
-        | SpaceError::TargetAtPosition
-        | SpaceError::UpAlongView
-        | SpaceError::NotAffine => None,
-    };
-    match field {
+    match error.camera_field() {
         Some(field) => Refusal::space(&Path::Member(volume, field), error),
         None => Refusal::space(volume, error),
     }

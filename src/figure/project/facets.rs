@@ -10,12 +10,16 @@ use std::ops::Range;
 
 use glam::DVec3;
 
-use crate::figure::{Facet, lens::Optics};
+use crate::{
+    algo::volume::clipped,
+    figure::{Facet, lens::Optics},
+    geom::Plane,
+};
 
 use super::{
     bounds::Bounds,
     grid::Grid,
-    interval::{between, inside, union},
+    interval::{inside, union},
 };
 
 /// A segment hides behind a facet only from this part of its distance on: edges lie in the planes of facets as exactly
@@ -154,17 +158,8 @@ impl InView {
 
 /// The part of a convex polygon whose z is at most `most`.
 pub fn cut_at(corners: &[DVec3], most: f64) -> Vec<DVec3> {
-    let mut kept = Vec::with_capacity(corners.len() + 1);
-    for (i, &to) in corners.iter().enumerate() {
-        let from = corners[(i + corners.len() - 1) % corners.len()];
-        if (from.z <= most) != (to.z <= most) {
-            let mut at = between(from, to, (most - from.z) / (to.z - from.z));
-            at.z = most;
-            kept.push(at);
-        }
-        if to.z <= most {
-            kept.push(to);
-        }
-    }
-    kept
+    let corners: Vec<[f64; 3]> = corners.iter().map(|&at| at.into()).collect();
+    let plane = Plane::new([0.0, 0.0, -1.0, most]);
+    let kept = plane.map_or_else(|_| Vec::new(), |plane| clipped(&corners, &plane));
+    kept.into_iter().map(DVec3::from).collect()
 }

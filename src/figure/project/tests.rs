@@ -78,7 +78,8 @@ fn a_segment_through_the_cube_is_dashed_inside_and_behind_it() {
     };
     assert_eq!([hidden[0], hidden[1]], [before[1], after[0]]);
     for (end, side) in [-1.0, 1.0].into_iter().enumerate() {
-        let edge = eye.picture_from_view(eye.view_from_world([side, 0.0, 1.0]));
+        let edge = Lens::Eye(eye).drawing_from_world([side, 0.0, 1.0]);
+        let edge = edge.expect("before the eye");
         assert!(
             (hidden[end][0] - edge[0]).abs() < 1e-9,
             "{hidden:?}, not {edge:?}"

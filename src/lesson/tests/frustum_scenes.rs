@@ -5,7 +5,7 @@ use std::sync::Arc;
 use proptest::prelude::*;
 
 use crate::{
-    figure::Moment,
+    figure::{Lens, Moment},
     geom::{Mesh, Orbit, Solid},
     labs::{
         self,
@@ -92,7 +92,8 @@ fn where_no_eye_is_given_one_sees_the_whole_volume() {
     let corners = scene.camera.camera().corners_in_world();
     let [position, ..] = scene.camera.places();
     for at in corners.into_iter().chain([position]) {
-        let [x, y] = scene.eye.picture_from_view(scene.eye.view_from_world(at));
+        let seen = Lens::Eye(scene.eye).drawing_from_world(at);
+        let [x, y] = seen.expect("before the eye");
         assert!(x.abs() < 1.0 && y.abs() < 1.0, "{at:?} is seen at {x}, {y}");
     }
 }

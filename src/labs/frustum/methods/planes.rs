@@ -53,13 +53,12 @@ pub fn distance_formula(symbol: [&'static str; 2], plane: &Plane, at: [f64; 3], 
 
 /// `(1, −2, 0.5)`
 pub fn triple(symbol: &'static str, at: [f64; 3]) -> Formula {
-    let formula = Formula::default().sym(format!("{symbol} = ("));
-    formula.list(&at).sym(")")
+    Formula::default().sym(format!("{symbol} = ")).place(at)
 }
 
 /// A point in space as a value.
 pub fn place(at: [f64; 3]) -> Value {
-    Value::Formula(Formula::default().sym("(").list(&at).sym(")"))
+    Value::Formula(Formula::default().place(at))
 }
 
 /// What a test says of an object, as it is drawn.
@@ -111,7 +110,7 @@ pub fn gauges(
 /// The perpendicular from a point to a plane, and the square at its foot.
 pub fn perpendicular(plane: &Plane, at: [f64; 3], d: f64, label: Formula) -> Vec<Mark3> {
     let from = DVec3::from(at);
-    let unit = DVec3::from(plane.normal()) / plane.length();
+    let unit = DVec3::from(plane.unit_normal());
     let foot = from - unit * d;
     let aside = unit.any_orthonormal_vector();
     let square = [foot, from, foot + aside].map(Into::into);

@@ -252,7 +252,7 @@ pub fn sphere_marks(sphere: &Sphere, asked: Option<&Asked>) -> Vec<Mark3> {
     let d = asked.distance;
     let label = Formula::default().sym("d").equals(d);
     marks.extend(perpendicular(plane, center, d, label));
-    let unit = DVec3::from(plane.normal()) / plane.length();
+    let unit = DVec3::from(plane.unit_normal());
     let towards = DVec3::from(center) - unit * sphere.radius() * d.signum();
     let radius = Formula::default().sym("r").equals(sphere.radius());
     marks.push(

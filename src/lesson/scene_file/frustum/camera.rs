@@ -78,24 +78,8 @@ fn opening(fields: &TomlFields<'_>, sink: &mut Sink<'_>) -> Option<Opening> {
 
 /// Where the number stands that makes no camera.
 fn to_blame(fields: &TomlFields<'_>, error: SpaceError) -> Range<usize> {
-    let name = match error {
-        SpaceError::TargetAtPosition => "target",
-        SpaceError::UpAlongView => "up",
-        SpaceError::FieldOfView(_) => "fov_y_deg",
-        SpaceError::Height(_) => "height",
-        SpaceError::Aspect(_) => "aspect",
-        SpaceError::Near(_) => "near",
-        SpaceError::Far { .. } => "far",
-        // No camera is refused for these; its numbers have been read one by one before.
-        SpaceError::NotFinite { .. }
-        | SpaceError::EmptyBox { .. }
-        | SpaceError::ZeroNormal
-        | SpaceError::NegativeRadius(_)
-        | SpaceError::NoVertices
-        | SpaceError::Size(_)
-        | SpaceError::NotAffine => "",
-    };
-    fields.get(name).map_or_else(|| fields.span(), Item::span)
+    let field = error.camera_field().and_then(|name| fields.get(name));
+    field.map_or_else(|| fields.span(), Item::span)
 }
 
 /// As [`camera`] reads it.
