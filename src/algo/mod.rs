@@ -6,6 +6,7 @@
 pub mod cull;
 pub mod line;
 pub mod parameter;
+pub mod pipeline;
 pub mod polygon;
 pub mod ring;
 pub mod surface;

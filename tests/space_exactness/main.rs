@@ -3,6 +3,8 @@
 mod culling;
 mod funnel;
 mod homogeneous;
+mod line_pixels;
+mod pipeline;
 mod pixels;
 mod verdicts;
 mod whole;

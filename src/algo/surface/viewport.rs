@@ -1,5 +1,7 @@
 //! The pixels that clip space is mapped to.
 
+use crate::trace::Real;
+
 /// Pixels, row by row from the top left; each is sampled in its middle.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Viewport {
@@ -42,9 +44,10 @@ impl Viewport {
     /// Where a point of the square −1 to 1 lies, in pixels from the top left, y down.
     #[inline]
     #[must_use]
-    pub fn screen_from_ndc(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        let [width, height] = self.size.map(f64::from);
-        [(0.5 * x + 0.5) * width, (0.5 - 0.5 * y) * height]
+    pub fn screen_from_ndc<R: Real>(&self, [x, y]: [R; 2]) -> [R; 2] {
+        let [width, height] = self.size.map(|side| R::new(f64::from(side)));
+        let half = R::new(0.5);
+        [(half * x + half) * width, (half - half * y) * height]
     }
 
     /// The same, snapped; within the picture's edges.

@@ -1,0 +1,198 @@
+//! Bresenham's line: the pixels nearest to a line, by additions and the sign of one whole number.
+//!
+//! ```text
+//!            ┌───┬───┬───┬───┐    One pixel along the longer axis a step. Between the two candidates for the next
+//!            │   │   │   │ ◉ │    one lies a midpoint ×; the error term e says on which side of it the line is:
+//!   minor ▲  ├───┼───┼─×─┼───┤
+//!         │  │   │ ◉ │ ◉ │   │        e > 0   the line runs beyond ×: one diagonally
+//!         │  ├───┼───┼───┼───┤        e < 0   it runs before ×: one straight on
+//!         └─ │ ◉ │   │   │   │        e = 0   exactly between both
+//!            └───┴───┴───┴───┘
+//!                       ► major
+//! ```
+//!
+//! 1. Let a be the larger and b the smaller of |Δx| and |Δy|. At the first pixel e = 2b − a.
+//! 2. Where the line runs beyond the midpoint, go one along the minor axis too, and take 2a off e.
+//! 3. Go one along the major axis and add 2b to e; until the last pixel.
+//!
+//! e is 2a times as much as the line is beyond the midpoint, so all of it are whole numbers and nothing is rounded.
+//!
+//! *Conventions*: both ends are included: a + 1 pixels. Where the line runs exactly between two pixels, the one with the smaller
+//! coordinate is taken: so walking back gives the same pixels. *Degenerate cases*: two ends in one pixel are that pixel.
+//! *Bound*: one event a pixel, at most [`BresenhamInput::MOST_PIXELS`]. *Cost*: to begin with three additions;
+//! a pixel after the first one comparison, one or two additions. Coordinates are i64 and go up and down
+//! by one; the error term is computed with the counting scalar and is a whole number below 2¹⁸, so it is the same in both.
+//!
+//! *Source*: J. E. Bresenham, "Algorithm for computer control of a digital plotter", IBM Systems Journal 4, 1965, pp. 25–30.
+//!
+//! ```
+//! use clipscope::{
+//!     algo::pipeline::{Bresenham, BresenhamInput},
+//!     trace::silent,
+//! };
+//! let pixels = |from, to| silent::<Bresenham>(&BresenhamInput::new(from, to).expect("few pixels"));
+//! assert_eq!(pixels([0, 0], [4, 2]), [[0, 0], [1, 0], [2, 1], [3, 1], [4, 2]]);
+//! let mut back = pixels([4, 2], [0, 0]);
+//! back.reverse();
+//! assert_eq!(back, pixels([0, 0], [4, 2]));
+//! ```
+
+use serde::Serialize;
+
+use crate::trace::{Algorithm, Log, Real};
+
+/// The algorithm; see the module.
+#[derive(Clone, Copy, Debug)]
+pub struct Bresenham;
+
+/// Two pixels, not too far apart.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct BresenhamInput {
+    from: [i64; 2],
+    to: [i64; 2],
+}
+
+/// The line would have more pixels than [`BresenhamInput::MOST_PIXELS`].
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct TooManyPixels {
+    /// As many as it would have; of more than `u64` holds, that many.
+    pub n_pixels: u64,
+}
+
+impl BresenhamInput {
+    /// A line has at most so many pixels.
+    pub const MOST_PIXELS: u64 = 65_536;
+
+    /// From a pixel to a pixel.
+    ///
+    /// # Errors
+    /// [`TooManyPixels`]
+    pub fn new(from: [i64; 2], to: [i64; 2]) -> Result<Self, TooManyPixels> {
+        let input = Self { from, to };
+        let [x, y] = input.distances();
+        let n_pixels = x.max(y).saturating_add(1);
+        if n_pixels > Self::MOST_PIXELS {
+            return Err(TooManyPixels { n_pixels });
+        }
+        Ok(input)
+    }
+
+    /// The first pixel.
+    #[must_use]
+    pub const fn from(&self) -> [i64; 2] {
+        self.from
+    }
+
+    /// The last one.
+    #[must_use]
+    pub const fn to(&self) -> [i64; 2] {
+        self.to
+    }
+
+    /// |Δx| and |Δy|: no difference of two i64 is too large for them.
+    #[must_use]
+    pub fn distances(&self) -> [u64; 2] {
+        [0, 1].map(|i| self.to[i].abs_diff(self.from[i]))
+    }
+
+    /// The longer axis, x where both are as long: 0 is x.
+    #[must_use]
+    pub fn major(&self) -> usize {
+        let [x, y] = self.distances();
+        usize::from(y > x)
+    }
+}
+
+/// What happens, in order.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
+#[serde(tag = "event", rename_all = "kebab-case")]
+pub enum BresenhamEvent {
+    /// A pixel is put.
+    Pixel {
+        /// Its column and row.
+        at: [i64; 2],
+        /// Has the minor axis been gone along, too?
+        diagonal: bool,
+        /// e at this pixel: on which side of the next midpoint the line runs.
+        error: i64,
+    },
+}
+
+/// What the picture of a step needs.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct BresenhamState {
+    /// Pixels so far.
+    pub pixels: Log<[i64; 2]>,
+    /// e at the last of them.
+    pub error: Option<i64>,
+}
+
+impl Algorithm for Bresenham {
+    type Input = BresenhamInput;
+    type Output = Vec<[i64; 2]>;
+    type Event = BresenhamEvent;
+    type State = BresenhamState;
+
+    fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Self::Output {
+        let BresenhamInput { from, to } = *input;
+        let major = input.major();
+        let minor = 1 - major;
+        let step = [0, 1].map(|i| to[i].saturating_sub(from[i]).signum());
+        let distances = input.distances();
+        let [a, b] = [major, minor].map(|i| R::new(distances[i] as f64));
+        let [two_a, two_b] = [a + a, b + b];
+        let mut error = two_b - a;
+        let zero = R::new(0.0);
+        let mut at = from;
+        let mut pixels = Vec::with_capacity(distances[major] as usize + 1);
+        let mut put = |at: [i64; 2], diagonal: bool, error: R| {
+            // A whole number below 2¹⁸.
+            let error = error.get() as i64;
+            emit(BresenhamEvent::Pixel {
+                at,
+                diagonal,
+                error,
+            });
+            pixels.push(at);
+        };
+        put(at, false, error);
+        while at[major] != to[major] {
+            // Exactly between two: the smaller coordinate, whichever way is walked.
+            let is_beyond = if step[minor] < 0 {
+                error >= zero
+            } else {
+                error > zero
+            };
+            if is_beyond {
+                at[minor] += step[minor];
+                error = error - two_a;
+            }
+            at[major] += step[major];
+            error = error + two_b;
+            put(at, is_beyond, error);
+        }
+        pixels
+    }
+
+    fn start(_: &Self::Input) -> Self::State {
+        BresenhamState::default()
+    }
+
+    fn apply(state: &mut Self::State, event: Self::Event) {
+        match event {
+            BresenhamEvent::Pixel { at, error, .. } => {
+                state.pixels.push(at);
+                state.error = Some(error);
+            }
+        }
+    }
+
+    fn finish(state: &Self::State) -> Self::Output {
+        state.pixels.iter().copied().collect()
+    }
+
+    /// One a pixel.
+    fn max_events(input: &Self::Input) -> usize {
+        input.distances()[input.major()] as usize + 1
+    }
+}

@@ -1,0 +1,281 @@
+//! The viewing pipeline: one vertex, carried through all spaces to its place on the screen.
+//!
+//! ```text
+//!   model ──M──► world ──V──► view ──P──► clip ──÷ w──► ndc ──viewport──► screen
+//!                                          │
+//!                                −w ≤ x, y, z ≤ w ?            rows times the vertex, one after the other:
+//!                                                              ┌ a b c d ┐ ┌ x ┐
+//!   M  world_from_model   V  view_from_world                   │ · · · · │ │ y │   x′ = a·x + b·y + c·z + d
+//!   P  clip_from_view     of a camera looking down −z          └ · · · · ┘ │ z │
+//!                                                                          └ 1 ┘
+//! ```
+//!
+//! 1. Three rows of `world_from_model`, three of `view_from_world`, four of `clip_from_view`: each times the vertex. The last
+//!    row of the first two is 0 0 0 1: the vertex's 1 stays.
+//! 2. Inside is −w ≤ x, y, z ≤ w, asked before anything is divided.
+//! 3. Where w > 0 the vertex is before the eye: x, y and z are divided by w.
+//! 4. The square −1 to 1 becomes the picture: in pixels from the top left, y down.
+//!
+//! *Conventions*: column vectors; the matrices are those of [`geom`](crate::geom), so that every program that uses them gets
+//! the same numbers, bit for bit. *Degenerate cases*: a singular model is a model; with w ≤ 0 there is no place on the screen,
+//! and that is said. *Bound*: 13 events. *Cost*: three multiplications and three additions a row; at most six comparisons and
+//! one; three divisions; four multiplications, and two additions.
+//!
+//! *Source*: L. G. Roberts, "Homogeneous matrix representation and manipulation of n-dimensional constructs", MIT Lincoln
+//! Laboratory MS-1405, 1965; J. F. Blinn and M. E. Newell, "Clipping using homogeneous coordinates", SIGGRAPH 1978,
+//! pp. 245–251.
+//!
+//! ```
+//! use clipscope::{
+//!     algo::{
+//!         pipeline::{ViewingPipeline, ViewingPipelineInput},
+//!         surface::Viewport,
+//!     },
+//!     geom::{Camera, Matrix, ViewVolume},
+//!     trace::silent,
+//! };
+//! let volume = ViewVolume::perspective(90.0, 1.0, 1.0, 3.0)?;
+//! let camera = Camera::new([0.0, 0.0, 4.0], [0.0; 3], [0.0, 1.0, 0.0], volume)?;
+//! let through = |point| {
+//!     silent::<ViewingPipeline>(&ViewingPipelineInput {
+//!         point,
+//!         world_from_model: Matrix::IDENTITY,
+//!         camera,
+//!         viewport: Viewport::new([200, 100], Viewport::ANSWER_BITS).expect("a picture"),
+//!     })
+//! };
+//! let output = through([1.0, 1.0, 2.0]);
+//! assert_eq!(output.view, [1.0, 1.0, -2.0]);
+//! assert_eq!(output.clip, [1.0, 1.0, 1.0, 2.0]);
+//! assert_eq!((output.inside, output.ndc), (true, Some([0.5, 0.5, 0.5])));
+//! assert_eq!(output.screen, Some([150.0, 25.0]));
+//! assert_eq!(through([0.0, 0.0, 5.0]).screen, None, "behind the eye");
+//! # Ok::<(), clipscope::geom::SpaceError>(())
+//! ```
+
+use serde::Serialize;
+
+use crate::{
+    algo::surface::Viewport,
+    geom::{Camera, Matrix},
+    trace::{Algorithm, Real},
+};
+
+/// The algorithm; see the module.
+#[derive(Clone, Copy, Debug)]
+pub struct ViewingPipeline;
+
+/// A vertex, and all that it goes through.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct ViewingPipelineInput {
+    /// In the coordinates of its model; finite.
+    pub point: [f64; 3],
+    /// Affine; it may be singular.
+    pub world_from_model: Matrix,
+    /// Who looks.
+    pub camera: Camera,
+    /// The pixels of the picture.
+    pub viewport: Viewport,
+}
+
+impl ViewingPipelineInput {
+    /// The matrix that leads into a space.
+    #[must_use]
+    pub fn matrix(&self, into: PipelineSpace) -> Matrix {
+        match into {
+            PipelineSpace::World => self.world_from_model,
+            PipelineSpace::View => self.camera.view_from_world(),
+            PipelineSpace::Clip => self.camera.volume().clip_from_view(),
+        }
+    }
+}
+
+/// A space that a matrix leads into.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PipelineSpace {
+    /// Where all objects stand.
+    World,
+    /// The camera's own axes.
+    View,
+    /// Where clipping is done: four coordinates.
+    Clip,
+}
+
+impl PipelineSpace {
+    /// In the order in which a vertex goes through them.
+    pub const ALL: [Self; 3] = [Self::World, Self::View, Self::Clip];
+
+    /// Rows that have to be worked out: the last one of an affine matrix has not.
+    #[must_use]
+    pub const fn n_rows(self) -> usize {
+        match self {
+            Self::World | Self::View => 3,
+            Self::Clip => 4,
+        }
+    }
+}
+
+/// What happens, in order.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
+#[serde(tag = "event", rename_all = "kebab-case")]
+pub enum ViewingPipelineEvent {
+    /// A row of a matrix times the vertex.
+    Row {
+        /// The space that the matrix leads into.
+        space: PipelineSpace,
+        /// From 0.
+        row: usize,
+        /// What it comes to.
+        value: f64,
+    },
+    /// The vertex in clip space against −w and w.
+    Test {
+        /// −w ≤ x, y, z ≤ w
+        inside: bool,
+    },
+    /// Divided by w.
+    Divide {
+        /// Normalised device coordinates.
+        ndc: [f64; 3],
+    },
+    /// On the picture.
+    Screen {
+        /// In pixels from the top left.
+        screen: [f64; 2],
+    },
+    /// w ≤ 0: not before the eye, and on no screen.
+    Behind,
+}
+
+/// The answer.
+#[derive(Clone, Copy, PartialEq, Debug, Default, Serialize)]
+pub struct ViewingPipelineOutput {
+    /// In the world.
+    pub world: [f64; 3],
+    /// In the camera's own axes.
+    pub view: [f64; 3],
+    /// In clip space.
+    pub clip: [f64; 4],
+    /// −w ≤ x, y, z ≤ w
+    pub inside: bool,
+    /// Where w > 0: divided by it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ndc: Option<[f64; 3]>,
+    /// And in pixels from the top left.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub screen: Option<[f64; 2]>,
+}
+
+/// What the picture of a step needs.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct ViewingPipelineState {
+    /// Coordinates known so far in each of [`PipelineSpace::ALL`].
+    pub known: [Vec<f64>; 3],
+    /// Inside or not, once asked.
+    pub inside: Option<bool>,
+    /// Once divided.
+    pub ndc: Option<[f64; 3]>,
+    /// Once there.
+    pub screen: Option<[f64; 2]>,
+}
+
+impl ViewingPipelineState {
+    /// The first coordinates in a space; what is not known yet is 0.
+    #[must_use]
+    pub fn at<const N: usize>(&self, space: PipelineSpace) -> [f64; N] {
+        let known = &self.known[space as usize];
+        std::array::from_fn(|i| known.get(i).copied().unwrap_or_default())
+    }
+}
+
+/// A row of a matrix times a point whose fourth coordinate is 1, summed up in this order.
+#[inline]
+#[must_use]
+pub fn row_times<R: Real>(row: [f64; 4], [x, y, z]: [R; 3]) -> R {
+    let [a, b, c, d] = row.map(R::new);
+    a * x + b * y + c * z + d
+}
+
+impl Algorithm for ViewingPipeline {
+    type Input = ViewingPipelineInput;
+    type Output = ViewingPipelineOutput;
+    type Event = ViewingPipelineEvent;
+    type State = ViewingPipelineState;
+
+    fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Self::Output {
+        let mut at = [R::new(0.0); 4];
+        let mut from = input.point.map(R::new);
+        let mut reached = [[R::new(0.0); 4]; 3];
+        for space in PipelineSpace::ALL {
+            let rows = input.matrix(space).rows();
+            for row in 0..space.n_rows() {
+                at[row] = row_times(rows[row], from);
+                let value = at[row].get();
+                emit(ViewingPipelineEvent::Row { space, row, value });
+            }
+            reached[space as usize] = at;
+            from = [at[0], at[1], at[2]];
+        }
+        let [x, y, z, w] = at;
+        let inside = [x, y, z].iter().all(|&along| -w <= along && along <= w);
+        emit(ViewingPipelineEvent::Test { inside });
+        let (mut ndc, mut screen) = (None, None);
+        if w > R::new(0.0) {
+            let divided = [x / w, y / w, z / w];
+            let coordinates = divided.map(R::get);
+            emit(ViewingPipelineEvent::Divide { ndc: coordinates });
+            let pixels = input.viewport.screen_from_ndc([divided[0], divided[1]]);
+            let place = pixels.map(R::get);
+            emit(ViewingPipelineEvent::Screen { screen: place });
+            (ndc, screen) = (Some(coordinates), Some(place));
+        } else {
+            emit(ViewingPipelineEvent::Behind);
+        }
+        let [world, view, clip] = reached.map(|at| at.map(R::get));
+        ViewingPipelineOutput {
+            world: three(world),
+            view: three(view),
+            clip,
+            inside,
+            ndc,
+            screen,
+        }
+    }
+
+    fn start(_: &Self::Input) -> Self::State {
+        ViewingPipelineState::default()
+    }
+
+    fn apply(state: &mut Self::State, event: Self::Event) {
+        match event {
+            ViewingPipelineEvent::Row { space, value, .. } => {
+                state.known[space as usize].push(value);
+            }
+            ViewingPipelineEvent::Test { inside } => state.inside = Some(inside),
+            ViewingPipelineEvent::Divide { ndc } => state.ndc = Some(ndc),
+            ViewingPipelineEvent::Screen { screen } => state.screen = Some(screen),
+            ViewingPipelineEvent::Behind => {}
+        }
+    }
+
+    fn finish(state: &Self::State) -> Self::Output {
+        ViewingPipelineOutput {
+            world: state.at(PipelineSpace::World),
+            view: state.at(PipelineSpace::View),
+            clip: state.at(PipelineSpace::Clip),
+            inside: state.inside.unwrap_or_default(),
+            ndc: state.ndc,
+            screen: state.screen,
+        }
+    }
+
+    /// Ten rows, the test, the divide and the viewport.
+    fn max_events(_: &Self::Input) -> usize {
+        13
+    }
+}
+
+const fn three([x, y, z, _]: [f64; 4]) -> [f64; 3] {
+    [x, y, z]
+}
