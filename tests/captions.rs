@@ -97,7 +97,7 @@ fn frustum_scenes() -> Vec<Scene> {
             for point in [[0.0, 1.0, 0.0], [0.0, 2.0, 6.0], [9.0, 9.0, 9.0]] {
                 let mut scene = frustum::Scene::first();
                 scene.method = method;
-                scene.set_point(point).unwrap();
+                scene.places = scene.places.with_point(point).unwrap();
                 scene.set_focus(2).unwrap();
                 let mut scene: Scene = scene.into();
                 let turned = frustum::FrustumChange::Parallel(is_parallel);

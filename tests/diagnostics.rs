@@ -123,8 +123,7 @@ fn scenes() -> Vec<Diagnostic> {
         Frustum::NoObjects
         | Frustum::TooManyObjects(_)
         | Frustum::NoSuchObject { .. }
-        | Frustum::NoSuchFace { .. }
-        | Frustum::PointNotFinite => error.into(),
+        | Frustum::NoSuchFace { .. } => error.into(),
     };
     vec![
         frustum(Frustum::NoObjects),
@@ -137,7 +136,6 @@ fn scenes() -> Vec<Diagnostic> {
             face: 12,
             n_faces: 12,
         }),
-        frustum(Frustum::PointNotFinite),
         lines(Lines::NoSegments),
         lines(Lines::TooManySegments(7)),
         lines(Lines::NoSuchFocus {

@@ -35,6 +35,8 @@ handle-near = Near plane
 handle-far = Far plane
 handle-top = Opening of the camera
 handle-point = Point P
+handle-space-end = End P{ $number }
+handle-space-corner = Corner V{ $number }
 handle-object = Object { $number }
 
 ## Methods
@@ -205,6 +207,8 @@ camera-height = Height
 camera-aspect = Aspect ratio
 camera-near = Near plane
 camera-far = Far plane
+camera-frozen = Freeze culling
+camera-frozen-about = Go on culling with the camera as it is now, and fly around what it kept
 object-add = Add an object
 object-remove = Remove the object in focus
 object-numbers = Object in focus

@@ -48,6 +48,7 @@ problem-empty-text = This text is empty.
 problem-two-kinds-of-segments = Both “segments” and “random” are given: only one of the two may be.
 problem-two-kinds-of-polygons = Both “polygon” and “random” are given: only one of the two may be.
 problem-two-kinds-of-objects = Both “objects” and “street” are given: only one of the two may be.
+problem-too-few-places = There are { $count } places here.
 problem-two-openings = Both “fov_y_deg” and “height” are given: the first is for perspective, the second for a parallel camera.
 problem-two-models = Both “solid” and “mesh” are given: only one of the two may be.
 problem-mesh-too-large = The list has { $count } entries, where { $limit } are the most that a scene file holds.
@@ -100,6 +101,8 @@ expect-clip = Expected: at least three corners of a convex polygon, [[x, y], …
 expect-polygon = Expected: at least three vertices of a polygon, [[x, y], …].
 expect-holes = Expected: a list of holes, each a list of at least three vertices, [[[x, y], …], …].
 expect-place = Expected: the three numbers of a place, [x, y, z].
+expect-space-segment = Expected: the two ends of a segment, [[x, y, z], [x, y, z]].
+expect-space-triangle = Expected: the three corners of a triangle, [[x, y, z], [x, y, z], [x, y, z]].
 expect-camera = Expected: position, target, up, fov_y_deg (or height), aspect, near and far, with 0 < near < far in perspective.
 expect-eye = Expected: pitch_deg from −89 to 89, distance from 1e-6 to 1e6, fov_y_deg from 1 to 120.
 expect-objects = Expected: a list of objects, [{ "{" } solid = "cube", at = [x, y, z], size = 1 { "}" }, …], or “street” with “count” and “seed”.

@@ -35,6 +35,8 @@ handle-near = Plano cercano
 handle-far = Plano lejano
 handle-top = Apertura de la cámara
 handle-point = Punto P
+handle-space-end = Extremo P{ $number }
+handle-space-corner = Vértice V{ $number }
 handle-object = Objeto { $number }
 
 ## Methods
@@ -205,6 +207,8 @@ camera-height = Altura
 camera-aspect = Relación de aspecto
 camera-near = Plano cercano
 camera-far = Plano lejano
+camera-frozen = Congelar el descarte
+camera-frozen-about = Seguir descartando con la cámara tal como está ahora y volar alrededor de lo que conservó
 object-add = Añadir un objeto
 object-remove = Quitar el objeto enfocado
 object-numbers = Objeto enfocado

@@ -48,6 +48,7 @@ problem-empty-text = Este texto está vacío.
 problem-two-kinds-of-segments = Se dan a la vez «segments» y «random»: solo puede haber uno de los dos.
 problem-two-kinds-of-polygons = Se dan a la vez «polygon» y «random»: solo puede haber uno de los dos.
 problem-two-kinds-of-objects = Se dan a la vez «objects» y «street»: solo puede haber uno de los dos.
+problem-too-few-places = Lugares dados aquí: { $count }.
 problem-two-openings = Se dan a la vez «fov_y_deg» y «height»: el primero es para la perspectiva, el segundo para una cámara paralela.
 problem-two-models = Se dan a la vez «solid» y «mesh»: solo puede haber uno de los dos.
 problem-mesh-too-large = La lista tiene { $count } entradas; un archivo de escena admite { $limit } como máximo.
@@ -100,6 +101,8 @@ expect-clip = Se esperaba: al menos tres vértices de un polígono convexo, [[x,
 expect-polygon = Se esperaba: al menos tres vértices de un polígono, [[x, y], …].
 expect-holes = Se esperaba: una lista de agujeros, cada uno con al menos tres vértices, [[[x, y], …], …].
 expect-place = Se esperaba: los tres números de un lugar, [x, y, z].
+expect-space-segment = Se esperaba: los dos extremos de un segmento, [[x, y, z], [x, y, z]].
+expect-space-triangle = Se esperaba: los tres vértices de un triángulo, [[x, y, z], [x, y, z], [x, y, z]].
 expect-camera = Se esperaba: position, target, up, fov_y_deg (o height), aspect, near y far, con 0 < near < far en perspectiva.
 expect-eye = Se esperaba: pitch_deg de −89 a 89, distance de 1e-6 a 1e6, fov_y_deg de 1 a 120.
 expect-objects = Se esperaba: una lista de objetos, [{ "{" } solid = "cube", at = [x, y, z], size = 1 { "}" }, …], o «street» con «count» y «seed».

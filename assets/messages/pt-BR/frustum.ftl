@@ -35,6 +35,8 @@ handle-near = Plano próximo
 handle-far = Plano distante
 handle-top = Abertura da câmera
 handle-point = Ponto P
+handle-space-end = Extremo P{ $number }
+handle-space-corner = Vértice V{ $number }
 handle-object = Objeto { $number }
 
 ## Methods
@@ -205,6 +207,8 @@ camera-height = Altura
 camera-aspect = Razão de aspecto
 camera-near = Plano próximo
 camera-far = Plano distante
+camera-frozen = Congelar o descarte
+camera-frozen-about = Continuar descartando com a câmera como está agora e voar em torno do que ela manteve
 object-add = Adicionar um objeto
 object-remove = Remover o objeto em foco
 object-numbers = Objeto em foco

@@ -48,6 +48,7 @@ problem-empty-text = Este texto está vazio.
 problem-two-kinds-of-segments = “segments” e “random” foram dados ao mesmo tempo: só pode haver um dos dois.
 problem-two-kinds-of-polygons = “polygon” e “random” foram dados ao mesmo tempo: só pode haver um dos dois.
 problem-two-kinds-of-objects = “objects” e “street” foram dados ao mesmo tempo: só pode haver um dos dois.
+problem-too-few-places = Lugares dados aqui: { $count }.
 problem-two-openings = “fov_y_deg” e “height” foram dados ao mesmo tempo: o primeiro é para a perspectiva, o segundo para uma câmera paralela.
 problem-two-models = “solid” e “mesh” foram dados ao mesmo tempo: só pode haver um dos dois.
 problem-mesh-too-large = A lista tem { $count } itens; um arquivo de cena aceita no máximo { $limit }.
@@ -100,6 +101,8 @@ expect-clip = Esperado: pelo menos três vértices de um polígono convexo, [[x,
 expect-polygon = Esperado: pelo menos três vértices de um polígono, [[x, y], …].
 expect-holes = Esperado: uma lista de furos, cada um com pelo menos três vértices, [[[x, y], …], …].
 expect-place = Esperado: os três números de um lugar, [x, y, z].
+expect-space-segment = Esperado: os dois extremos de um segmento, [[x, y, z], [x, y, z]].
+expect-space-triangle = Esperado: os três vértices de um triângulo, [[x, y, z], [x, y, z], [x, y, z]].
 expect-camera = Esperado: position, target, up, fov_y_deg (ou height), aspect, near e far, com 0 < near < far em perspectiva.
 expect-eye = Esperado: pitch_deg de −89 a 89, distance de 1e-6 a 1e6, fov_y_deg de 1 a 120.
 expect-objects = Esperado: uma lista de objetos, [{ "{" } solid = "cube", at = [x, y, z], size = 1 { "}" }, …], ou “street” com “count” e “seed”.

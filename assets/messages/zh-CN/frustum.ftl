@@ -35,6 +35,8 @@ handle-near = 近平面
 handle-far = 远平面
 handle-top = 相机张角
 handle-point = 点 P
+handle-space-end = 端点 P{ $number }
+handle-space-corner = 顶点 V{ $number }
 handle-object = 物体 { $number }
 
 ## Methods
@@ -201,6 +203,8 @@ camera-height = 高度
 camera-aspect = 宽高比
 camera-near = 近平面
 camera-far = 远平面
+camera-frozen = 冻结剔除
+camera-frozen-about = 继续用现在的相机做剔除，再飞到别处查看它保留了什么
 object-add = 添加物体
 object-remove = 移除当前物体
 object-numbers = 当前物体

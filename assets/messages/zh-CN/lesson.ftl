@@ -44,6 +44,7 @@ problem-empty-text = 这段文本是空的。
 problem-two-kinds-of-segments = 同时给出了“segments”和“random”：只能给出其中之一。
 problem-two-kinds-of-polygons = 同时给出了“polygon”和“random”：只能给出其中之一。
 problem-two-kinds-of-objects = 同时给出了“objects”和“street”：只能给出其中之一。
+problem-too-few-places = 这里给出了 { $count } 个位置。
 problem-two-openings = 同时给出了“fov_y_deg”和“height”：前者用于透视相机，后者用于平行投影相机。
 problem-two-models = 同时给出了“solid”和“mesh”：只能给出其中之一。
 problem-mesh-too-large = 该列表有 { $count } 项，场景文件最多容纳 { $limit } 项。
@@ -92,6 +93,8 @@ expect-clip = 应为：凸多边形的至少三个角 [[x, y], …]，方向不�
 expect-polygon = 应为：多边形的至少三个顶点 [[x, y], …]。
 expect-holes = 应为：内孔的列表，每个内孔至少三个顶点 [[[x, y], …], …]。
 expect-place = 应为：一个位置的三个数，[x, y, z]。
+expect-space-segment = 应为：一条线段的两个端点，[[x, y, z], [x, y, z]]。
+expect-space-triangle = 应为：一个三角形的三个顶点，[[x, y, z], [x, y, z], [x, y, z]]。
 expect-camera = 应为：position、target、up、fov_y_deg（或 height）、aspect、near 和 far；透视时须 0 < near < far。
 expect-eye = 应为：pitch_deg 在 −89 到 89 之间，distance 在 1e-6 到 1e6 之间，fov_y_deg 在 1 到 120 之间。
 expect-objects = 应为：物体的列表，[{ "{" } solid = "cube", at = [x, y, z], size = 1 { "}" }, …]，或带有“count”和“seed”的“street”。

@@ -29,6 +29,8 @@ pub enum FrustumChange {
     Face(usize),
     /// Sets a number of the camera's.
     Camera(CameraNumber, f64),
+    /// Goes on culling with the camera as it is now, while the camera itself flies on; or culls with the camera again.
+    Freeze(bool),
     /// Side by side, or through the eye: as much is seen of what the camera looks at.
     Parallel(bool),
     /// One more, in front of the camera.
@@ -54,6 +56,7 @@ impl ChangeOf for FrustumChange {
             &Self::Focus(object_idx) => scene.set_focus(object_idx)?,
             &Self::Face(face_idx) => scene.set_face(face_idx)?,
             &Self::Camera(number, value) => set_number(scene, number, value)?,
+            &Self::Freeze(is_frozen) => scene.frozen = is_frozen.then_some(scene.camera),
             &Self::Parallel(is_parallel) => set_parallel(scene, is_parallel)?,
             Self::Add(model) => {
                 let [_, target, _] = scene.camera.places();

@@ -5,15 +5,12 @@ use crate::{
     labs::{self, Demo},
 };
 
-use super::Scene;
+use super::{Scene, Subject};
 
 /// A method of this lab.
 pub trait FrustumDemo: Demo {
-    /// Is it about the scene's point?
-    const ASKS_POINT: bool = false;
-
-    /// Is it about a face of the object in focus?
-    const ASKS_FACE: bool = false;
+    /// What it is about.
+    const SUBJECT: Subject = Subject::Object;
 
     /// Its input, from the scene.
     fn input(scene: &Scene) -> Self::Input;

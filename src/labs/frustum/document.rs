@@ -9,7 +9,7 @@ use crate::{
 };
 
 use super::{
-    FrustumChange, LAB, Method, Scene,
+    FrustumChange, LAB, Method, Scene, Subject,
     change::beside,
     stage::{face_link, object_link},
     verdict::verdict,
@@ -19,6 +19,18 @@ impl Scene {
     /// The methods on stage.
     pub(super) fn on_stage(&self) -> impl Iterator<Item = Method> {
         [Some(self.method), self.compare].into_iter().flatten()
+    }
+
+    /// Is a method on stage about this?
+    pub(super) fn asks(&self, subject: Subject) -> bool {
+        self.on_stage()
+            .any(|method| method.info().subject == subject)
+    }
+
+    /// Do objects stand in the picture?
+    pub(super) fn shows_objects(&self) -> bool {
+        let mut on_stage = self.on_stage();
+        on_stage.any(|method| method.info().subject.shows_objects())
     }
 }
 

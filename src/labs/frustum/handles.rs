@@ -8,7 +8,7 @@ use crate::{
     text::{Diagnostic, Message},
 };
 
-use super::{Opening, Scene};
+use super::{Opening, Scene, Subject};
 
 const fn kind(
     id: &'static str,
@@ -30,6 +30,18 @@ static POINT: HandleKind = HandleKind {
     is_marked: true,
     ..kind("point", "point", |_| Message::new("handle-point"))
 };
+static END: HandleKind = HandleKind {
+    is_marked: true,
+    ..kind("end", "segment", |[i, _]| {
+        Message::new("handle-space-end").with("number", i + 1)
+    })
+};
+static CORNER: HandleKind = HandleKind {
+    is_marked: true,
+    ..kind("corner", "triangle", |[i, _]| {
+        Message::new("handle-space-corner").with("number", i)
+    })
+};
 static OBJECT: HandleKind = HandleKind {
     is_vertex: true,
     is_whole: true,
@@ -46,12 +58,20 @@ pub fn object(object_idx: usize) -> Handle {
 impl Scene {
     pub(super) fn all_handles(&self) -> Vec<Handle> {
         let mut handles: Vec<Handle> = Vec::new();
-        if self.on_stage().any(|method| method.info().asks_point) {
+        if self.asks(Subject::Point) {
             handles.push(POINT.at([0, 0]));
+        }
+        if self.asks(Subject::Segment) {
+            handles.extend([0, 1].map(|i| END.at([i, 0])));
+        }
+        if self.asks(Subject::Triangle) {
+            handles.extend([0, 1, 2].map(|i| CORNER.at([i, 0])));
         }
         let camera = [&POSITION, &TARGET, &NEAR, &FAR, &TOP];
         handles.extend(camera.map(|kind| kind.at([0, 0])));
-        handles.extend((0..self.objects().len()).map(object));
+        if self.shows_objects() {
+            handles.extend((0..self.objects().len()).map(object));
+        }
         handles
     }
 
@@ -71,7 +91,11 @@ impl Scene {
             let [left, right] = [6, 7].map(|i| DVec3::from(camera.corners_in_world()[i]));
             left.midpoint(right).into()
         } else if handle.is(&POINT) {
-            self.point()
+            self.places.point()
+        } else if handle.is(&END) {
+            *self.places.segment().get(handle.idx()[0])?
+        } else if handle.is(&CORNER) {
+            *self.places.triangle().get(handle.idx()[0])?
         } else {
             self.objects().get(handle.idx()[0])?.at()
         })
@@ -96,13 +120,27 @@ impl Scene {
                 Opening::Height(_) => Opening::Height(2.0 * height),
             })?;
         } else if handle.is(&POINT) {
-            self.set_point(to)?;
+            self.places = self.places.with_point(to)?;
+        } else if handle.is(&END) {
+            let moved = with(self.places.segment(), handle, to);
+            self.places = self.places.with_segment(moved)?;
+        } else if handle.is(&CORNER) {
+            let moved = with(self.places.triangle(), handle, to);
+            self.places = self.places.with_triangle(moved)?;
         } else if let Some(object) = self.objects().get(handle.idx()[0]) {
             let moved = object.moved(to)?;
             self.set_object(handle.idx()[0], moved);
         }
         Ok(())
     }
+}
+
+/// Places of which the one of a handle is moved.
+fn with<const N: usize>(mut places: [[f64; 3]; N], handle: Handle, to: [f64; 3]) -> [[f64; 3]; N] {
+    if let Some(place) = places.get_mut(handle.idx()[0]) {
+        *place = to;
+    }
+    places
 }
 
 /// A world point in the camera's own axes.

@@ -31,6 +31,6 @@ impl Lab for Frustum {
     }
 
     fn lock_groups(&self) -> &'static [&'static str] {
-        &["camera", "volume", "object", "point"]
+        &["camera", "volume", "object", "point", "segment", "triangle"]
     }
 }

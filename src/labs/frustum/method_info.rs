@@ -2,14 +2,14 @@
 
 use crate::{figure::Run, labs::MethodCard, trace::Counts};
 
+use super::Subject;
+
 /// What is known of a method without running it.
 pub struct MethodInfo<S> {
     /// Names, source and pseudocode.
     pub card: MethodCard,
-    /// Is it about the scene's point?
-    pub asks_point: bool,
-    /// Is it about a face of the object in focus?
-    pub asks_face: bool,
+    /// What it is about.
+    pub subject: Subject,
     pub(super) record: fn(&S) -> Box<dyn Run>,
     pub(super) cost: fn(&S) -> Counts,
 }

@@ -13,6 +13,7 @@ mod registry;
 mod scene;
 mod stage;
 mod street;
+mod subject;
 mod taught_camera;
 mod verdict;
 
@@ -24,4 +25,5 @@ pub use on_scene::{OnScene, OnSceneInput};
 pub use registry::METHODS;
 pub use scene::{MAX_OBJECTS, Method, Scene, SceneError};
 pub use street::street;
+pub use subject::{Places, Subject};
 pub use taught_camera::{Opening, TaughtCamera};

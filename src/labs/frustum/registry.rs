@@ -14,8 +14,7 @@ use super::{MethodInfo, OnScene, Scene, demo::FrustumDemo};
 const fn info<A: FrustumDemo>() -> MethodInfo<Scene> {
     MethodInfo {
         card: MethodCard::of::<A>(),
-        asks_point: A::ASKS_POINT,
-        asks_face: A::ASKS_FACE,
+        subject: A::SUBJECT,
         record: A::record,
         cost: |scene| {
             let input = A::input(scene);

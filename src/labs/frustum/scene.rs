@@ -3,11 +3,11 @@
 use std::fmt;
 
 use crate::{
-    geom::{Orbit, Solid},
+    geom::{Camera, Orbit, Solid},
     text::{Diagnostic, Message},
 };
 
-use super::{MethodInfo, Model, Object, Opening, TaughtCamera};
+use super::{MethodInfo, Model, Object, Opening, Places, TaughtCamera};
 
 /// More objects than this are refused: a frame could not draw them in time.
 pub const MAX_OBJECTS: usize = 10_000;
@@ -22,12 +22,14 @@ pub struct Scene {
     pub method: Method,
     /// A second method on the same scene, side by side.
     pub compare: Option<Method>,
-    /// Who culls.
+    /// Who looks, and culls.
     pub camera: TaughtCamera,
+    /// Who culls in its place, so that the camera flies around what this one kept.
+    pub frozen: Option<TaughtCamera>,
     /// Where the observer stands at first.
     pub eye: Orbit,
-    /// A point that is asked of planes; finite.
-    point: [f64; 3],
+    /// What is asked about besides objects.
+    pub places: Places,
     objects: Vec<Object>,
     focus: usize,
     face: usize,
@@ -54,8 +56,6 @@ pub enum SceneError {
         /// Faces that it has.
         n_faces: usize,
     },
-    /// A coordinate of the point is NaN or infinite.
-    PointNotFinite,
 }
 
 impl From<SceneError> for Diagnostic {
@@ -74,7 +74,6 @@ impl From<SceneError> for Diagnostic {
                 let message = Message::new("error-no-such-face").with("face", face.to_string());
                 Self::new(message.with("count", n_faces))
             }
-            SceneError::PointNotFinite => Self::new(Message::new("error-not-finite")),
         }
     }
 }
@@ -102,7 +101,8 @@ impl Scene {
             compare: None,
             camera,
             eye,
-            point: [0.0; 3],
+            frozen: None,
+            places: Places::default(),
             objects,
             focus: 0,
             face: 0,
@@ -162,22 +162,10 @@ impl Scene {
         self.face
     }
 
-    /// A point that is asked of planes.
+    /// Whose view volume culls.
     #[must_use]
-    pub const fn point(&self) -> [f64; 3] {
-        self.point
-    }
-
-    /// Asks another point.
-    ///
-    /// # Errors
-    /// [`SceneError::PointNotFinite`]
-    pub fn set_point(&mut self, point: [f64; 3]) -> Result<(), SceneError> {
-        if point.iter().any(|x| !x.is_finite()) {
-            return Err(SceneError::PointNotFinite);
-        }
-        self.point = point;
-        Ok(())
+    pub fn culler(&self) -> &Camera {
+        self.frozen.as_ref().unwrap_or(&self.camera).camera()
     }
 
     /// Looks at another object, at its first face.

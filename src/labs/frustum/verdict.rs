@@ -12,7 +12,7 @@ use super::{Scene, stage::side_name};
 /// The verdict on the object in focus, by its bounding sphere; and the step of the funnel that says so.
 pub fn verdict(scene: &Scene) -> Option<Verdict> {
     let sphere = scene.focused().in_funnel().sphere;
-    let planes = scene.camera.camera().planes_in_world().to_vec();
+    let planes = scene.culler().planes_in_world().to_vec();
     let verdict = sphere_verdict(&SphereCullInput { planes, sphere })?;
     let side = VolumeSide::ALL[verdict.plane_idx];
     let key = match (verdict.class, verdict.turn) {

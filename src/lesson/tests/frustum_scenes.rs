@@ -61,7 +61,7 @@ fn every_field_is_read() {
         scene.eye,
         Orbit::new([0.0, 1.0, 0.0], [-58.0, 24.0], 26.0, 26.0)
     );
-    assert_eq!(scene.point(), [0.5, 1.0, -2.0]);
+    assert_eq!(scene.places.point(), [0.5, 1.0, -2.0]);
     assert_eq!((scene.focus(), scene.face()), (1, 2));
     let [cube, wedge, cow] = scene.objects() else {
         panic!("three objects");
@@ -284,6 +284,8 @@ prop_compose! {
         eye in (place(), [-400.0..400.0, -89.0..89.0], 1e-3..1e5, 1.0..120.0),
         objects in prop::collection::vec(object(), 1..6),
         point in place(),
+        corners in [place(), place(), place()],
+        is_frozen in any::<bool>(),
         picks in [any::<prop::sample::Index>(), any::<prop::sample::Index>()],
     ) -> Option<Scene> {
         let known: Vec<Method> = Method::all().collect();
@@ -296,7 +298,9 @@ prop_compose! {
         let eye = Orbit::new(eye.0, eye.1, eye.2, eye.3);
         let mut scene = Scene::new(method, camera, eye, objects).ok()?;
         scene.compare = (compare != method).then_some(compare);
-        scene.set_point(point).ok()?;
+        let [a, b, _] = corners;
+        scene.places = scene.places.with_point(point).ok()?.with_segment([b, a]).ok()?.with_triangle(corners).ok()?;
+        scene.frozen = if is_frozen { Some(camera.placed([target, position, up]).ok()?) } else { None };
         scene.set_focus(picks[0].index(scene.objects().len())).ok()?;
         let n_faces = scene.focused().model().mesh().faces().len();
         scene.set_face(picks[1].index(n_faces)).ok()?;

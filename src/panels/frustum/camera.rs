@@ -16,7 +16,8 @@ const DEPTHS: [f64; 2] = [0.01, 1000.0];
 /// How sight lines run, and the numbers of the volume; what was asked for.
 pub fn form(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
     let form = form_button(ui, look.say("camera-title"), |ui| {
-        sight(ui, look, scene).or(numbers(ui, look, scene))
+        let asked = sight(ui, look, scene).or(numbers(ui, look, scene));
+        asked.or(freeze(ui, look, scene))
     });
     form.inner.flatten()
 }
@@ -34,6 +35,15 @@ fn sight(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
         }
     }
     asked
+}
+
+/// Goes on culling from here, and lets the camera fly.
+fn freeze(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
+    let mut is_frozen = scene.frozen.is_some();
+    let button = ui.checkbox(&mut is_frozen, look.say("camera-frozen"));
+    let button = button.on_hover_text(look.say("camera-frozen-about"));
+    let is_asked = button.changed();
+    is_asked.then(|| own(FrustumChange::Freeze(is_frozen)))
 }
 
 fn numbers(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {

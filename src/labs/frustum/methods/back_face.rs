@@ -23,7 +23,7 @@ use crate::{
 
 use super::{
     super::{
-        OnScene, OnSceneInput, Scene,
+        OnScene, OnSceneInput, Scene, Subject,
         demo::FrustumDemo,
         stage::{FaceLook, Fate, face_link},
     },
@@ -46,12 +46,12 @@ impl Answer for BackFaceOutput {
 fn input_of(scene: &Scene, face_idx: usize) -> Option<BackFaceInput> {
     Some(BackFaceInput {
         triangle: scene.focused().face(face_idx)?,
-        viewer: asked_viewer::<Right>(scene.camera.camera()),
+        viewer: asked_viewer::<Right>(scene.culler()),
     })
 }
 
 impl FrustumDemo for Shown {
-    const ASKS_FACE: bool = true;
+    const SUBJECT: Subject = Subject::Face;
 
     fn input(scene: &Scene) -> Input {
         let own = input_of(scene, scene.face()).expect("the face is one of the object's");
@@ -187,7 +187,7 @@ impl Demo for Shown {
             products.map(|[_, det]| Value::Number(det)),
         ));
         let on_screen = step.input.scenery.as_deref().and_then(|scenery| {
-            let camera = scenery.scene().camera.camera();
+            let camera = scenery.scene().culler();
             turn_on_screen(camera, &step.input.own.triangle)
         });
         let shown = on_screen.filter(|_| products.is_some());

@@ -40,7 +40,7 @@ impl Answer for BoxCullOutput {
 impl FrustumDemo for Shown {
     fn input(scene: &Scene) -> Input {
         let own = BoxCullInput {
-            planes: scene.camera.camera().planes_in_world().to_vec(),
+            planes: scene.culler().planes_in_world().to_vec(),
             bounds: scene.focused().bounds().expect("its vertices are finite"),
         };
         OnSceneInput::of(scene, own)
@@ -143,7 +143,7 @@ impl Demo for Shown {
                     fate_of(class)
                 }
             };
-            let camera = scenery.scene().camera.camera();
+            let camera = scenery.scene().culler();
             let mut marks = box_marks(step);
             if let Some(plane_idx) = current(step) {
                 marks.extend(plane_at_work(camera, VolumeSide::ALL[plane_idx]));

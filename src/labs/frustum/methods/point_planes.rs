@@ -21,7 +21,7 @@ use crate::{
 
 use super::{
     super::{
-        OnScene, OnSceneInput, Scene,
+        OnScene, OnSceneInput, Scene, Subject,
         demo::FrustumDemo,
         stage::{FaceLook, Fate, Scenery, plane_at_work},
     },
@@ -40,12 +40,12 @@ impl Answer for PointPlanesOutput {
 }
 
 impl FrustumDemo for Shown {
-    const ASKS_POINT: bool = true;
+    const SUBJECT: Subject = Subject::Point;
 
     fn input(scene: &Scene) -> Input {
         let own = PointPlanesInput {
-            planes: scene.camera.camera().planes_in_world().to_vec(),
-            point: scene.point(),
+            planes: scene.culler().planes_in_world().to_vec(),
+            point: scene.places.point(),
         };
         OnSceneInput::of(scene, own)
     }
@@ -188,7 +188,7 @@ fn marks(step: &Step<'_, Shown>, scenery: &Scenery) -> Vec<Mark3> {
         && let Some(&(d, _)) = step.state.asked.get(plane_idx)
     {
         let side = VolumeSide::ALL[plane_idx];
-        marks.extend(plane_at_work(scenery.scene().camera.camera(), side));
+        marks.extend(plane_at_work(scenery.scene().culler(), side));
         let plane = &step.input.own.planes[plane_idx];
         let label = Formula::default().sym("d").equals(d);
         marks.extend(perpendicular(plane, step.input.own.point, d, label));
@@ -234,7 +234,7 @@ fn plane_table(step: &Step<'_, Shown>) -> Table {
 
 /// To how many decimals the planes that the angles give and those that the rows of the matrix give agree.
 fn decimals_of_matrix(scenery: &Scenery) -> Option<usize> {
-    let camera = scenery.scene().camera.camera();
+    let camera = scenery.scene().culler();
     let from_matrix = planes_from_matrix(&camera.clip_from_world()).ok()?;
     let apart = from_matrix.iter().zip(scenery.planes()).map(|(a, b)| {
         let both = a.to_array().into_iter().zip(b.to_array());

@@ -40,7 +40,7 @@ impl Answer for SphereCullOutput {
 impl FrustumDemo for Shown {
     fn input(scene: &Scene) -> Input {
         let own = SphereCullInput {
-            planes: scene.camera.camera().planes_in_world().to_vec(),
+            planes: scene.culler().planes_in_world().to_vec(),
             sphere: scene.focused().in_funnel().sphere,
         };
         OnSceneInput::of(scene, own)
@@ -137,7 +137,7 @@ impl Demo for Shown {
             };
             let asked = current(step).zip(step.state.asked.last());
             let asked = asked.map(|(plane_idx, &(distance, _))| Asked {
-                camera: *scenery.scene().camera.camera(),
+                camera: *scenery.scene().culler(),
                 plane_idx,
                 distance,
             });

@@ -11,9 +11,14 @@ const MOST_DROPPED: usize = 24;
 
 /// Grid lines a round number apart, and a line down to the ground from the camera and from each object.
 pub fn ground(scene: &Scene) -> Vec<Mark3> {
-    let corners = scene.camera.camera().corners_in_world();
+    let corners = scene.culler().corners_in_world();
     let [position, ..] = scene.camera.places();
-    let middles = scene.objects().iter().map(super::super::Object::at);
+    let objects = if scene.shows_objects() {
+        scene.objects()
+    } else {
+        &[]
+    };
+    let middles = objects.iter().map(super::super::Object::at);
     let mut min = position;
     let mut max = position;
     for at in corners.into_iter().chain(middles) {
@@ -23,10 +28,7 @@ pub fn ground(scene: &Scene) -> Vec<Mark3> {
         }
     }
     // What stands on y = 0 stands on the ground; where something is lower, the ground is.
-    let lows = scene
-        .objects()
-        .iter()
-        .filter_map(|object| object.bounds().ok());
+    let lows = objects.iter().filter_map(|object| object.bounds().ok());
     let level = lows.map(|bounds| bounds.min()[1]).fold(0.0, f64::min);
     let size = (max[0] - min[0]).max(max[2] - min[2]);
     let step = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0]
@@ -50,7 +52,7 @@ pub fn ground(scene: &Scene) -> Vec<Mark3> {
         let z = low[1] + i as f64 * step;
         marks.push(line([low[0], z], [high[0], z]));
     }
-    let middles = scene.objects().iter().map(super::super::Object::at);
+    let middles = objects.iter().map(super::super::Object::at);
     let dropped = middles.take(MOST_DROPPED).chain([position]);
     marks.extend(dropped.map(|[x, y, z]| {
         let down = Shape3::Segment([[x, y, z], [x, level, z]]);

@@ -10,7 +10,12 @@ use crate::{
     text::Value,
 };
 
-use super::{super::Scene, FaceLook, Fate, Solids, ground::ground, volume::volume};
+use super::{
+    super::{Object, Scene, Subject},
+    FaceLook, Fate, Solids,
+    ground::ground,
+    volume::volume,
+};
 
 /// The observer's, who goes round.
 pub const OBSERVER_VIEW: &str = "observer";
@@ -32,7 +37,7 @@ impl Scenery {
     pub fn new(scene: &Scene) -> Self {
         Self {
             scene: scene.clone(),
-            planes: scene.camera.camera().planes_in_world(),
+            planes: scene.culler().planes_in_world(),
         }
     }
 
@@ -58,10 +63,9 @@ impl Scenery {
         look: impl Fn(usize, usize) -> FaceLook,
         own: Vec<Mark3>,
     ) -> View {
-        let camera = self.scene.camera.camera();
         let (facets, edges) = self.solids(&fate, &look, true);
         let mut marks = ground(&self.scene);
-        marks.extend(volume(camera));
+        marks.extend(volume(self.scene.culler()));
         marks.extend(self.numbers());
         marks.extend(own);
         let space = Space {
@@ -74,24 +78,28 @@ impl Scenery {
         View::new(OBSERVER_VIEW, Body::Space(space))
     }
 
-    /// What the camera sees of all that is not culled.
+    /// What the camera sees of all that is not culled; where another one culls, its volume too, and what that cut off.
     pub fn camera(
         &self,
         fate: impl Fn(usize) -> Fate,
         look: impl Fn(usize, usize) -> FaceLook,
         marks: Vec<Mark3>,
     ) -> View {
+        let is_frozen = self.scene.frozen.is_some();
         let seen = |i: usize| match fate(i) {
-            Fate::Cut => Fate::Kept,
+            Fate::Cut if !is_frozen => Fate::Kept,
             other => other,
         };
         let (facets, edges) = self.solids(&seen, &look, false);
+        let frozen = self.scene.frozen.iter();
+        let mut own: Vec<Mark3> = frozen.flat_map(|f| volume(f.camera())).collect();
+        own.extend(marks);
         let space = Space {
             title: Some(Value::Term("view-camera")),
             seer: Seer::Camera(*self.scene.camera.camera()),
             facets,
             edges,
-            marks,
+            marks: own,
         };
         View::new(CAMERA_VIEW, Body::Space(space))
     }
@@ -103,7 +111,12 @@ impl Scenery {
         is_observed: bool,
     ) -> (Arc<[Facet]>, Arc<[Edge3]>) {
         let mut solids = Solids::default();
-        for (i, object) in self.scene.objects().iter().enumerate() {
+        let objects: &[Object] = if self.scene.shows_objects() {
+            self.scene.objects()
+        } else {
+            &[]
+        };
+        for (i, object) in objects.iter().enumerate() {
             let fate = fate(i);
             if is_observed || fate != Fate::Culled {
                 let look = |face| look(i, face);
@@ -112,14 +125,17 @@ impl Scenery {
             }
         }
         if is_observed {
-            solids.camera(self.scene.camera.camera(), self.glyph_size());
+            let frozen = self.scene.frozen.iter();
+            for camera in frozen.chain([&self.scene.camera]) {
+                solids.camera(camera.camera(), self.glyph_size());
+            }
         }
         solids.into_parts()
     }
 
     /// What a face is about: itself where faces are asked, else its object.
     fn link(&self, object_idx: usize, face_idx: usize) -> Link {
-        let asks_face = self.scene.on_stage().any(|method| method.info().asks_face);
+        let asks_face = self.scene.asks(Subject::Face);
         if asks_face && object_idx == self.scene.focus() {
             face_link(face_idx)
         } else {
@@ -137,10 +153,10 @@ impl Scenery {
     /// Each object's number over it.
     fn numbers(&self) -> Vec<Mark3> {
         let objects = self.scene.objects();
-        if objects.len() > MOST_NUMBERED {
+        if objects.len() > MOST_NUMBERED || !self.scene.shows_objects() {
             return Vec::new();
         }
-        let number = |(i, object): (usize, &super::super::Object)| {
+        let number = |(i, object): (usize, &Object)| {
             let bounds = object.bounds().ok()?;
             let [min, max] = [bounds.min(), bounds.max()];
             let top = [0.5 * (min[0] + max[0]), max[1], 0.5 * (min[2] + max[2])];

@@ -7,15 +7,19 @@ pub mod spot;
 use std::fmt::Write as _;
 
 use crate::{
+    geom::Solid,
     labs::{
         self, Lab,
-        frustum::{LAB, MAX_OBJECTS, Method, Object, Scene, SceneError, street},
+        frustum::{
+            LAB, MAX_OBJECTS, Method, Model, Object, Places, Scene, SceneError, TaughtCamera,
+            street,
+        },
     },
     lesson::{
         sink::Sink,
         toml_fields::{Item, TomlFields, list, numbers, whole},
     },
-    text::Message,
+    text::{Diagnostic, Message},
 };
 
 use super::{
@@ -27,8 +31,9 @@ use camera::{camera, camera_to_toml, eye, eye_to_toml, watching};
 use model::{is_whole, n_faces_inline, object, object_to_toml};
 
 /// The fields of a scene.
-const FIELDS: [&str; 9] = [
-    "method", "compare", "camera", "eye", "point", "objects", "street", "focus", "face",
+const FIELDS: [&str; 12] = [
+    "method", "compare", "camera", "frozen", "eye", "point", "segment", "triangle", "objects",
+    "street", "focus", "face",
 ];
 
 /// The spelling of this lab's scenes.
@@ -82,10 +87,11 @@ fn scene(fields: &TomlFields<'_>, room: &mut usize, sink: &mut Sink<'_>) -> Opti
         Some(item) => eye(item, sink),
         None => camera.as_ref().map(watching),
     };
-    let point = fields
-        .get("point")
-        .and_then(|item| numbers::<3>(item, "expect-place", sink));
-    let objects = objects(fields, room, sink);
+    let frozen = fields
+        .get("frozen")
+        .and_then(|item| self::camera(item, sink));
+    let places = places(fields, sink);
+    let objects = objects(fields, camera.as_ref(), room, sink);
     let mut index = |name, most: usize| {
         let item = fields.get(name)?;
         Some((item, whole(item, 0..most as u64, sink)? as usize))
@@ -93,10 +99,7 @@ fn scene(fields: &TomlFields<'_>, room: &mut usize, sink: &mut Sink<'_>) -> Opti
     let (focus, face) = (index("focus", MAX_OBJECTS), index("face", MAX_FACES));
     let scene = Scene::new(method?, camera?, eye?, objects?);
     let mut scene = refused_at(fields.span(), scene, sink)?;
-    scene.compare = compare;
-    if let Some(point) = point {
-        scene.set_point(point).ok()?;
-    }
+    (scene.compare, scene.frozen, scene.places) = (compare, frozen, places?);
     if let Some((item, focus)) = focus {
         refused_at(item.span(), scene.set_focus(focus), sink);
     }
@@ -106,13 +109,53 @@ fn scene(fields: &TomlFields<'_>, room: &mut usize, sink: &mut Sink<'_>) -> Opti
     (sink.n_errors() == n_errors).then_some(scene)
 }
 
+/// What is asked about besides objects.
+fn places(fields: &TomlFields<'_>, sink: &mut Sink<'_>) -> Option<Places> {
+    let mut places = Places::default();
+    if let Some(item) = fields.get("point") {
+        let point = numbers(item, "expect-place", sink)?;
+        places = refused_at(item.span(), places.with_point(point), sink)?;
+    }
+    if let Some(item) = fields.get("segment") {
+        let segment = rows(item, "expect-space-segment", sink)?;
+        places = refused_at(item.span(), places.with_segment(segment), sink)?;
+    }
+    if let Some(item) = fields.get("triangle") {
+        let triangle = rows(item, "expect-space-triangle", sink)?;
+        places = refused_at(item.span(), places.with_triangle(triangle), sink)?;
+    }
+    Some(places)
+}
+
+/// So many places in space.
+fn rows<const N: usize>(
+    item: &Item<'_>,
+    expected: &'static str,
+    sink: &mut Sink<'_>,
+) -> Option<[[f64; 3]; N]> {
+    let items = list(item, expected, sink)?;
+    let rows: Vec<[f64; 3]> = items
+        .iter()
+        .filter_map(|item| numbers(item, "expect-place", sink))
+        .collect();
+    if rows.len() < items.len() {
+        return None;
+    }
+    let made = rows.try_into();
+    if made.is_err() {
+        let message = Message::new("problem-too-few-places").with("count", items.len());
+        sink.error(item.span(), message, [Message::new(expected)]);
+    }
+    made.ok()
+}
+
 /// More faces than any mesh has.
 const MAX_FACES: usize = u32::MAX as usize;
 
 /// What the scene refuses is told at this place.
 fn refused_at<T>(
     span: std::ops::Range<usize>,
-    made: Result<T, SceneError>,
+    made: Result<T, impl Into<Diagnostic>>,
     sink: &mut Sink<'_>,
 ) -> Option<T> {
     made.map_err(|error| sink.refuse(span, error, [])).ok()
@@ -122,8 +165,13 @@ fn frustum_method(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Method> {
     Method::by_id(method(LAB, item, sink)?)
 }
 
-/// The objects of a scene, listed or a street of boxes: one of the two.
-fn objects(fields: &TomlFields<'_>, room: &mut usize, sink: &mut Sink<'_>) -> Option<Vec<Object>> {
+/// The objects of a scene, listed or a street of boxes: one of the two; where neither is given, a cube that the camera looks at.
+fn objects(
+    fields: &TomlFields<'_>,
+    camera: Option<&TaughtCamera>,
+    room: &mut usize,
+    sink: &mut Sink<'_>,
+) -> Option<Vec<Object>> {
     let (span, objects) = match (fields.get("objects"), fields.get("street")) {
         (Some(_), Some(street)) => {
             sink.error(
@@ -137,9 +185,11 @@ fn objects(fields: &TomlFields<'_>, room: &mut usize, sink: &mut Sink<'_>) -> Op
             let (count, seed) = count_and_seed(item, 1..MAX_OBJECTS as u64 + 1, sink)?;
             (item.span(), street(count, seed))
         }
-        _ => {
-            let item = fields.require("objects", sink)?;
-            (item.span(), listed(item, sink)?)
+        (Some(item), None) => (item.span(), listed(item, sink)?),
+        (None, None) => {
+            let [_, target, _] = camera?.places();
+            let cube = Object::new(Model::Solid(Solid::Cube), target, [0.0; 3], 1.0);
+            return Some(vec![cube.ok()?]);
         }
     };
     let n_faces: usize = objects.iter().map(n_faces_inline).sum();
@@ -166,6 +216,23 @@ fn listed(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Vec<Object>> {
     (objects.len() == items.len()).then_some(objects)
 }
 
+/// Writes what a file would not have by itself.
+fn places_to_toml(places: &Places, text: &mut String) {
+    let (usual, list) = (Places::default(), |rows: &[[f64; 3]]| {
+        let rows: Vec<String> = rows.iter().map(|row| array(row)).collect();
+        rows.join(", ")
+    });
+    if places.point() != usual.point() {
+        let _ = writeln!(text, "point = {}", array(&places.point()));
+    }
+    if places.segment() != usual.segment() {
+        let _ = writeln!(text, "segment = [{}]", list(&places.segment()));
+    }
+    if places.triangle() != usual.triangle() {
+        let _ = writeln!(text, "triangle = [{}]", list(&places.triangle()));
+    }
+}
+
 /// Writes a scene. A mesh of more faces than a file takes is a cube in it, under its name.
 fn to_toml(scene: &Scene) -> String {
     let mut text = format!("method = \"{}\"\n", scene.method.card().id);
@@ -174,9 +241,10 @@ fn to_toml(scene: &Scene) -> String {
     }
     let _ = writeln!(text, "camera = {}", camera_to_toml(&scene.camera));
     let _ = writeln!(text, "eye = {}", eye_to_toml(&scene.eye));
-    if scene.point() != [0.0; 3] {
-        let _ = writeln!(text, "point = {}", array(&scene.point()));
+    if let Some(frozen) = &scene.frozen {
+        let _ = writeln!(text, "frozen = {}", camera_to_toml(frozen));
     }
+    places_to_toml(&scene.places, &mut text);
     if scene.focus() > 0 {
         let _ = writeln!(text, "focus = {}", scene.focus());
     }

@@ -42,7 +42,7 @@ impl Answer for FunnelLevels {
 impl<L: CullRules + Variant> FrustumDemo for Shown<L> {
     fn input(scene: &Scene) -> Input {
         let own = FunnelInput {
-            camera: *scene.camera.camera(),
+            camera: *scene.culler(),
             objects: scene
                 .objects()
                 .iter()

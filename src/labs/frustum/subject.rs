@@ -1,0 +1,103 @@
+//! What the lab's methods ask about.
+
+use crate::geom::SpaceError;
+
+/// What a method is about.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Subject {
+    /// Objects of the scene, or the one in focus.
+    Object,
+    /// A face of the object in focus.
+    Face,
+    /// The scene's point.
+    Point,
+    /// The scene's segment; objects are left out of the picture.
+    Segment,
+    /// The scene's triangle; objects are left out of the picture.
+    Triangle,
+}
+
+impl Subject {
+    /// Do the scene's objects stand in the picture?
+    #[must_use]
+    pub const fn shows_objects(self) -> bool {
+        match self {
+            Self::Object | Self::Face | Self::Point => true,
+            Self::Segment | Self::Triangle => false,
+        }
+    }
+}
+
+/// What can be asked about besides objects: places in the world, all finite.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Places {
+    point: [f64; 3],
+    segment: [[f64; 3]; 2],
+    triangle: [[f64; 3]; 3],
+}
+
+impl Default for Places {
+    /// A segment and a triangle that the first scene's volume cuts.
+    fn default() -> Self {
+        Self {
+            point: [0.0; 3],
+            segment: [[-5.0, 0.5, 1.0], [3.0, 2.5, -4.0]],
+            triangle: [[-5.5, 0.5, 0.0], [3.0, 0.5, 1.0], [0.0, 4.5, -4.0]],
+        }
+    }
+}
+
+impl Places {
+    /// A point that is asked of planes.
+    #[must_use]
+    pub const fn point(&self) -> [f64; 3] {
+        self.point
+    }
+
+    /// Both ends of a segment, which may be one place.
+    #[must_use]
+    pub const fn segment(&self) -> [[f64; 3]; 2] {
+        self.segment
+    }
+
+    /// The corners of a triangle, with or without an area.
+    #[must_use]
+    pub const fn triangle(&self) -> [[f64; 3]; 3] {
+        self.triangle
+    }
+
+    /// The same with another point.
+    ///
+    /// # Errors
+    /// [`SpaceError::NotFinite`]
+    pub fn with_point(self, point: [f64; 3]) -> Result<Self, SpaceError> {
+        Self { point, ..self }.checked()
+    }
+
+    /// The same with another segment.
+    ///
+    /// # Errors
+    /// [`SpaceError::NotFinite`]
+    pub fn with_segment(self, segment: [[f64; 3]; 2]) -> Result<Self, SpaceError> {
+        Self { segment, ..self }.checked()
+    }
+
+    /// The same with another triangle.
+    ///
+    /// # Errors
+    /// [`SpaceError::NotFinite`]
+    pub fn with_triangle(self, triangle: [[f64; 3]; 3]) -> Result<Self, SpaceError> {
+        Self { triangle, ..self }.checked()
+    }
+
+    fn checked(self) -> Result<Self, SpaceError> {
+        let places = [&self.point].into_iter();
+        let places = places.chain(&self.segment).chain(&self.triangle);
+        for (index, &value) in places.flatten().enumerate() {
+            if !value.is_finite() {
+                return Err(SpaceError::NotFinite { index, value });
+            }
+        }
+        Ok(self)
+    }
+}
