@@ -1,6 +1,6 @@
 //! A box along the axes.
 
-use super::{SpaceError, space_error::finite};
+use super::{SpaceError, VolumeSide, space_error::finite};
 
 /// All points between two corners, both included. It may be flat, an edge or a point.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -58,6 +58,13 @@ impl AlignedBox {
     #[must_use]
     pub const fn max(&self) -> [f64; 3] {
         self.max
+    }
+
+    /// The coordinate of a face, along the axis across it. Near is the lowest z.
+    #[must_use]
+    pub const fn border(&self, side: VolumeSide) -> f64 {
+        let corner = if side.is_high() { self.max } else { self.min };
+        corner[side.axis()]
     }
 
     /// All eight: bit 0 of a corner's number says right rather than left, bit 1 top, bit 2 the higher z.

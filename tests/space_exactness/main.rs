@@ -4,6 +4,7 @@ mod culling;
 mod funnel;
 mod homogeneous;
 mod line_pixels;
+mod lines;
 mod pipeline;
 mod pixels;
 mod verdicts;

@@ -18,7 +18,7 @@ use crate::{
 };
 
 use super::{
-    super::parameter::{clamp_between, weighted_mean},
+    super::parameter::{Upright, clamp_between, weighted_mean},
     End,
 };
 
@@ -81,22 +81,17 @@ pub fn crossing_at<R: Real>(segment: &Segment, axis: Axis, border: f64) -> Cross
     }
 }
 
-/// Distances of P₁ and P₂ from a border, inside positive. One rounding each, and none in their signs.
-/// Where one overflows, half of both: only their ratio counts.
+/// Distances of P₁ and P₂ from a border, inside positive: see [`Upright::distances`].
 pub fn signed_distances<R: Real>(segment: &Segment, window: &Window, edge: Edge) -> [R; 2] {
-    let at_scale = |scale: f64| {
-        let c = R::new(scale * window.border(edge));
-        End::BOTH.map(|end| {
-            let [a, _] = split::<f64>(end.of(segment), edge.axis());
-            let a = R::new(scale * a);
-            if edge.is_max() { c - a } else { a - c }
-        })
-    };
-    let distances = at_scale(1.0);
-    if distances.iter().all(|d| d.get().is_finite()) {
-        distances
-    } else {
-        at_scale(0.5)
+    upright(segment, window, edge).distances()
+}
+
+/// A side and both ends, along the axis across it.
+pub fn upright(segment: &Segment, window: &Window, edge: Edge) -> Upright {
+    Upright {
+        ends: End::BOTH.map(|end| split::<f64>(end.of(segment), edge.axis())[0]),
+        at: window.border(edge),
+        is_max: edge.is_max(),
     }
 }
 

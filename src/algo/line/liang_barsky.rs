@@ -39,14 +39,14 @@
 use serde::Serialize;
 
 use crate::{
-    geom::{Edge, Point, Segment, Window},
+    geom::{Edge, Point, Segment},
     trace::{Algorithm, Real},
 };
 
 use super::{
     super::parameter::{Interval, Param},
     End, Visible, WindowInput,
-    crossing::{corner_between, on_border, signed_distances, split},
+    crossing::{corner_between, on_border, signed_distances, upright},
     segment_between,
 };
 
@@ -314,7 +314,7 @@ fn shrink<R: Real>(
     use LiangBarskyEvent as Event;
     let leaving = p > R::new(0.0);
     let param = Param {
-        u: quotient(q, p, segment, window, edge),
+        u: upright(segment, window, edge).quotient(q, p),
         border: Some(edge),
         leaving,
     };
@@ -345,18 +345,6 @@ fn shrink<R: Real>(
         empty,
     });
     !empty
-}
-
-/// `q / p`, also where a difference of huge coordinates has overflowed: halves give the same quotient. A zero
-/// has no sign.
-fn quotient<R: Real>(q: R, p: R, segment: &Segment, window: &Window, edge: Edge) -> R {
-    if q.get().is_finite() && p.get().is_finite() {
-        return R::new((q / p).get() + 0.0);
-    }
-    let [a1, _] = split::<f64>(segment.p1, edge.axis());
-    let [a2, _] = split::<f64>(segment.p2, edge.axis());
-    let c = window.border(edge);
-    R::new((0.5 * c - 0.5 * a1) / (0.5 * a2 - 0.5 * a1))
 }
 
 /// The corner that the line touches: there it comes in across one side and goes out across the other.

@@ -5,6 +5,7 @@ mod interval;
 mod mean;
 mod order;
 mod share;
+mod upright;
 
 use serde::Serialize;
 
@@ -12,6 +13,7 @@ pub use interval::Interval;
 pub use mean::{Ratio, clamp_between, weighted_mean};
 pub use order::{Param, compare_products};
 pub use share::Share;
+pub use upright::Upright;
 
 /// One of a segment's two ends.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, Serialize)]

@@ -48,7 +48,7 @@ pub struct ClipVertex<A = ()> {
 
 /// w + x for the left side, w − x for the right: not below 0 inside. The sign is exact.
 #[inline]
-fn distance<R: Real>(side: VolumeSide, at: [f64; 4]) -> R {
+pub(super) fn distance<R: Real>(side: VolumeSide, at: [f64; 4]) -> R {
     let [along, w] = [at[side.axis()], at[3]].map(R::new);
     if side.is_high() { w - along } else { w + along }
 }
@@ -66,7 +66,7 @@ impl VolumeSide {
 
     /// By the ends' distances; by those of half of everything where a difference is too large for f64.
     #[inline]
-    fn share<R: Real>(self, ends: [[f64; 4]; 2], [d1, d2]: [R; 2]) -> Share<R> {
+    pub(super) fn share<R: Real>(self, ends: [[f64; 4]; 2], [d1, d2]: [R; 2]) -> Share<R> {
         let whole = d1 - d2;
         if !whole.get().is_finite() {
             let quarter = ends.map(|at| distance::<R>(self, at.map(|x| 0.25 * x)));

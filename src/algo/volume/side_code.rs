@@ -2,7 +2,10 @@
 
 use serde::{Serialize, Serializer};
 
-use crate::{geom::VolumeSide, trace::Real};
+use crate::{
+    geom::{AlignedBox, VolumeSide},
+    trace::Real,
+};
 
 /// Six bits, written far, near, top, bottom, right, left: the last four are those of the plane.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -39,6 +42,17 @@ impl SideCode {
         Self(across | up << 2 | deep << 4)
     }
 
+    /// Of a point in space: beyond a face of the box. Six comparisons and no branch.
+    #[inline]
+    #[must_use]
+    pub fn of_box<R: Real>(at: [R; 3], bounds: &AlignedBox) -> Self {
+        let beyond = |axis: usize| {
+            let [low, high] = [bounds.min()[axis], bounds.max()[axis]].map(R::new);
+            u8::from(at[axis] < low) | u8::from(at[axis] > high) << 1
+        };
+        Self(beyond(0) | beyond(1) << 2 | beyond(2) << 4)
+    }
+
     /// Bitwise OR.
     #[inline]
     #[must_use]
@@ -58,6 +72,21 @@ impl SideCode {
     #[must_use]
     pub const fn is_inside(self) -> bool {
         self.0 == 0
+    }
+
+    /// The side of the lowest bit that is set; `None` for 000000.
+    #[inline]
+    #[must_use]
+    pub fn lowest(self) -> Option<VolumeSide> {
+        let mut from_lowest = Self::WRITTEN.into_iter().rev();
+        from_lowest.find(|&side| self.has(side))
+    }
+
+    /// The sides whose bits are set, as they are written.
+    pub fn sides(self) -> impl Iterator<Item = VolumeSide> {
+        Self::WRITTEN
+            .into_iter()
+            .filter(move |&side| self.has(side))
     }
 
     /// Is the point beyond this side?
@@ -83,6 +112,28 @@ impl Serialize for SideCode {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn twenty_seven_regions_and_their_lowest_bits() {
+        let bounds = AlignedBox::new([-1.0, -1.0, -1.0, 1.0, 1.0, 1.0]).unwrap();
+        let places = [-2.0, 0.0, 2.0];
+        let mut seen = Vec::new();
+        for z in places {
+            for y in places {
+                for x in places {
+                    let code = SideCode::of_box([x, y, z], &bounds);
+                    assert_eq!(code, SideCode::of([x, y, z, 1.0]), "({x}, {y}, {z})");
+                    let lowest = code.sides().last();
+                    assert_eq!(code.lowest(), lowest, "{code}");
+                    seen.push(code.to_string());
+                }
+            }
+        }
+        seen.sort_unstable();
+        seen.dedup();
+        assert_eq!(seen.len(), 27);
+        assert_eq!(seen[0], "000000");
+    }
 
     #[test]
     fn digits_from_far_to_left() {
