@@ -31,8 +31,14 @@ impl App {
             Command::TypeAt(handle, at) => self.start_typing(Some(handle), Some(at)),
             Command::TypeChosen => self.start_typing(self.stage.chosen(), None),
             Command::CloseOutline if self.stage.sketch.is_none() => {
-                self.start_typing(self.stage.focused, None);
+                if let Some(handle) = self.stage.focused {
+                    self.start_typing(Some(handle), None);
+                } else {
+                    self.go_to_verdict();
+                }
             }
+            Command::Ask(about) => self.stage.asked = about,
+            Command::Verdict => self.go_to_verdict(),
             Command::Typed => self.apply_typed(now),
             Command::Select(handle) => self.stage.selected = Some(handle),
             Command::DrawNth(nth) => {
@@ -113,6 +119,16 @@ impl App {
                 self.settings.speed = speed;
             }
             _ => {}
+        }
+    }
+
+    /// To the step that decided what was asked about.
+    fn go_to_verdict(&mut self) {
+        let document = self.history.now().document();
+        let verdict = self.stage.asked.and_then(|about| document.verdict(about));
+        let step = verdict.and_then(|verdict| verdict.step_of(self.playback.main()));
+        if let Some(step) = step {
+            self.apply_transport(&Command::Seek(step));
         }
     }
 
@@ -268,7 +284,7 @@ impl App {
             return;
         }
         self.shown.room = Room::Stage;
-        self.stage.selected = None;
+        (self.stage.selected, self.stage.asked) = (None, None);
     }
 
     /// Does the stage show the lesson's own scene?

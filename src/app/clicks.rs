@@ -64,15 +64,19 @@ pub fn ask(
     }
     if let Some(&vertex) = vertex.filter(|handle| handle.kind().is_vertex) {
         commands.push(Command::Select(vertex));
+        commands.push(Command::Ask(vertex.link()));
         return;
     }
     let place = place_at(ui, &shown.viewport, click.at, model.settings.snap);
-    let asked = model.scene.document().click(&Click {
+    let click = Click {
         place: lens.world_from_drawing(place, [0.0; 3]),
         inserts: click.is_double || click.has_ctrl,
         ..click_at(&shown.viewport, lens, locks, (click.at, shown.pointed))
-    });
-    commands.extend(asked.map(|change| Command::Edit(Edit::Own(change), None)));
+    };
+    let document = model.scene.document();
+    let change = document.click(&click);
+    commands.extend(change.map(|change| Command::Edit(Edit::Own(change), None)));
+    commands.push(Command::Ask(document.asked(&click)));
 }
 
 /// A plain click at a place on the screen.

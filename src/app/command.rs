@@ -3,7 +3,7 @@
 use egui::{Key, Modifiers, Pos2};
 
 use crate::{
-    figure::ViewId,
+    figure::{Link, ViewId},
     geom::Orbit,
     labs::{Edit, Handle, OutlineKind},
     lesson::CodeView,
@@ -56,6 +56,10 @@ pub enum Command {
     Remove,
     /// Takes hold of a vertex: what Insert and Delete are about.
     Select(Handle),
+    /// Asks why this was kept or dropped; or nothing any more.
+    Ask(Option<Link>),
+    /// To the step that says so.
+    Verdict,
     /// Opens the field in which the place of a handle is typed, or closes it.
     Type(Option<Handle>),
     /// The same where its place is shown.
@@ -147,6 +151,7 @@ impl Command {
                 | Self::First
                 | Self::Last
                 | Self::Phase(_)
+                | Self::Verdict
                 | Self::Play
                 | Self::Add
                 | Self::Remove

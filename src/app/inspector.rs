@@ -267,23 +267,21 @@ fn lines(model: &Model<'_>, column: usize) -> Vec<CodeText> {
     code.iter().map(line).collect()
 }
 
-/// Why what is looked at was kept or dropped, and the way to the step that says so: once somebody has looked at something else than
-/// the page does.
+/// Why what was clicked was kept or dropped, and the way to the step that says so.
 fn verdict(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &mut Vec<Command>) {
     let look = model.look;
-    let verdict = state.verdicts.of(model, ui);
-    let Some(verdict) = verdict.filter(|_| !model.is_untouched) else {
+    let about = state.asked;
+    let verdict = about.and_then(|about| state.verdicts.of(model, ui, about));
+    let Some(verdict) = verdict else {
         return;
     };
     rule(ui, look);
     section(ui, look, &look.say("verdict-title"));
     ui.label(RichText::new(look.catalog.message(&verdict.message)));
-    let run = model.playback.main();
-    let step = verdict.moment.as_ref().and_then(|moment| run.find(moment));
-    if let Some(step) = step {
+    if verdict.step_of(model.playback.main()).is_some() {
         let text = RichText::new(look.say("verdict-go")).color(look.theme.accent);
         if ui.add(egui::Button::new(text).frame(false)).clicked() {
-            commands.push(Command::Seek(step));
+            commands.push(Command::Verdict);
         }
     }
 }

@@ -131,6 +131,7 @@ fn help(ctx: &Context, look: Look<'_>, commands: &mut Vec<Command>) {
                             ("Tab", "help-tab"),
                             ("↑ ↓ ← →", "help-nudge"),
                             ("Shift  Alt", "help-alt"),
+                            ("Enter", "help-verdict"),
                         ] {
                             ui.label(RichText::new(keys).monospace().color(look.theme.ink));
                             ui.label(RichText::new(look.say(help)).color(look.theme.soft));

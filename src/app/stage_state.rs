@@ -43,6 +43,8 @@ pub struct StageState {
     pub focused: Option<Handle>,
     /// The vertex that was clicked or dragged last: what Insert and Delete are about.
     pub selected: Option<Handle>,
+    /// What was clicked last, to be told why it was kept or dropped.
+    pub asked: Option<Link>,
     /// Half an outline, while one is drawn.
     pub sketch: Option<Sketch>,
     /// The methods that can take a refused scene, and the revision of it.

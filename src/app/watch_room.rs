@@ -4,7 +4,7 @@
 use egui::Ui;
 
 use crate::{
-    figure::{CodeLinks, Run, Watch, watches},
+    figure::{CodeLinks, Link, Run, Watch, watches},
     labs::Verdict,
     text::Message,
     widgets::WatchRoom,
@@ -53,15 +53,21 @@ impl CodeLinkRooms {
     }
 }
 
-/// Why what is looked at was kept or dropped.
+/// Why what was clicked was kept or dropped.
 #[derive(Default)]
-pub struct Verdicts(RunRoom<Option<Verdict>>);
+pub struct Verdicts {
+    about: Option<Link>,
+    room: RunRoom<Option<Verdict>>,
+}
 
 impl Verdicts {
-    /// Of the scene on stage.
-    pub fn of(&mut self, model: &Model<'_>, ui: &Ui) -> Option<&Verdict> {
-        let verdict = || model.scene.document().verdict();
-        self.0.get(model, ui, 0.0, verdict).as_ref()
+    /// Of what is asked about in the scene on stage.
+    pub fn of(&mut self, model: &Model<'_>, ui: &Ui, about: Link) -> Option<&Verdict> {
+        if self.about.replace(about) != Some(about) {
+            self.room = RunRoom::default();
+        }
+        let verdict = || model.scene.document().verdict(about);
+        self.room.get(model, ui, 0.0, verdict).as_ref()
     }
 }
 

@@ -63,8 +63,12 @@ pub trait Document: Plain {
     fn cost_of_all(&self, _column: usize) -> Option<Message> {
         None
     }
-    /// What decided the fate of the part that is looked at, and what would turn it.
-    fn verdict(&self) -> Option<Verdict> {
+    /// What a click asks about.
+    fn asked(&self, click: &Click<'_>) -> Option<Link> {
+        click.link
+    }
+    /// What decided the fate of what is asked about, and what would turn it.
+    fn verdict(&self, _about: Link) -> Option<Verdict> {
         None
     }
     /// Can the method of this id take the scene?
@@ -111,6 +115,14 @@ pub struct Verdict {
     pub message: Message,
     /// Where the first run says so.
     pub moment: Option<Moment>,
+}
+
+impl Verdict {
+    /// The step of a run that says so, if it does.
+    #[must_use]
+    pub fn step_of(&self, run: &dyn Run) -> Option<usize> {
+        self.moment.as_ref().and_then(|moment| run.find(moment))
+    }
 }
 
 /// What any document can do besides: it is copied, compared and printed. Nobody writes this by hand.

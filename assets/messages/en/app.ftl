@@ -49,7 +49,7 @@ pseudocode-hidden = Hidden
 pseudocode-hidden-note = Hidden: what comes next?
 watch-empty = Nothing has been computed yet.
 verdict-title = Why?
-verdict-go = Go to its step
+verdict-go = Go to its step (Enter)
 cost-additions = additions and subtractions
 cost-sums = additions
 cost-multiplications = multiplications
@@ -154,6 +154,7 @@ help-tab = To the next handle or button
 help-nudge = Move the handle that has the focus; Shift: ten times as far
 help-type = Type the place of the selected handle
 help-alt = While dragging: off the grid
+help-verdict = Go to the step that decided what was clicked
 status-last-good = The last version that worked is shown.
 status-more-problems =
     { $count ->

@@ -49,7 +49,7 @@ pseudocode-hidden = Oculto
 pseudocode-hidden-note = Oculto: ¿qué sigue ahora?
 watch-empty = Todavía no se ha calculado nada.
 verdict-title = ¿Por qué?
-verdict-go = Ir a ese paso
+verdict-go = Ir a ese paso (Intro)
 cost-additions = sumas y restas
 cost-sums = sumas
 cost-multiplications = multiplicaciones
@@ -154,6 +154,7 @@ help-tab = Al siguiente tirador o botón
 help-nudge = Mover el tirador que tiene el foco; con Mayús, diez veces más lejos
 help-type = Escribir la posición del tirador elegido
 help-alt = Al arrastrar: sin ajustar a la cuadrícula
+help-verdict = Ir al paso que decidió el destino de lo pulsado
 status-last-good = Se muestra la última versión que funcionaba.
 status-more-problems =
     { $count ->

@@ -49,7 +49,7 @@ pseudocode-hidden = Oculto
 pseudocode-hidden-note = Oculto: o que vem a seguir?
 watch-empty = Nada foi calculado ainda.
 verdict-title = Por quê?
-verdict-go = Ir a esse passo
+verdict-go = Ir a esse passo (Enter)
 cost-additions = somas e subtrações
 cost-sums = somas
 cost-multiplications = multiplicações
@@ -154,6 +154,7 @@ help-tab = Ir para o próximo ponto de controle ou botão
 help-nudge = Mover o ponto de controle que tem o foco; com Shift, dez vezes mais longe
 help-type = Digitar a posição do ponto de controle escolhido
 help-alt = Ao arrastar: sem ajustar à grade
+help-verdict = Ir ao passo que decidiu o destino do que foi clicado
 status-last-good = É exibida a última versão que funcionava.
 status-more-problems =
     { $count ->

@@ -45,7 +45,7 @@ pseudocode-hidden = 隐藏
 pseudocode-hidden-note = 已隐藏：下一步会是什么？
 watch-empty = 尚未进行任何计算。
 verdict-title = 为什么？
-verdict-go = 转到该步
+verdict-go = 转到该步（Enter）
 cost-additions = 加减法
 cost-sums = 加减
 cost-multiplications = 乘法
@@ -146,6 +146,7 @@ help-tab = 转到下一个控制柄或按钮
 help-nudge = 移动获得焦点的控制柄；按住 Shift：十倍距离
 help-type = 输入所选控制柄的坐标
 help-alt = 拖动时：不吸附网格
+help-verdict = 转到决定所点对象去留的那一步
 status-last-good = 显示的是上一个可用的版本。
 status-more-problems = ……另有 { $count } 个问题。
 

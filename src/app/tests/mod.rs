@@ -16,6 +16,7 @@ mod places;
 mod polygons;
 mod presentation;
 mod third_lab;
+mod verdicts;
 
 use egui::{
     Context, Event, Key, Modifiers, PointerButton, Pos2, RawInput, Rect, Vec2, ViewportId, pos2,

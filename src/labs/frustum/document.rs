@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::{
-    figure::{Mark, Run},
+    figure::{Link, Mark, Run},
     labs::{Click, Document, Handle, Lab, MethodCard, Own, Verdict},
     text::Diagnostic,
 };
@@ -59,8 +59,8 @@ impl Document for Scene {
         self.on_stage().map(record).collect()
     }
 
-    fn verdict(&self) -> Option<Verdict> {
-        verdict(self)
+    fn verdict(&self, about: Link) -> Option<Verdict> {
+        verdict(self, about)
     }
 
     /// Everything is in the views: what is seen depends on the step.

@@ -8,7 +8,7 @@ use crate::{
     text::{Diagnostic, Message},
 };
 
-use super::{Opening, Scene, Subject};
+use super::{Opening, Scene, Subject, stage::object_link};
 
 const fn kind(
     id: &'static str,
@@ -45,6 +45,7 @@ static CORNER: HandleKind = HandleKind {
 static OBJECT: HandleKind = HandleKind {
     is_vertex: true,
     is_whole: true,
+    link: Some(|[i, _]| object_link(i)),
     ..kind("object", "object", |[i, _]| {
         Message::new("handle-object").with("number", i + 1)
     })

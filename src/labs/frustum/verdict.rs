@@ -1,17 +1,23 @@
-//! Why the object that is looked at was kept or culled, in a sentence.
+//! Why an object was kept or culled, in a sentence.
 
 use crate::{
     algo::cull::{Containment, SphereCullInput, sphere_verdict},
     geom::VolumeSide,
+    figure::Link,
     labs::Verdict,
     text::{Message, Value},
 };
 
-use super::{Scene, stage::side_name};
+use super::{
+    Scene,
+    stage::{object_link, side_name},
+};
 
-/// The verdict on the object in focus, by its bounding sphere; and the step of the funnel that says so.
-pub fn verdict(scene: &Scene) -> Option<Verdict> {
-    let sphere = scene.focused().in_funnel().sphere;
+/// The verdict on the object that is asked about, by its bounding sphere; and the step of the funnel that says so.
+pub fn verdict(scene: &Scene, about: Link) -> Option<Verdict> {
+    let mut objects = scene.objects().iter().enumerate();
+    let (object_idx, object) = objects.find(|(i, _)| about == object_link(*i))?;
+    let sphere = object.in_funnel().sphere;
     let planes = scene.culler().planes_in_world().to_vec();
     let verdict = sphere_verdict(&SphereCullInput { planes, sphere })?;
     let side = VolumeSide::ALL[verdict.plane_idx];
@@ -22,7 +28,7 @@ pub fn verdict(scene: &Scene) -> Option<Verdict> {
         (Containment::Inside, _) => "verdict-inside",
     };
     let message = Message::new(key)
-        .with("object", scene.focus() + 1)
+        .with("object", object_idx + 1)
         .with("plane", side_name(side))
         .with("distance", Value::Number(verdict.distance))
         .with("radius", Value::Number(sphere.radius()))
@@ -30,10 +36,6 @@ pub fn verdict(scene: &Scene) -> Option<Verdict> {
             "move",
             Value::Number(verdict.turn.unwrap_or_default().abs()),
         );
-    let is_in_funnel = scene.method.card().id.contains("funnel");
-    let moment = format!("object #{}", scene.focus() + 1).parse().ok();
-    Some(Verdict {
-        message,
-        moment: moment.filter(|_| is_in_funnel),
-    })
+    let moment = format!("sphere #{}", object_idx + 1).parse().ok();
+    Some(Verdict { message, moment })
 }

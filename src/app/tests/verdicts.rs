@@ -1,0 +1,64 @@
+//! Why? What is clicked is told, and Enter goes to the step that decided it.
+
+use egui::{Key, Pos2};
+
+use super::{Bench, SIZE};
+use crate::app::{App, Command, Settings};
+use crate::lesson::Course;
+
+/// On this lab's first scene.
+fn bench(lab: &'static str) -> Bench {
+    let mut bench = Bench::with(App::new(Course::default(), Settings::default()), SIZE);
+    bench.command(Command::Lab(lab));
+    bench
+}
+
+impl Bench {
+    /// What the inspector says under "Why?".
+    fn verdict(&mut self) -> Option<String> {
+        let texts = self.texts();
+        let title = texts.iter().position(|(text, _)| text == "Why?")?;
+        texts.get(title + 1).map(|(text, _)| text.clone())
+    }
+
+    fn click_there(&mut self, at: Pos2) {
+        self.button(at, true);
+        self.button(at, false);
+        self.settle();
+    }
+}
+
+#[test]
+fn an_object_that_is_clicked_is_told_and_enter_goes_to_its_step() {
+    let mut bench = bench("frustum");
+    assert_eq!(bench.verdict(), None, "nothing was asked");
+    bench.key(Key::Enter);
+    assert_eq!(bench.app.position(), 0);
+    let object = bench.app.stage.on_screen([-6.5, 0.8, 0.5]);
+    bench.click_there(object.expect("it is in sight"));
+    let said = bench.verdict().expect("it is told");
+    assert!(said.starts_with("Object 5 is culled"), "{said}");
+    bench.key(Key::Enter);
+    let step = bench.app.position();
+    let event = bench.app.playback.main().event_json(step);
+    assert_eq!(event["event"], "sphere");
+    assert_eq!(event["class"], "outside");
+    bench.key(Key::Home);
+    bench.click_on("Go to its step (Enter)");
+    assert_eq!(bench.app.position(), step);
+    bench.key(Key::Escape);
+    assert_eq!(bench.verdict(), None, "nothing is asked any more");
+}
+
+#[test]
+fn enter_belongs_to_whoever_has_the_focus() {
+    let mut bench = bench("frustum");
+    let object = bench.app.stage.on_screen([-6.5, 0.8, 0.5]);
+    bench.click_there(object.expect("it is in sight"));
+    let handle = bench.app.stage.handle_ids[0];
+    bench.ctx.memory_mut(|memory| memory.request_focus(handle));
+    bench.settle();
+    bench.key(Key::Enter);
+    assert!(bench.app.stage.typing.is_some(), "the handle's place");
+    assert_eq!(bench.app.position(), 0);
+}
