@@ -2,8 +2,8 @@
 
 use crate::{
     algo::cull::{Containment, SphereCullInput, sphere_verdict},
-    geom::VolumeSide,
     figure::Link,
+    geom::VolumeSide,
     labs::Verdict,
     text::{Message, Value},
 };
