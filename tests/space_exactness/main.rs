@@ -7,5 +7,6 @@ mod line_pixels;
 mod lines;
 mod pipeline;
 mod pixels;
+mod triangles;
 mod verdicts;
 mod whole;

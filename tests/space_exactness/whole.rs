@@ -34,8 +34,19 @@ pub fn have_a_common_point(mut rows: Vec<[i128; 4]>) -> bool {
     rows.iter().all(|row| row[3] >= 0)
 }
 
-/// Divided by what all four have in common.
-fn shortened(row: [i128; 4]) -> [i128; 4] {
+/// a·b
+pub fn sum_of_four(a: [i128; 4], b: [i128; 4]) -> i128 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// a × b
+pub fn cross(a: [i128; 3], b: [i128; 3]) -> [i128; 3] {
+    let at = |i: usize, j: usize| a[i] * b[j] - a[j] * b[i];
+    [at(1, 2), at(2, 0), at(0, 1)]
+}
+
+/// Divided by what all of them have in common.
+pub fn shortened<const N: usize>(row: [i128; N]) -> [i128; N] {
     let common = row.iter().fold(0, |a, &b| gcd(a, b.abs()));
     row.map(|x| if common == 0 { x } else { x / common })
 }

@@ -1,8 +1,6 @@
 //! What is left of a triangle in the clip volume: a convex polygon without a heap.
 
-use crate::geom::sign_of_three;
-
-use super::clip_vertex::ClipVertex;
+use super::{clip_vertex::ClipVertex, space_vertex::independent};
 
 /// At most nine vertices in clip space: three, and one more for each of six sides.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -63,14 +61,8 @@ impl<A: Copy> ClipPolygon<A> {
     /// four rows that their coordinates make are dependent.
     #[must_use]
     pub fn has_area(&self) -> bool {
-        const MINORS: [[usize; 3]; 4] = [[0, 1, 3], [0, 1, 2], [0, 2, 3], [1, 2, 3]];
         let vertices = self.vertices();
-        (2..self.len).any(|i| {
-            let corners = [vertices[0], vertices[i - 1], vertices[i]];
-            MINORS.iter().any(|minor| {
-                let rows = corners.map(|v| minor.map(|axis| v.at[axis]));
-                sign_of_three(rows).is_ne()
-            })
-        })
+        (2..self.len)
+            .any(|i| independent([vertices[0], vertices[i - 1], vertices[i]].map(|v| v.at)))
     }
 }

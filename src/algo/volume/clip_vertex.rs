@@ -23,6 +23,13 @@ impl Attributes for () {
     fn crossing<R: Real>(&self, (): &Self, _: &Share<R>) -> Self {}
 }
 
+impl<A: Attributes> Attributes for Option<A> {
+    #[inline]
+    fn crossing<R: Real>(&self, outside: &Self, share: &Share<R>) -> Self {
+        Some(self.as_ref()?.crossing(outside.as_ref()?, share))
+    }
+}
+
 impl<const N: usize> Attributes for [f64; N] {
     #[inline]
     fn crossing<R: Real>(&self, outside: &Self, share: &Share<R>) -> Self {
@@ -44,6 +51,22 @@ pub struct ClipVertex<A = ()> {
     pub at: [f64; 4],
     /// What travels with it.
     pub attributes: A,
+}
+
+impl<A> ClipVertex<A> {
+    /// By w, and then a point with w = 1; one with w = 0, which no point is, stays where it is.
+    pub(super) fn divided(self) -> Self {
+        let [x, y, z, w] = self.at;
+        let at = [x / w, y / w, z / w, 1.0];
+        Self {
+            at: if at.iter().all(|x| x.is_finite()) {
+                at
+            } else {
+                self.at
+            },
+            ..self
+        }
+    }
 }
 
 /// w + x for the left side, w − x for the right: not below 0 inside. The sign is exact.

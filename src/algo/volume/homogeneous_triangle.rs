@@ -37,13 +37,14 @@ use serde::Serialize;
 use crate::{
     algo::{
         parameter::Ratio,
-        ring::{Clip, Crossing, Happening, Right, Rule, Rules},
+        ring::{Clip, Crossing, Happening, Right, Rule},
     },
     geom::VolumeSide,
     trace::{Algorithm, Real},
 };
 
 use super::{
+    VolumeRules,
     clip_polygon::ClipPolygon,
     clip_vertex::{Attributes, ClipVertex},
     side_code::SideCode,
@@ -57,6 +58,11 @@ pub struct HomogeneousTriangle<A = (), L = Right>(PhantomData<(A, L)>);
 #[derive(Clone, Copy, PartialEq, Debug, Serialize)]
 #[serde(tag = "event", rename_all = "kebab-case")]
 pub enum HomogeneousTriangleEvent<A> {
+    /// By a mistake: the vertices are divided by w before anything is clipped.
+    Divide {
+        /// What comes of them.
+        triangle: [ClipVertex<A>; 3],
+    },
     /// The vertices' codes.
     Codes {
         /// Of each vertex.
@@ -136,7 +142,7 @@ pub struct HomogeneousTriangleState<A> {
     pub is_done: bool,
 }
 
-impl<A: Attributes, L: Rules> Algorithm for HomogeneousTriangle<A, L> {
+impl<A: Attributes, L: VolumeRules> Algorithm for HomogeneousTriangle<A, L> {
     type Input = [ClipVertex<A>; 3];
     type Output = ClipPolygon<A>;
     type Event = HomogeneousTriangleEvent<A>;
@@ -144,15 +150,23 @@ impl<A: Attributes, L: Rules> Algorithm for HomogeneousTriangle<A, L> {
 
     fn run<R: Real>(triangle: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Self::Output {
         use HomogeneousTriangleEvent as Event;
+        let triangle = &if L::DIVIDES_FIRST {
+            let triangle = triangle.map(ClipVertex::divided);
+            emit(Event::Divide { triangle });
+            triangle
+        } else {
+            *triangle
+        };
         let codes = triangle.each_ref().map(|v| SideCode::of(v.at.map(R::new)));
         let [a, b, c] = codes;
         let (or, and) = (a.or(b).or(c), a.and(b).and(c));
         emit(Event::Codes { codes, or, and });
         let mut list = ClipPolygon::of(triangle);
-        if !and.is_inside() {
+        if L::ASKS_CODES && !and.is_inside() {
             list = list.emptied();
         }
-        for side in VolumeSide::ALL.into_iter().filter(|&side| or.has(side)) {
+        let is_named = |side: &VolumeSide| !L::ASKS_CODES || or.has(*side);
+        for side in VolumeSide::ALL.into_iter().filter(is_named) {
             if list.vertices().is_empty() {
                 break;
             }
@@ -182,6 +196,10 @@ impl<A: Attributes, L: Rules> Algorithm for HomogeneousTriangle<A, L> {
     fn apply(state: &mut Self::State, event: Self::Event) {
         use HomogeneousTriangleEvent as Event;
         match event {
+            Event::Divide { triangle } => {
+                state.input = ClipPolygon::of(&triangle);
+                state.output = state.input.emptied();
+            }
             Event::Codes { codes, or, and } => state.codes = Some((codes, or, and)),
             Event::Side { side } => state.side = Some(side),
             Event::First { .. } => {}
@@ -211,16 +229,16 @@ impl<A: Attributes, L: Rules> Algorithm for HomogeneousTriangle<A, L> {
         state.input
     }
 
-    /// Codes and end; for each of six sides its turn, the first vertex with its output, three events and as many copies of
+    /// A division by mistake, codes and end; for each of six sides its turn, the first vertex with its output, three events and as many copies of
     /// the crossing as there are for each of at most nine edges, and the pass.
     fn max_events(_: &Self::Input) -> usize {
-        2 + 6 * (4 + ClipPolygon::<A>::MAX_VERTICES * (3 + L::COPIES))
+        3 + 6 * (4 + ClipPolygon::<A>::MAX_VERTICES * (3 + L::COPIES))
     }
 }
 
 /// What is left of a polygon on the inner side of one side.
 #[inline]
-fn clip_by<A: Attributes, L: Rules, R: Real>(
+fn clip_by<A: Attributes, L: VolumeRules, R: Real>(
     side: VolumeSide,
     input: &ClipPolygon<A>,
     emit: &mut impl FnMut(HomogeneousTriangleEvent<A>),

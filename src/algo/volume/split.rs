@@ -1,42 +1,30 @@
 //! A flat polygon in space against one plane.
 
+use std::slice;
+
 use crate::{
-    algo::{
-        parameter::Share,
-        ring::{Clip, Crossing, Happening, Limit, Right},
-    },
+    algo::ring::{Clip, Crossing, Happening, Limit, Right},
     geom::Plane,
     trace::Real,
 };
 
-use super::weighted_sum;
+use super::plane_cut::{PlaneCut, distance, plane_cut};
 
 impl Limit<[f64; 3]> for Plane {
     #[inline]
     fn distance<R: Real>(&self, vertex: &[f64; 3]) -> R {
-        weighted_sum(self, *vertex)
+        distance(self, *vertex)
     }
 
-    /// From the inside end to the outside one, whichever way the edge is walked.
+    #[inline]
     fn crossing<R: Real>(
         &self,
         ends: [&[f64; 3]; 2],
         distances: [R; 2],
     ) -> Option<Crossing<[f64; 3]>> {
-        let is_leaving = distances[0].get() > 0.0;
-        let ([inside, outside], [d1, d2]) = if is_leaving {
-            (ends, distances)
-        } else {
-            ([ends[1], ends[0]], [distances[1], distances[0]])
-        };
-        let share = Share {
-            weights: [d1, -d2],
-            whole: d1 - d2,
-            raw: [-d1.get(), -d2.get(), 0.0],
-        };
-        let at = std::array::from_fn(|i| share.mean(inside[i], outside[i]));
-        let t = share.ratio(is_leaving);
-        (at != *inside).then_some(Crossing { at, t })
+        let cut = plane_cut(slice::from_ref(self), ends.map(|&end| end), distances)?;
+        let PlaneCut { at, t, .. } = cut;
+        Some(Crossing { at, t })
     }
 }
 

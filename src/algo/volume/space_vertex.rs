@@ -1,0 +1,118 @@
+//! What is clipped by planes: a point in space, with its place in a texture where it has one.
+
+use std::marker::PhantomData;
+
+use serde::Serialize;
+
+use crate::{
+    algo::{
+        parameter::Share,
+        ring::{Crossing, Limit},
+    },
+    geom::{Plane, sign_of_three},
+    trace::Real,
+};
+
+use super::{
+    VolumeRules,
+    plane_cut::{distance, plane_cut},
+};
+
+/// A corner of a triangle in space.
+#[derive(Clone, Copy, PartialEq, Debug, Default, Serialize)]
+pub struct SpaceVertex {
+    /// Where it is, all finite.
+    pub at: [f64; 3],
+    /// The place in the texture that is to appear there. It need not be finite; it only travels along.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub uv: Option<[f64; 2]>,
+}
+
+impl SpaceVertex {
+    /// Without a place in a texture.
+    #[must_use]
+    pub const fn new(at: [f64; 3]) -> Self {
+        Self { at, uv: None }
+    }
+
+    /// What of both ends' places in the texture is in a crossing.
+    fn uv_at_crossing<R: Real>(&self, outside: &Self, share: &Share<R>) -> Option<[f64; 2]> {
+        let (inside, outside) = (self.uv?, outside.uv?);
+        Some([0, 1].map(|i| share.mean(inside[i], outside[i])))
+    }
+}
+
+/// Has a triangle an area? Exact: not where its corners lie on one line.
+#[must_use]
+pub fn has_area(triangle: &[SpaceVertex; 3]) -> bool {
+    independent(triangle.map(|v| [v.at[0], v.at[1], v.at[2], 1.0]))
+}
+
+/// Do three points in homogeneous coordinates span a plane? Exact: some three of the four columns are independent.
+pub(super) fn independent(rows: [[f64; 4]; 3]) -> bool {
+    const MINORS: [[usize; 3]; 4] = [[0, 1, 3], [0, 1, 2], [0, 2, 3], [1, 2, 3]];
+    MINORS
+        .iter()
+        .any(|minor| sign_of_three(rows.map(|row| minor.map(|axis| row[axis]))).is_ne())
+}
+
+/// The last of some planes, by which the others have clipped before, and by the rules of `L`.
+#[derive(Debug)]
+pub(super) struct LastPlane<'a, L> {
+    planes: &'a [Plane],
+    plane: &'a Plane,
+    rules: PhantomData<L>,
+}
+
+impl<L> Clone for LastPlane<'_, L> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<L> Copy for LastPlane<'_, L> {}
+
+impl<'a, L> LastPlane<'a, L> {
+    /// Plane `idx`, and those before it; none beyond the last.
+    pub fn new(planes: &'a [Plane], idx: usize) -> Option<Self> {
+        let planes = planes.get(..=idx)?;
+        let plane = planes.last()?;
+        Some(Self {
+            planes,
+            plane,
+            rules: PhantomData,
+        })
+    }
+
+    /// A distance as it is told: in lengths of 1, not of n.
+    pub fn told(&self, distance: f64) -> f64 {
+        distance / self.plane.length()
+    }
+}
+
+impl<L: VolumeRules> Limit<SpaceVertex> for LastPlane<'_, L> {
+    #[inline]
+    fn distance<R: Real>(&self, vertex: &SpaceVertex) -> R {
+        distance(self.plane, vertex.at)
+    }
+
+    fn crossing<R: Real>(
+        &self,
+        ends: [&SpaceVertex; 2],
+        distances: [R; 2],
+    ) -> Option<Crossing<SpaceVertex>> {
+        let cut = plane_cut(self.planes, ends.map(|end| end.at), distances)?;
+        let [inside, outside] = if cut.is_leaving {
+            ends
+        } else {
+            [ends[1], ends[0]]
+        };
+        let uv = if L::MIXES_UV {
+            inside.uv_at_crossing(outside, &cut.share)
+        } else {
+            outside.uv
+        };
+        let at = SpaceVertex { at: cut.at, uv };
+        Some(Crossing { at, t: cut.t })
+    }
+}
