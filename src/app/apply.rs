@@ -125,9 +125,12 @@ impl App {
     /// To the step that decided what was asked about.
     fn go_to_verdict(&mut self) {
         let document = self.history.now().document();
-        let verdict = self.stage.asked.and_then(|about| document.verdict(about));
-        let step = verdict.and_then(|verdict| verdict.step_of(self.playback.main()));
-        if let Some(step) = step {
+        let run = self.playback.main();
+        let verdict = self
+            .stage
+            .asked
+            .and_then(|about| document.verdict(about, run));
+        if let Some(step) = verdict.and_then(|verdict| verdict.step) {
             self.apply_transport(&Command::Seek(step));
         }
     }

@@ -10,8 +10,8 @@ use crate::{
     lesson::CodeView,
     paint::theme,
     widgets::{
-        CodeStep, CodeText, Cost, Pseudocode, WatchTable, code_view_switch, cost, most_of_a_kind,
-        rule, section, watch,
+        CodeStep, CodeText, Cost, Pseudocode, WatchTable, caption_text, code_view_switch, cost,
+        most_of_a_kind, rule, section, watch,
     },
 };
 
@@ -277,8 +277,11 @@ fn verdict(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &mu
     };
     rule(ui, look);
     section(ui, look, &look.say("verdict-title"));
-    ui.label(RichText::new(look.catalog.message(&verdict.message)));
-    if verdict.step_of(model.playback.main()).is_some() {
+    ui.label(caption_text(look.catalog, &verdict.why));
+    for note in &verdict.notes {
+        ui.label(look.catalog.message(note));
+    }
+    if verdict.step.is_some() {
         let text = RichText::new(look.say("verdict-go")).color(look.theme.accent);
         if ui.add(egui::Button::new(text).frame(false)).clicked() {
             commands.push(Command::Verdict);

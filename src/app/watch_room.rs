@@ -66,7 +66,7 @@ impl Verdicts {
         if self.about.replace(about) != Some(about) {
             self.room = RunRoom::default();
         }
-        let verdict = || model.scene.document().verdict(about);
+        let verdict = || model.scene.document().verdict(about, model.playback.main());
         self.room.get(model, ui, 0.0, verdict).as_ref()
     }
 }

@@ -4,7 +4,7 @@
 use std::{any::Any, fmt, sync::Arc};
 
 use crate::{
-    figure::{Link, Mark, Moment, Run, Shape},
+    figure::{Caption, Link, Mark, Run, Shape},
     text::{Diagnostic, Message},
     trace::Counts,
 };
@@ -68,7 +68,9 @@ pub trait Document: Plain {
         click.link
     }
     /// What decided the fate of what is asked about, and what would turn it.
-    fn verdict(&self, _about: Link) -> Option<Verdict> {
+    ///
+    /// `run` is the first of [`Document::record`].
+    fn verdict(&self, _about: Link, _run: &dyn Run) -> Option<Verdict> {
         None
     }
     /// Can the method of this id take the scene?
@@ -111,18 +113,12 @@ pub trait Document: Plain {
 /// What decided the fate of something, and what would turn it.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Verdict {
-    /// In a sentence, with the numbers.
-    pub message: Message,
-    /// Where the first run says so.
-    pub moment: Option<Moment>,
-}
-
-impl Verdict {
-    /// The step of a run that says so, if it does.
-    #[must_use]
-    pub fn step_of(&self, run: &dyn Run) -> Option<usize> {
-        self.moment.as_ref().and_then(|moment| run.find(moment))
-    }
+    /// The test that decided it, with its numbers.
+    pub why: Caption,
+    /// What else is to be said of it; last, the least change that would turn it.
+    pub notes: Vec<Message>,
+    /// The step of the first run that says so, if one does.
+    pub step: Option<usize>,
 }
 
 /// What any document can do besides: it is copied, compared and printed. Nobody writes this by hand.

@@ -4,6 +4,7 @@
 //! - `floats`: what is promised for any finite numbers.
 //! - `cases`: named cases, the worked numbers of the course, and what properties once caught.
 //! - `laws`: the laws of traced execution, one line an algorithm.
+//! - `turns`: the least move that a verdict names, asked of the clippers.
 //! - `logs`: event logs of worked examples, as text.
 
 mod cases;
@@ -14,6 +15,7 @@ mod floats;
 mod laws;
 mod logs;
 mod oracle;
+mod turns;
 
 use clipscope::{
     algo::line::{

@@ -207,3 +207,12 @@ measure-nanos = Nanoseconds
 measure-operations = Operations
 measure-batch = Batch, branch-free
 measure-note = For one segment, on average over { $count }. Time is that of the fastest of five passes.
+
+## The verdict
+
+verdict-line-between = The line comes in ({ $enters }) only after it has gone out ({ $leaves }).
+verdict-line-in = Moved { $move } inwards, at right angles to the border ({ $edge }), it would be visible.
+verdict-line-back = Moved { $move } outwards, at right angles to the border ({ $edge }), it would be visible.
+verdict-line-never = No move at right angles to the border ({ $edge }) would make it visible.
+verdict-line-out = Moved outwards by more than { $move }, at right angles to the nearest border ({ $edge }), it would vanish.
+verdict-line-touch = It only touches: the least move outwards over the border ({ $edge }), and it would vanish.

@@ -207,3 +207,12 @@ measure-nanos = Nanosegundos
 measure-operations = Operaciones
 measure-batch = Por lotes, sin saltos
 measure-note = Por segmento, promedio de { $count }. El tiempo es el de la más rápida de cinco pasadas.
+
+## The verdict
+
+verdict-line-between = La recta entra ({ $enters }) solo después de haber salido ({ $leaves }).
+verdict-line-in = Desplazado { $move } hacia dentro, en perpendicular al borde ({ $edge }), sería visible.
+verdict-line-back = Desplazado { $move } hacia fuera, en perpendicular al borde ({ $edge }), sería visible.
+verdict-line-never = Ningún desplazamiento en perpendicular al borde ({ $edge }) lo haría visible.
+verdict-line-out = Desplazado más de { $move } hacia fuera, en perpendicular al borde más cercano ({ $edge }), desaparecería.
+verdict-line-touch = Solo toca el borde ({ $edge }): con el menor desplazamiento hacia fuera desaparecería.

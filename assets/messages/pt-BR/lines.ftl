@@ -207,3 +207,12 @@ measure-nanos = Nanossegundos
 measure-operations = Operações
 measure-batch = Em lote, sem desvios
 measure-note = Por segmento, na média de { $count }. O tempo é o da mais rápida de cinco passagens.
+
+## The verdict
+
+verdict-line-between = A reta entra ({ $enters }) só depois de ter saído ({ $leaves }).
+verdict-line-in = Deslocado { $move } para dentro, na perpendicular à borda ({ $edge }), seria visível.
+verdict-line-back = Deslocado { $move } para fora, na perpendicular à borda ({ $edge }), seria visível.
+verdict-line-never = Nenhum deslocamento na perpendicular à borda ({ $edge }) o tornaria visível.
+verdict-line-out = Deslocado mais de { $move } para fora, na perpendicular à borda mais próxima ({ $edge }), desapareceria.
+verdict-line-touch = Apenas toca a borda ({ $edge }): com o menor deslocamento para fora desapareceria.

@@ -207,3 +207,12 @@ measure-nanos = 纳秒
 measure-operations = 运算次数
 measure-batch = 无分支批处理
 measure-note = 每条线段的平均值，共 { $count } 条。时间取五遍中最快的一遍。
+
+## The verdict
+
+verdict-line-between = 直线先穿出（{ $leaves }），之后才穿入（{ $enters }）。
+verdict-line-in = 垂直于该边界（{ $edge }）向内移动 { $move }，它就可见。
+verdict-line-back = 垂直于该边界（{ $edge }）向外移动 { $move }，它就可见。
+verdict-line-never = 垂直于该边界（{ $edge }）怎样移动，它都不可见。
+verdict-line-out = 垂直于最近的边界（{ $edge }）向外移动超过 { $move }，它就消失。
+verdict-line-touch = 它只是接触边界（{ $edge }）：稍向外移，就会消失。

@@ -12,7 +12,7 @@
 //! is none, no move along this normal turns the verdict.
 
 use crate::{
-    algo::volume::signed_distance,
+    algo::{parameter::moves_allowed, volume::signed_distance},
     geom::{Plane, Sphere},
     trace::silent,
 };
@@ -62,20 +62,12 @@ pub fn sphere_verdict(input: &SphereCullInput) -> Option<SphereVerdict> {
 /// The least move along a plane's normal by which no plane rejects a sphere any more.
 fn least_move(planes: &[Plane], sphere: &Sphere, plane_idx: usize) -> Option<f64> {
     let along = planes.get(plane_idx)?.unit_normal();
-    let [mut low, mut high] = [f64::NEG_INFINITY, f64::INFINITY];
-    for plane in planes {
+    let [low, _] = moves_allowed(planes.iter().map(|plane| {
         let distance: f64 = signed_distance(plane, sphere.center());
         let both = plane.unit_normal().into_iter().zip(along);
         let slope: f64 = both.map(|(a, b)| a * b).sum();
-        let room = distance + sphere.radius();
-        if slope > 0.0 {
-            low = low.max(-room / slope);
-        } else if slope < 0.0 {
-            high = high.min(-room / slope);
-        } else if room < 0.0 {
-            return None;
-        }
-    }
+        [distance + sphere.radius(), slope]
+    }))?;
     // The deciding plane rejects it where it is, so that the move leads inwards.
-    (low <= high).then_some(low)
+    Some(low)
 }

@@ -28,6 +28,7 @@ pub mod kernel;
 mod liang_barsky;
 mod nicholl_lee_nicholl;
 mod outcode;
+mod segment_turn;
 
 use crate::geom::{Point, Segment, Window};
 
@@ -43,6 +44,7 @@ pub use nicholl_lee_nicholl::{
     NichollLeeNicholl, NichollLeeNichollEvent, NichollLeeNichollState, Question, WindowRegion,
 };
 pub use outcode::{BitOrder, Outcode};
+pub use segment_turn::{SegmentTurn, least_move_in, least_move_out};
 
 pub use super::parameter::{End, Param, Ratio};
 

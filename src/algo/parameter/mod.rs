@@ -3,6 +3,7 @@
 
 mod interval;
 mod mean;
+mod moves;
 mod order;
 mod share;
 mod upright;
@@ -11,6 +12,7 @@ use serde::Serialize;
 
 pub use interval::Interval;
 pub use mean::{Ratio, clamp_between, weighted_mean};
+pub use moves::moves_allowed;
 pub use order::{Param, compare_products};
 pub use share::Share;
 pub use upright::Upright;

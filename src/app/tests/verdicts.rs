@@ -4,7 +4,7 @@ use egui::{Key, Pos2};
 
 use super::{Bench, SIZE};
 use crate::app::{App, Command, Settings};
-use crate::lesson::Course;
+use crate::{labs::Edit, lesson::Course};
 
 /// On this lab's first scene.
 fn bench(lab: &'static str) -> Bench {
@@ -48,6 +48,31 @@ fn an_object_that_is_clicked_is_told_and_enter_goes_to_its_step() {
     assert_eq!(bench.app.position(), step);
     bench.key(Key::Escape);
     assert_eq!(bench.verdict(), None, "nothing is asked any more");
+}
+
+#[test]
+fn a_segment_that_is_clicked_is_told_by_the_method_on_stage() {
+    let mut bench = bench("lines");
+    for (method, event) in [
+        ("brute-force", "accept"),
+        ("cohen-sutherland", "or"),
+        ("liang-barsky", "interval"),
+        ("cyrus-beck", "interval"),
+        ("nicholl-lee-nicholl", "sector"),
+    ] {
+        bench.command(Command::Edit(Edit::Method(method), None));
+        bench.command(Command::First);
+        let on_the_segment = bench.on_screen([-1.2, -0.5]);
+        bench.click_there(on_the_segment);
+        assert!(bench.verdict().is_some(), "{method}");
+        bench.key(Key::Enter);
+        let run = bench.app.playback.main();
+        assert_eq!(
+            run.event_json(bench.app.position())["event"],
+            event,
+            "{method}"
+        );
+    }
 }
 
 #[test]

@@ -59,8 +59,8 @@ impl Document for Scene {
         self.on_stage().map(record).collect()
     }
 
-    fn verdict(&self, about: Link) -> Option<Verdict> {
-        verdict(self, about)
+    fn verdict(&self, about: Link, run: &dyn Run) -> Option<Verdict> {
+        verdict(self, about, run)
     }
 
     /// Everything is in the views: what is seen depends on the step.

@@ -2,7 +2,7 @@
 
 use crate::{
     algo::cull::{Containment, SphereCullInput, sphere_verdict},
-    figure::Link,
+    figure::{Caption, Link, Moment, Run},
     geom::VolumeSide,
     labs::Verdict,
     text::{Message, Value},
@@ -14,7 +14,7 @@ use super::{
 };
 
 /// The verdict on the object that is asked about, by its bounding sphere; and the step of the funnel that says so.
-pub fn verdict(scene: &Scene, about: Link) -> Option<Verdict> {
+pub fn verdict(scene: &Scene, about: Link, run: &dyn Run) -> Option<Verdict> {
     let mut objects = scene.objects().iter().enumerate();
     let (object_idx, object) = objects.find(|(i, _)| about == object_link(*i))?;
     let sphere = object.in_funnel().sphere;
@@ -37,5 +37,9 @@ pub fn verdict(scene: &Scene, about: Link) -> Option<Verdict> {
             Value::Number(verdict.turn.unwrap_or_default().abs()),
         );
     let moment = format!("sphere #{}", object_idx + 1).parse().ok();
-    Some(Verdict { message, moment })
+    Some(Verdict {
+        why: Caption::new(message),
+        notes: Vec::new(),
+        step: moment.and_then(|moment: Moment| run.find(&moment)),
+    })
 }

@@ -59,6 +59,11 @@ pub fn clicked(scene: &Scene, click: &Click<'_>) -> Option<LinesChange> {
 
 /// The nearest segment within reach of a click, if it is not the one that is clipped.
 pub fn other_under(scene: &Scene, click: &Click<'_>) -> Option<usize> {
+    under(scene, click).filter(|&segment_idx| segment_idx != scene.focus())
+}
+
+/// The nearest segment within reach of a click.
+pub fn under(scene: &Scene, click: &Click<'_>) -> Option<usize> {
     let [x, y, _] = click.at;
     let segments = scene.segments().iter().enumerate();
     let near = segments.filter_map(|(i, segment)| {
@@ -67,5 +72,5 @@ pub fn other_under(scene: &Scene, click: &Click<'_>) -> Option<usize> {
         (distance <= click.reach).then_some((distance, i))
     });
     let (_, nearest) = near.min_by(|a, b| a.0.total_cmp(&b.0))?;
-    (nearest != scene.focus()).then_some(nearest)
+    Some(nearest)
 }

@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use crate::{
-    figure::{Mark, Run, Shape},
+    figure::{Link, Mark, Run, Shape},
     geom::Point,
-    labs::{Click, Document, Handle, Lab, MethodCard, Own},
+    labs::{Click, Document, Handle, Lab, MethodCard, Own, Verdict},
     text::{Diagnostic, Message},
     trace::Counts,
 };
@@ -13,7 +13,8 @@ use crate::{
 use super::{
     LAB, Method, Scene,
     backdrop::{MAX_FITTED, backdrop, bounds},
-    change::{beside, clicked, other_under},
+    change::{beside, clicked, other_under, under},
+    verdict::{segment_link, verdict},
 };
 
 impl Scene {
@@ -71,6 +72,14 @@ impl Document for Scene {
         ];
         let with = |message: Message, (kind, n)| message.with(kind, n as usize);
         Some(kinds.into_iter().fold(message, with))
+    }
+
+    fn asked(&self, click: &Click<'_>) -> Option<Link> {
+        under(self, click).map(segment_link)
+    }
+
+    fn verdict(&self, about: Link, run: &dyn Run) -> Option<Verdict> {
+        verdict(self, about, run)
     }
 
     fn backdrop(&self, column: usize, at_end: bool) -> Vec<Mark> {

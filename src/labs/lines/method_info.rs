@@ -1,6 +1,13 @@
 //! What the lab knows of a method: the same whatever it runs on.
 
-use crate::{algo::line::Visible, figure::Run, geom::Segment, labs::MethodCard, trace::Counts};
+use crate::{
+    algo::line::Visible,
+    figure::Run,
+    geom::{HalfPlane, Segment},
+    labs::MethodCard,
+    text::Value,
+    trace::Counts,
+};
 
 /// What is known of a method without running it.
 pub struct MethodInfo<S> {
@@ -13,7 +20,21 @@ pub struct MethodInfo<S> {
     pub(super) record: fn(&S, Segment) -> Box<dyn Run>,
     pub(super) clip: fn(&S, Segment) -> Visible,
     pub(super) cost: fn(&S, Segment) -> (Visible, Counts),
+    pub(super) decided: fn(&S, Segment) -> Decided,
     pub(super) pass: fn(&S, &[Segment]) -> Pass,
+}
+
+/// What decided a segment's fate in one method's run.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Decided {
+    /// The step of the test that decided it.
+    pub step: usize,
+    /// The border that rejects it.
+    pub rejected_by: Option<usize>,
+    /// The borders that it comes in and goes out by, where it comes in only after it has gone out.
+    pub between: Option<[Value; 2]>,
+    /// The borders of what this method clips against, and their names.
+    pub borders: Vec<(HalfPlane, Value)>,
 }
 
 /// Clips a batch, the same one each time it is called; the number of segments that are visible.
@@ -36,6 +57,12 @@ impl<S> MethodInfo<S> {
     #[must_use]
     pub fn cost(&self, scene: &S, segment: Segment) -> (Visible, Counts) {
         (self.cost)(scene, segment)
+    }
+
+    /// The test that decided one segment's fate.
+    #[must_use]
+    pub fn decided(&self, scene: &S, segment: Segment) -> Decided {
+        (self.decided)(scene, segment)
     }
 
     /// Clips all `segments` silently each time it is called; the number of those that are visible.

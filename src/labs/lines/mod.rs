@@ -12,6 +12,7 @@ mod methods;
 mod random;
 mod registry;
 mod scene;
+mod verdict;
 
 pub use change::LinesChange;
 pub use demo::LineDemo;

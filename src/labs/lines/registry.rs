@@ -8,7 +8,7 @@ use crate::{
     trace::{Counted, Counts, silent},
 };
 
-use super::{LineDemo, MethodInfo, Pass, Scene};
+use super::{LineDemo, MethodInfo, Pass, Scene, verdict::decided};
 
 const fn info<A: LineDemo>() -> MethodInfo<Scene> {
     MethodInfo {
@@ -21,6 +21,7 @@ const fn info<A: LineDemo>() -> MethodInfo<Scene> {
             let input = A::input(scene, segment);
             Counts::of(|| A::run::<Counted>(&input, |_| {}))
         },
+        decided: decided::<A>,
         pass: pass::<A>,
     }
 }

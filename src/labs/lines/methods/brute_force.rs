@@ -12,7 +12,7 @@ use crate::{
     geom::{Edge, Segment},
     labs::{
         CodeLine, Demo, Step, code_line,
-        lines::{LineDemo, Scene},
+        lines::{LineDemo, Scene, demo::Settles},
     },
     text::{Formula, Message, Value},
 };
@@ -38,6 +38,14 @@ impl LineDemo for BruteForce {
         WindowInput {
             window: scene.window,
             segment,
+        }
+    }
+
+    fn settles(event: &Event, _: &WindowInput) -> Settles {
+        match *event {
+            Event::Intersect { .. } | Event::Parallel { .. } => Settles::Nothing,
+            Event::Keep { .. } | Event::Cut { .. } | Event::Accept { .. } => Settles::Asked,
+            Event::Reject { edge } => Settles::Rejects(edge as usize),
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::{
     geom::{Axis, Edge, Point, Segment},
     labs::{
         CodeLine, Demo, Step, code_line,
-        lines::{LineDemo, Scene},
+        lines::{LineDemo, Scene, demo::Settles},
     },
     text::{Formula, Message, Value},
 };
@@ -40,6 +40,20 @@ impl LineDemo for CohenSutherland {
             window: scene.window,
             segment,
             bit_order: scene.bit_order,
+        }
+    }
+
+    fn settles(event: &Event, input: &Input) -> Settles {
+        match *event {
+            Event::Or { .. } | Event::And { .. } => Settles::Asked,
+            Event::Code { .. }
+            | Event::Choose { .. }
+            | Event::Cut { .. }
+            | Event::Accept { .. } => Settles::Nothing,
+            Event::Reject { and } => {
+                let edge = and.edges(input.bit_order).next();
+                edge.map_or(Settles::Nothing, |edge| Settles::Rejected(edge as usize))
+            }
         }
     }
 }

@@ -10,9 +10,9 @@ use crate::{
     labs::{
         CodeLine, Demo, Step, code_line,
         crossing_formulas::{fixed, oblique, taken, upright},
-        lines::{LineDemo, Scene},
+        lines::{LineDemo, Scene, demo::Settles},
     },
-    text::{Formula, Message},
+    text::{Formula, Message, Value},
 };
 
 use super::{
@@ -42,6 +42,24 @@ impl LineDemo for CyrusBeck {
             clip: scene.clip_polygon(),
             segment,
         }
+    }
+
+    fn settles(event: &Event, _: &Input) -> Settles {
+        match *event {
+            Event::Parallel { .. } | Event::Interval { .. } => Settles::Asked,
+            Event::Edge { .. }
+            | Event::Enter { .. }
+            | Event::Leave { .. }
+            | Event::Put { .. }
+            | Event::Accept { .. } => Settles::Nothing,
+            Event::Reject { edge_idx } => Settles::Rejected(edge_idx),
+        }
+    }
+
+    fn between(state: &State) -> Option<[Value; 2]> {
+        let [enters, leaves] = state.set_by;
+        let [t_min, t_max] = state.interval;
+        (t_min > t_max).then_some([edge_name(enters?), edge_name(leaves?)])
     }
 }
 

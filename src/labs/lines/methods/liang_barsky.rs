@@ -9,7 +9,7 @@ use crate::{
     geom::{Axis, Edge, Point, Segment},
     labs::{
         CodeLine, Demo, Step, code_line,
-        lines::{LineDemo, Scene},
+        lines::{LineDemo, Scene, demo::Settles},
     },
     text::{Formula, Message, Value},
 };
@@ -39,6 +39,25 @@ impl LineDemo for LiangBarsky {
             window: scene.window,
             segment,
         }
+    }
+
+    fn settles(event: &Event, _: &WindowInput) -> Settles {
+        match *event {
+            Event::Parallel { .. } | Event::Interval { .. } => Settles::Asked,
+            Event::Delta { .. }
+            | Event::Row { .. }
+            | Event::Enter { .. }
+            | Event::Leave { .. }
+            | Event::Put { .. }
+            | Event::Accept { .. } => Settles::Nothing,
+            Event::Reject { edge } => Settles::Rejected(edge as usize),
+        }
+    }
+
+    fn between(state: &State) -> Option<[Value; 2]> {
+        let [enters, leaves] = state.set_by;
+        let [u_min, u_max] = state.interval;
+        (u_min > u_max).then_some([edge_name(enters?), edge_name(leaves?)])
     }
 }
 

@@ -12,3 +12,5 @@ mod parametric;
 mod rows;
 mod sectors;
 mod shared;
+
+pub use convex_edges::edge_name as polygon_edge_name;

@@ -12,7 +12,7 @@ use crate::{
     geom::{Axis, Edge, Point, Segment, Window},
     labs::{
         CodeLine, Demo, Step, code_line,
-        lines::{LineDemo, Scene},
+        lines::{LineDemo, Scene, demo::Settles},
     },
     text::{Formula, Message, Value},
 };
@@ -41,6 +41,18 @@ impl LineDemo for NichollLeeNicholl {
         WindowInput {
             window: scene.window,
             segment,
+        }
+    }
+
+    fn settles(event: &Event, _: &WindowInput) -> Settles {
+        match *event {
+            Event::Region { .. } | Event::Side { .. } | Event::Sector { .. } => Settles::Asked,
+            Event::Cut { .. } | Event::Accept { .. } => Settles::Nothing,
+            Event::Reject { edge, corner: None } => Settles::Rejects(edge as usize),
+            Event::Reject {
+                edge,
+                corner: Some(_),
+            } => Settles::Rejected(edge as usize),
         }
     }
 }
