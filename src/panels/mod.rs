@@ -9,6 +9,7 @@ mod pickers;
 mod polygons;
 mod seeded;
 mod spots;
+mod still_plot;
 
 pub use lab_panel::{Bench, LabPanel, PanelAsk, panel_of, work};
 pub use moved::moved_to;
@@ -16,6 +17,7 @@ pub use number_field::number_field;
 pub use pickers::{compare_choices, compare_picker, method_picker};
 pub use seeded::Seeded;
 pub use spots::{Reach, spots};
+pub use still_plot::still_plot;
 
 /// The panels of all labs, in the order of their tabs.
 #[must_use]

@@ -235,3 +235,20 @@ verdict-culled = Object { $object } is culled by the { $plane } plane: d = { $di
 verdict-culled-for-good = Object { $object } is culled by the { $plane } plane: d = { $distance } < −r, r = { $radius }. No move along that plane’s normal would bring it in.
 verdict-straddles = Object { $object } straddles: nearest is the { $plane } plane, d = { $distance } < r = { $radius }. { $move } further out, and it would be culled.
 verdict-inside = Object { $object } is inside: nearest is the { $plane } plane, d = { $distance } ≥ r = { $radius }. { $move } further out, and it would be culled.
+
+## What culling costs, measured
+
+culling-title = What culling costs
+culling-about = Every object is asked, then what is left is drawn: in each way the same picture, here and now.
+culling-objects = Objects
+culling-own = This scene’s own
+culling-nothing = Nothing culled
+culling-rough = By bounding spheres
+culling-exact = By all triangles
+culling-row = { $way }: { $cull } ms to cull + { $draw } ms to draw; { $objects } objects, { $triangles } triangles left
+culling-inequality = To cull roughly against exactly: { $rough-cull } { $cull-relation } { $exact-cull } ms. To draw what is left: { $rough-draw } { $draw-relation } { $exact-draw } ms.
+culling-axis-objects = Objects (boxes on a street)
+culling-axis-millis = Milliseconds
+culling-best-always = Fastest at every number measured: { $way }.
+culling-best-changes = Fastest at first: { $first }. From { $many } objects on: { $last } (at { $few } not yet).
+culling-note = The fastest of five passes, at 320 × 200 pixels; spheres are asked many at once. Times belong to this machine and this moment: exported figures show counts.

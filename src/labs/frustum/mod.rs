@@ -1,6 +1,7 @@
 //! The frustum lab: what a camera sees of a scene, and what can be left out before it is drawn.
 
 mod change;
+mod culling;
 mod demo;
 mod document;
 mod handles;
@@ -18,6 +19,7 @@ mod taught_camera;
 mod verdict;
 
 pub use change::{CameraNumber, FrustumChange};
+pub use culling::{Culling, CullingTask};
 pub use lab::LAB;
 pub use method_info::MethodInfo;
 pub use object::{Model, NamedMesh, Object};

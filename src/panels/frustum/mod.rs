@@ -1,6 +1,8 @@
 //! What the frustum lab adds to the window: its camera, its objects, a street of many.
 
 mod camera;
+mod culling_costs;
+mod culling_view;
 mod objects;
 
 use std::sync::Arc;
@@ -13,13 +15,17 @@ use crate::{
         Edit, Lab, Scene,
         frustum::{self, FrustumChange, Model, NamedMesh},
     },
-    panels::{LabPanel, PanelAsk, Seeded},
+    panels::{Bench, LabPanel, PanelAsk, Seeded},
     widgets::Look,
 };
+
+use culling_costs::CullingCosts;
+use culling_view::{CullingAsk, culling_window};
 
 /// The lab's part of the window.
 pub struct FrustumPanel {
     street: Seeded,
+    costs: Option<CullingCosts>,
 }
 
 impl Default for FrustumPanel {
@@ -28,7 +34,8 @@ impl Default for FrustumPanel {
             count: 100,
             seed: 1,
         };
-        Self { street }
+        let costs = None;
+        Self { street, costs }
     }
 }
 
@@ -49,6 +56,39 @@ impl LabPanel for FrustumPanel {
         let (name, mesh) = (name.to_owned(), mesh.clone());
         let model = Model::Mesh(Arc::new(NamedMesh { name, mesh }));
         Some(Edit::own(FrustumChange::Add(model)))
+    }
+
+    fn measures(&self) -> bool {
+        true
+    }
+
+    fn bench(&mut self) -> Option<&mut dyn Bench> {
+        Some(self)
+    }
+}
+
+impl Bench for FrustumPanel {
+    fn show(&mut self, ui: &mut Ui, look: Look<'_>, scene: &Scene) -> bool {
+        let Some(scene) = scene.get() else {
+            return false;
+        };
+        let fits = self.costs.take().filter(|costs| costs.are_of(scene));
+        let costs = self
+            .costs
+            .insert(fits.unwrap_or_else(|| CullingCosts::new(scene)));
+        let asked = culling_window(ui, look, costs);
+        if !costs.is_done() {
+            ui.ctx().request_repaint();
+        }
+        asked != Some(CullingAsk::Close)
+    }
+
+    fn work(&mut self, clock: &dyn Fn() -> f64) -> bool {
+        let Some(costs) = self.costs.as_mut().filter(|costs| !costs.is_done()) else {
+            return false;
+        };
+        costs.work(clock);
+        true
     }
 }
 

@@ -1,9 +1,9 @@
 //! The measured costs as bars: time and operations for one segment.
 
-use egui::{Align2, ProgressBar, RichText, Ui, Vec2b};
-use egui_plot::{Bar, BarChart, Plot, PlotPoint, Text};
+use egui::{Align2, ProgressBar, RichText, Ui};
+use egui_plot::{Bar, BarChart, PlotPoint, Text};
 
-use crate::{paint::theme, text::Message, widgets::Look};
+use crate::{paint::theme, panels::still_plot, text::Message, widgets::Look};
 
 use super::{Measure, measure::Subject};
 
@@ -101,7 +101,7 @@ fn chart(ui: &mut Ui, look: Look<'_>, key: &str, height: f32, values: &[(Subject
             (row(i) + 0.02, format!("{name}  {value}"))
         })
         .collect();
-    still(key).height(height).show(ui, |plot| {
+    still_plot(key).height(height).show(ui, |plot| {
         let bounds =
             egui_plot::PlotBounds::from_min_max([0.0, 0.4], [most * 1.02, n_rows as f64 + 0.6]);
         plot.set_plot_bounds(bounds);
@@ -115,21 +115,4 @@ fn chart(ui: &mut Ui, look: Look<'_>, key: &str, height: f32, values: &[(Subject
             );
         }
     });
-}
-
-/// A plot that only shows: it has no axes and cannot be moved.
-fn still(key: &str) -> Plot<'static> {
-    Plot::new(key)
-        .show_axes(false)
-        .show_grid(false)
-        .show_background(false)
-        .allow_drag(false)
-        .allow_zoom(false)
-        .allow_scroll(false)
-        .allow_boxed_zoom(false)
-        .allow_double_click_reset(false)
-        .show_x(false)
-        .show_y(false)
-        .cursor_color(egui::Color32::TRANSPARENT)
-        .auto_bounds(Vec2b::FALSE)
 }

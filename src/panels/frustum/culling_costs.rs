@@ -1,0 +1,206 @@
+//! What culling costs on this machine: the scene, or streets of more and more boxes, culled and drawn in each way, a slice
+//! of the work in each frame.
+
+use std::hint::black_box;
+
+use crate::labs::frustum::{Culling, CullingTask, Scene, street};
+
+/// Streets of so many boxes are measured, to see where the best choice changes.
+pub const SWEEP: [usize; 9] = [1, 3, 10, 30, 100, 300, 1000, 3000, 10_000];
+/// Every street is made from this seed.
+const SEED: u64 = 1;
+/// Times that each way is taken, of which the fastest counts: what disturbs a measurement only makes it slower.
+const N_PASSES: usize = 5;
+/// Work in one frame, in seconds.
+const SLICE_SECS: f64 = 0.008;
+
+/// What one way costs.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct CullingCost {
+    /// Which way.
+    pub culling: Culling,
+    /// To ask every object.
+    pub cull_secs: f64,
+    /// To draw what is left.
+    pub draw_secs: f64,
+    /// Objects left.
+    pub n_kept: usize,
+    /// Their triangles.
+    pub n_triangles: usize,
+}
+
+impl CullingCost {
+    /// Both together.
+    #[must_use]
+    pub fn secs(&self) -> f64 {
+        self.cull_secs + self.draw_secs
+    }
+}
+
+/// The costs of so many objects, in the order of [`Culling::ALL`].
+pub type Costs = [CullingCost; 3];
+
+/// A measurement under way, or done.
+pub struct CullingCosts {
+    scene: Scene,
+    street: Option<usize>,
+    here: Option<Costs>,
+    sweep: Vec<Costs>,
+    current: Option<Current>,
+}
+
+/// What is being measured.
+struct Current {
+    task: CullingTask,
+    costs: Costs,
+    n_done: usize,
+    is_here: bool,
+}
+
+impl CullingCosts {
+    /// Ready to measure a scene.
+    #[must_use]
+    pub fn new(scene: &Scene) -> Self {
+        Self {
+            scene: scene.clone(),
+            street: None,
+            here: None,
+            sweep: Vec::new(),
+            current: None,
+        }
+    }
+
+    /// Are they those of this scene?
+    #[must_use]
+    pub fn are_of(&self, scene: &Scene) -> bool {
+        self.scene.objects() == scene.objects() && self.scene.culler() == scene.culler()
+    }
+
+    /// Of how many objects.
+    #[must_use]
+    pub fn n_objects(&self) -> usize {
+        self.street.unwrap_or(self.scene.objects().len())
+    }
+
+    /// Are the objects the scene's own?
+    #[must_use]
+    pub const fn is_own(&self) -> bool {
+        self.street.is_none()
+    }
+
+    /// Measures a street of so many boxes, or the scene's own objects.
+    pub fn measure(&mut self, street: Option<usize>) {
+        (self.street, self.here) = (street, None);
+        self.current = self.current.take().filter(|current| !current.is_here);
+    }
+
+    /// Of the objects that were asked for, once they are known.
+    #[must_use]
+    pub const fn here(&self) -> Option<&Costs> {
+        self.here.as_ref()
+    }
+
+    /// Of the first streets of [`SWEEP`].
+    #[must_use]
+    pub fn sweep(&self) -> &[Costs] {
+        &self.sweep
+    }
+
+    /// Is there nothing left to do?
+    #[must_use]
+    pub const fn is_done(&self) -> bool {
+        self.here.is_some() && self.sweep.len() == SWEEP.len()
+    }
+
+    /// Works for a slice of a frame.
+    pub fn work(&mut self, clock: &dyn Fn() -> f64) {
+        let start = clock();
+        while !self.is_done() && clock() - start < SLICE_SECS {
+            self.one(clock);
+        }
+    }
+
+    /// The smallest piece of work: a scene made ready, or one way taken once.
+    fn one(&mut self, clock: &dyn Fn() -> f64) {
+        let Some(mut current) = self.current.take() else {
+            self.current = self.next();
+            return;
+        };
+        let idx = current.n_done % Culling::ALL.len();
+        let cost = &mut current.costs[idx];
+        let start = clock();
+        cost.n_kept = black_box(current.task.cull(cost.culling));
+        let culled = clock();
+        cost.n_triangles = black_box(current.task.draw());
+        let drawn = clock();
+        cost.cull_secs = cost.cull_secs.min(culled - start);
+        cost.draw_secs = cost.draw_secs.min(drawn - culled);
+        current.n_done += 1;
+        if current.n_done < N_PASSES * Culling::ALL.len() {
+            self.current = Some(current);
+        } else if current.is_here {
+            self.here = Some(current.costs);
+        } else {
+            self.sweep.push(current.costs);
+        }
+    }
+
+    /// What is measured next: what was asked for before the streets.
+    fn next(&self) -> Option<Current> {
+        let is_here = self.here.is_none();
+        let street_of = |count| street(count, SEED);
+        let objects = if is_here {
+            self.street.map(street_of)
+        } else {
+            Some(street_of(*SWEEP.get(self.sweep.len())?))
+        };
+        let mut scene = self.scene.clone();
+        if let Some(objects) = objects {
+            scene.set_objects(objects).ok()?;
+        }
+        let costs = Culling::ALL.map(|culling| CullingCost {
+            culling,
+            cull_secs: f64::INFINITY,
+            draw_secs: f64::INFINITY,
+            n_kept: 0,
+            n_triangles: 0,
+        });
+        Some(Current {
+            task: CullingTask::new(&scene),
+            costs,
+            n_done: 0,
+            is_here,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_way_is_measured_and_then_it_rests() {
+        let scene = Scene::first();
+        let mut costs = CullingCosts::new(&scene);
+        // A clock that a test can rely on: each look at it takes a moment.
+        let ticks = std::cell::Cell::new(0.0);
+        let clock = || {
+            ticks.set(ticks.get() + 1e-6);
+            ticks.get()
+        };
+        while costs.here().is_none() {
+            costs.work(&clock);
+        }
+        let own = *costs.here().unwrap();
+        assert_eq!(own[0].n_kept, scene.objects().len());
+        assert!(own[1].n_kept >= own[2].n_kept && own[2].n_kept > 0);
+        costs.measure(Some(40));
+        while costs.here().is_none() || costs.sweep().len() < 4 {
+            costs.work(&clock);
+        }
+        assert_eq!(costs.here().unwrap()[0].n_kept, 40);
+        assert_eq!(costs.sweep()[3][0].n_kept, SWEEP[3]);
+        assert!(costs.sweep().iter().flatten().all(|cost| cost.secs() > 0.0));
+        assert!(costs.are_of(&scene));
+    }
+}

@@ -1,0 +1,204 @@
+//! What culling costs, as bars of what it takes and what is left to draw, and where the best choice changes.
+
+use egui::{Align2, Color32, ProgressBar, RichText, Slider, Stroke, Ui};
+use egui_plot::{Bar, BarChart, Line, LineStyle, Plot, PlotBounds, PlotPoint, Text};
+
+use crate::{
+    labs::frustum::{Culling, MAX_OBJECTS},
+    paint::theme,
+    panels::still_plot,
+    text::{Message, Value},
+    widgets::Look,
+};
+
+use super::culling_costs::{Costs, CullingCost, CullingCosts, SWEEP};
+
+/// What was asked for in the window.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum CullingAsk {
+    /// Close it.
+    Close,
+}
+
+/// The window's content.
+pub fn culling_window(ui: &mut Ui, look: Look<'_>, costs: &mut CullingCosts) -> Option<CullingAsk> {
+    ui.set_max_width(600.0_f32.min(ui.ctx().content_rect().width() - 48.0));
+    ui.label(RichText::new(look.say("culling-title")).heading());
+    ui.label(RichText::new(look.say("culling-about")).color(look.theme.soft));
+    objects(ui, look, costs);
+    if !costs.is_done() {
+        let progress = costs.sweep().len() as f32 / SWEEP.len() as f32;
+        ui.add(ProgressBar::new(progress).desired_height(6.0));
+    }
+    let height = (ui.ctx().content_rect().height() - 330.0).clamp(120.0, 380.0);
+    if let Some(here) = costs.here() {
+        bars(ui, look, here, 0.45 * height);
+        ui.label(look.catalog.message(&inequality(look, here)));
+    }
+    lines(ui, look, costs, 0.55 * height);
+    if let Some(message) = best(costs.sweep()) {
+        ui.label(RichText::new(look.catalog.message(&message)).text_style(theme::strong()));
+    }
+    let note = RichText::new(look.say("culling-note")).small();
+    ui.label(note.color(look.theme.soft));
+    let is_closed = ui.button(look.say("action-close")).clicked();
+    is_closed.then_some(CullingAsk::Close)
+}
+
+/// Whose costs are measured: the scene's own objects, or a street of as many as are asked for.
+fn objects(ui: &mut Ui, look: Look<'_>, costs: &mut CullingCosts) {
+    ui.horizontal(|ui| {
+        let label = ui.label(look.say("culling-objects"));
+        let mut count = costs.n_objects();
+        let slider = Slider::new(&mut count, 1..=MAX_OBJECTS).logarithmic(true);
+        if ui.add(slider).labelled_by(label.id).changed() {
+            costs.measure(Some(count));
+        }
+        let own = egui::Button::new(look.say("culling-own"));
+        if ui.add_enabled(!costs.is_own(), own).clicked() {
+            costs.measure(None);
+        }
+    });
+}
+
+/// One bar a way: what culling takes in ink, then what drawing takes in the accent.
+fn bars(ui: &mut Ui, look: Look<'_>, costs: &Costs, height: f32) {
+    let row = |i: usize| (costs.len() - i) as f64;
+    let most = costs.iter().map(CullingCost::secs).fold(1e-9, f64::max);
+    let bar = |i: usize, secs: f64, fill: Color32| {
+        Bar::new(row(i) - 0.22, 1e3 * secs).width(0.32).fill(fill)
+    };
+    let (mut culls, mut draws) = (Vec::new(), Vec::new());
+    for (i, cost) in costs.iter().enumerate() {
+        culls.push(bar(i, cost.cull_secs, look.theme.ink));
+        draws.push(bar(i, cost.draw_secs, look.theme.accent));
+    }
+    let culls = BarChart::new("cull", culls).horizontal().allow_hover(false);
+    let draws = BarChart::new("draw", draws).horizontal().allow_hover(false);
+    let draws = draws.stack_on(&[&culls]);
+    still_plot("culling-bars").height(height).show(ui, |plot| {
+        let top = costs.len() as f64 + 0.6;
+        plot.set_plot_bounds(PlotBounds::from_min_max([0.0, 0.4], [1.02e3 * most, top]));
+        plot.bar_chart(culls);
+        plot.bar_chart(draws);
+        for (i, cost) in costs.iter().enumerate() {
+            let message = Message::new("culling-row")
+                .with("way", Value::Term(cost.culling.name_key()))
+                .with("cull", millis(look, cost.cull_secs))
+                .with("draw", millis(look, cost.draw_secs))
+                .with("objects", cost.n_kept)
+                .with("triangles", cost.n_triangles);
+            let text = RichText::new(look.catalog.message(&message)).small();
+            let at = PlotPoint::new(0.0, row(i) - 0.02);
+            let text = Text::new("row", at, text.color(look.theme.ink));
+            plot.text(text.anchor(Align2::LEFT_BOTTOM).allow_hover(false));
+        }
+    });
+}
+
+/// Three decimals, or as many as tell a short time from none.
+fn millis(look: Look<'_>, secs: f64) -> String {
+    let millis = 1e3 * secs;
+    let scale = if millis < 0.1 { 1e4 } else { 1e2 };
+    look.catalog.number((millis * scale).round() / scale)
+}
+
+/// The two sides of the bargain, with this scene's numbers.
+fn inequality(look: Look<'_>, costs: &Costs) -> Message {
+    let [_, rough, exact] = costs;
+    let relation = |a: f64, b: f64| if a < b { "<" } else { "≥" };
+    Message::new("culling-inequality")
+        .with("rough-cull", millis(look, rough.cull_secs))
+        .with(
+            "cull-relation",
+            relation(rough.cull_secs, exact.cull_secs).to_owned(),
+        )
+        .with("exact-cull", millis(look, exact.cull_secs))
+        .with("rough-draw", millis(look, rough.draw_secs))
+        .with(
+            "draw-relation",
+            relation(rough.draw_secs, exact.draw_secs).to_owned(),
+        )
+        .with("exact-draw", millis(look, exact.draw_secs))
+}
+
+/// Time over the number of objects, both by their logarithms.
+fn lines(ui: &mut Ui, look: Look<'_>, costs: &CullingCosts, height: f32) {
+    let style = |culling| match culling {
+        Culling::Nothing => (look.theme.soft, LineStyle::dashed_loose()),
+        Culling::Rough => (look.theme.accent, LineStyle::Solid),
+        Culling::Exact => (look.theme.ink, LineStyle::dotted_dense()),
+    };
+    let power = |value: f64| look.catalog.number(10.0_f64.powi(value.round() as i32));
+    let plot = Plot::new("culling-lines")
+        .height(height)
+        .allow_drag(false)
+        .allow_zoom(false)
+        .allow_scroll(false)
+        .allow_boxed_zoom(false)
+        .show_background(false)
+        .x_axis_label(look.say("culling-axis-objects"))
+        .y_axis_label(look.say("culling-axis-millis"))
+        .x_axis_formatter(move |mark, _| whole(mark.value, power))
+        .y_axis_formatter(move |mark, _| whole(mark.value, power))
+        .include_x(0.0)
+        .include_x(5.4)
+        .show_grid([false, true]);
+    plot.show(ui, |plot| {
+        for (i, culling) in Culling::ALL.into_iter().enumerate() {
+            let (color, line_style) = style(culling);
+            let known = costs.sweep().iter().zip(SWEEP);
+            let points: Vec<[f64; 2]> = known
+                .map(|(costs, count)| [(count as f64).log10(), (1e3 * costs[i].secs()).log10()])
+                .collect();
+            let last = points.last().copied();
+            let line = Line::new(look.say(culling.name_key()), points);
+            let line = line.stroke(Stroke::new(2.0, color)).style(line_style);
+            plot.line(line.allow_hover(false));
+            if let Some([x, y]) = last {
+                let name = RichText::new(look.say(culling.name_key()))
+                    .small()
+                    .color(color);
+                let text = Text::new("name", PlotPoint::new(x + 0.05, y), name);
+                plot.text(text.anchor(Align2::LEFT_CENTER).allow_hover(false));
+            }
+        }
+    });
+}
+
+/// A mark of a logarithmic axis: of whole powers only.
+fn whole(value: f64, power: impl Fn(f64) -> String) -> String {
+    if (value - value.round()).abs() < 1e-6 {
+        power(value)
+    } else {
+        String::new()
+    }
+}
+
+/// Which way is the fastest, and from how many objects on it is another.
+fn best(sweep: &[Costs]) -> Option<Message> {
+    if sweep.len() < SWEEP.len() {
+        return None;
+    }
+    let fastest = |costs: &Costs| {
+        let ways = costs.iter().min_by(|a, b| a.secs().total_cmp(&b.secs()));
+        ways.map(|cost| cost.culling)
+    };
+    let ways: Vec<Culling> = sweep.iter().filter_map(fastest).collect();
+    let (&first, &last) = (ways.first()?, ways.last()?);
+    let name = |culling: Culling| Value::Term(culling.name_key());
+    let from = ways
+        .iter()
+        .rposition(|&way| way != last)
+        .map_or(0, |i| i + 1);
+    if from == 0 {
+        return Some(Message::new("culling-best-always").with("way", name(last)));
+    }
+    let message = Message::new("culling-best-changes").with("first", name(first));
+    let message = message.with("last", name(last));
+    Some(
+        message
+            .with("few", SWEEP[from - 1])
+            .with("many", SWEEP[from]),
+    )
+}

@@ -1,0 +1,48 @@
+//! A rendered space has the same bytes here and on wasm32, where node and the target are at hand.
+
+#[path = "shared/space_bytes.rs"]
+mod space_bytes;
+
+use std::{path::Path, process::Command};
+
+/// Runs a module's `main`, and exits with what it returns.
+const RUN: &str = "const fs = require('node:fs');
+WebAssembly.instantiate(fs.readFileSync(process.argv[1]), {})
+  .then(({ instance }) => process.exit(instance.exports.main(0, 0)))
+  .catch((error) => { console.error(error); process.exit(3); });";
+
+const TARGET: &str = "wasm32-unknown-unknown";
+
+#[test]
+fn a_space_has_the_same_bytes_on_wasm32() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    if !has("node", &["--version"], "v")
+        || !has("rustup", &["target", "list", "--installed"], TARGET)
+    {
+        eprintln!("not run: node or the target {TARGET} is missing");
+        return;
+    }
+    let target = root.join("target/wasm");
+    let run_with = |digest: u64| {
+        let mut build = Command::new(env!("CARGO"));
+        build.args(["build", "--locked", "--target", TARGET]);
+        build
+            .arg("--manifest-path")
+            .arg(root.join("tests/wasm/Cargo.toml"));
+        build.arg("--target-dir").arg(&target);
+        build.env("SPACE_BYTES", digest.to_string());
+        assert!(build.status().expect("cargo").success());
+        let module = target.join(TARGET).join("debug/clipscope-wasm.wasm");
+        let status = Command::new("node").args(["-e", RUN]).arg(module).status();
+        status.expect("node").code()
+    };
+    let digest = space_bytes::digest();
+    assert_eq!(run_with(digest), Some(0), "other bytes than here: {digest}");
+    assert_eq!(run_with(digest ^ 1), Some(1), "it tells other bytes");
+}
+
+/// Can a command be run, and does it say this?
+fn has(command: &str, args: &[&str], word: &str) -> bool {
+    let output = Command::new(command).args(args).output();
+    output.is_ok_and(|output| String::from_utf8_lossy(&output.stdout).contains(word))
+}
