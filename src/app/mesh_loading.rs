@@ -15,7 +15,8 @@ use std::{
 use egui::Context;
 
 use crate::{
-    lesson::{FileError, ObjFile, Problem, read_obj_while},
+    geom::Texture,
+    lesson::{FileError, ObjFile, Problem, read_obj_while, texture_of},
     text::{Diagnostic, Message},
 };
 
@@ -34,10 +35,16 @@ enum Unread {
     Mesh(Vec<Problem>),
 }
 
+/// A mesh, and what it is painted with.
+struct ReadMesh {
+    obj: ObjFile,
+    texture: Option<Texture>,
+}
+
 /// A mesh on its way. Dropped, it is given up.
 pub struct MeshLoading {
     path: String,
-    read: Receiver<Result<ObjFile, Unread>>,
+    read: Receiver<Result<ReadMesh, Unread>>,
     is_wanted: Arc<AtomicBool>,
 }
 
@@ -56,9 +63,18 @@ impl MeshLoading {
             let is_wanted = || is_wanted.load(Ordering::Relaxed);
             let read = match bytes_of(Path::new(&path), &is_wanted) {
                 Ok(bytes) => read_obj_while(&path, &bytes, &is_wanted)
-                    .map(|read| ObjFile {
-                        mesh: read.mesh.fitted(),
-                        ..read
+                    .map(|obj| {
+                        let beside = |name: &str| {
+                            bytes_of(&Path::new(&path).with_file_name(name), &is_wanted).ok()
+                        };
+                        let material = obj.material.as_ref();
+                        ReadMesh {
+                            texture: material.and_then(|it| texture_of(it, &beside)),
+                            obj: ObjFile {
+                                mesh: obj.mesh.fitted(),
+                                ..obj
+                            },
+                        }
                     })
                     .map_err(Unread::Mesh),
                 Err(reason) => Err(Unread::File(reason)),
@@ -72,7 +88,7 @@ impl MeshLoading {
     }
 
     /// What came of it, once it is known.
-    fn answer(&self) -> Option<Result<ObjFile, Unread>> {
+    fn answer(&self) -> Option<Result<ReadMesh, Unread>> {
         match self.read.try_recv() {
             Ok(read) => Some(read),
             Err(TryRecvError::Empty) => None,
@@ -192,12 +208,13 @@ impl App {
         self.say_what_is_loading();
     }
 
-    fn add_mesh(&mut self, path: &str, read: &ObjFile, now: f64) {
+    fn add_mesh(&mut self, path: &str, read: &ReadMesh, now: f64) {
+        let ReadMesh { obj: read, texture } = read;
         let name = Path::new(path).file_stem().unwrap_or_default();
         let name = name.display().to_string();
         let mut panels = self.kit.panels.iter();
         let found = panels.find_map(|panel| {
-            let edit = panel.add_mesh(&name, &read.mesh)?;
+            let edit = panel.add_mesh(&name, &read.mesh, texture.as_ref())?;
             Some((panel.lab(), edit))
         });
         let Some((lab, edit)) = found else {
@@ -211,7 +228,7 @@ impl App {
                 .with("count", read.mesh.faces().len()),
             Err(refused) => refused.message,
         }];
-        if let Some([library, _]) = &read.material {
+        if let (Some([library, _]), None) = (&read.material, texture) {
             said.push(Message::new("status-mesh-plain").with("library", library.clone()));
         }
         if !read.warnings.is_empty() {

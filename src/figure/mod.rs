@@ -43,7 +43,7 @@ pub use ribbon::{Ribbon, RibbonStage};
 pub use role::{Link, Role};
 pub use run::{Run, Tick};
 pub use solids::{SolidMesh, SolidPicture, Solids};
-pub use space::{Edge3, Facet, Mark3, Seer, Shape3, Space};
+pub use space::{Edge3, Facet, Mark3, Seer, Shape3, Skin, Space};
 pub use table::{Cell, Table, TableNote, TableRow};
 pub use view::{
     Body, ClipperBox, ClipperRow, Fate, LineTick, NumberLine, Side, Traveller, View, ViewId,

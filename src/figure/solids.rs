@@ -4,7 +4,10 @@ use std::{collections::HashMap, ops::Range, sync::Arc};
 
 use glam::DVec3;
 
-use crate::algo::surface::{Cull, MeshRef, ScreenTriangle, Viewport, assemble, draw_rows};
+use crate::{
+    algo::surface::{Cull, MeshRef, ScreenTriangle, Viewport, assemble, draw_rows},
+    geom::{Matrix, Texture},
+};
 
 use super::{Facet, Lens, Link, lens::Optics};
 
@@ -83,9 +86,13 @@ fn distance(corners: &[DVec3], optics: &Optics, at: [f64; 2]) -> Option<f64> {
 #[derive(Clone, PartialEq, Debug)]
 pub struct SolidMesh {
     positions: Vec<[f32; 3]>,
+    /// Of each vertex, where any facet has a texture.
+    uvs: Vec<[f32; 2]>,
     triangles: Vec<[u32; 3]>,
     /// Of each triangle.
     facets: Vec<u32>,
+    /// Of each facet, where any has one.
+    textures: Vec<Option<Texture>>,
 }
 
 impl SolidMesh {
@@ -95,19 +102,33 @@ impl SolidMesh {
         let n_corners = facets.iter().map(|facet| facet.corners.len()).sum();
         let mut mesh = Self {
             positions: Vec::new(),
+            uvs: Vec::new(),
+            textures: Vec::new(),
             triangles: Vec::with_capacity(n_corners),
             facets: Vec::with_capacity(n_corners),
         };
-        let mut vertices: HashMap<[u32; 3], u32> = HashMap::with_capacity(facets.len());
+        let mut vertices: HashMap<[u32; 5], u32> = HashMap::with_capacity(facets.len());
+        let has_skin = facets.iter().any(|facet| facet.skin.is_some());
+        if has_skin {
+            let textures = facets
+                .iter()
+                .map(|facet| Some(facet.skin.as_ref()?.texture.clone()));
+            mesh.textures = textures.collect();
+        }
         let mut corners = Vec::new();
         for (idx, facet) in (0..).zip(facets) {
             corners.clear();
-            for at in &facet.corners {
-                let at = at.map(|x| x as f32 + 0.0);
+            for &at in &facet.corners {
+                let uv = facet.uv_at(at);
+                let [x, y, z] = at.map(|x| x as f32 + 0.0);
+                let key = [x, y, z, uv[0], uv[1]].map(f32::to_bits);
                 let next = mesh.positions.len() as u32;
-                let vertex = *vertices.entry(at.map(f32::to_bits)).or_insert(next);
+                let vertex = *vertices.entry(key).or_insert(next);
                 if vertex == next {
-                    mesh.positions.push(at);
+                    mesh.positions.push([x, y, z]);
+                    if has_skin {
+                        mesh.uvs.push(uv);
+                    }
                 }
                 corners.push(vertex);
             }
@@ -120,11 +141,44 @@ impl SolidMesh {
     }
 }
 
+impl SolidMesh {
+    /// What is cut open shows its inner side.
+    fn on_screen<const N: usize>(
+        &self,
+        attributes: &[[f32; N]],
+        clip_from_world: &Matrix,
+        viewport: &Viewport,
+    ) -> Vec<ScreenTriangle<N>> {
+        let mesh = MeshRef {
+            positions: &self.positions,
+            attributes,
+            faces: &self.triangles,
+            first_id: 0,
+        };
+        let mut triangles = Vec::with_capacity(self.triangles.len());
+        assemble(
+            &mesh,
+            clip_from_world,
+            viewport,
+            Cull::Nothing,
+            &mut triangles,
+        );
+        triangles
+    }
+}
+
 /// Solids on a picture of some size, ready to be drawn row by row.
 pub struct SolidPicture<'a> {
     mesh: &'a SolidMesh,
-    triangles: Vec<ScreenTriangle<0>>,
+    triangles: Drawable,
     viewport: Viewport,
+}
+
+/// On the screen.
+enum Drawable {
+    Plain(Vec<ScreenTriangle<0>>),
+    /// With texture coordinates.
+    Skinned(Vec<ScreenTriangle<2>>),
 }
 
 impl<'a> SolidPicture<'a> {
@@ -142,21 +196,12 @@ impl<'a> SolidPicture<'a> {
         let optics = Optics::of(lens)?;
         let viewport = Viewport::new(size, Viewport::PICTURE_BITS)?;
         let clip_from_world = optics.clip_from_world(part, depths(mesh, &optics)?)?;
-        let mut triangles = Vec::with_capacity(mesh.triangles.len());
-        let mesh_ref = MeshRef {
-            positions: &mesh.positions,
-            attributes: &vec![[]; mesh.positions.len()],
-            faces: &mesh.triangles,
-            first_id: 0,
+        let triangles = if mesh.uvs.is_empty() {
+            let none = vec![[]; mesh.positions.len()];
+            Drawable::Plain(mesh.on_screen(&none, &clip_from_world, &viewport))
+        } else {
+            Drawable::Skinned(mesh.on_screen(&mesh.uvs, &clip_from_world, &viewport))
         };
-        // What is cut open shows its inner side.
-        assemble(
-            &mesh_ref,
-            &clip_from_world,
-            &viewport,
-            Cull::Nothing,
-            &mut triangles,
-        );
         Some(Self {
             mesh,
             triangles,
@@ -167,19 +212,59 @@ impl<'a> SolidPicture<'a> {
     /// So many are drawn.
     #[must_use]
     pub const fn n_triangles(&self) -> usize {
-        self.triangles.len()
+        match &self.triangles {
+            Drawable::Plain(triangles) => triangles.len(),
+            Drawable::Skinned(triangles) => triangles.len(),
+        }
+    }
+
+    /// Is anything on it painted with a texture?
+    #[must_use]
+    pub const fn has_skin(&self) -> bool {
+        match &self.triangles {
+            Drawable::Plain(_) => false,
+            Drawable::Skinned(_) => true,
+        }
     }
 
     /// Puts the facets that are seen in some rows into `facets`, one for each sample, and how far away they are, from 0 to
-    /// 1, into `depths`; where there is none, both stay.
-    pub fn draw_rows(&self, rows: Range<u32>, depths: &mut [f32], facets: &mut [u32]) {
-        draw_rows(
-            &self.triangles,
-            &self.viewport,
-            rows,
-            depths,
-            |at, triangle, []| facets[at] = self.mesh.facets[triangle as usize],
-        );
+    /// 1, into `depths`; where there is none, both stay. Where [`Self::has_skin`], the texels go into `texels`, as long as
+    /// the others: `None` of a facet without a texture.
+    pub fn draw_rows(
+        &self,
+        rows: Range<u32>,
+        depths: &mut [f32],
+        facets: &mut [u32],
+        texels: &mut [Option<[u8; 3]>],
+    ) {
+        let facet_of = |triangle: u32| self.mesh.facets[triangle as usize];
+        match &self.triangles {
+            Drawable::Plain(triangles) => {
+                draw_rows(
+                    triangles,
+                    &self.viewport,
+                    rows,
+                    depths,
+                    |at, triangle, []| {
+                        facets[at] = facet_of(triangle);
+                    },
+                );
+            }
+            Drawable::Skinned(triangles) => {
+                draw_rows(
+                    triangles,
+                    &self.viewport,
+                    rows,
+                    depths,
+                    |at, triangle, uv| {
+                        let facet = facet_of(triangle);
+                        facets[at] = facet;
+                        let texture = self.mesh.textures[facet as usize].as_ref();
+                        texels[at] = texture.map(|texture| texture.at(uv));
+                    },
+                );
+            }
+        }
     }
 }
 

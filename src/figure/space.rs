@@ -5,7 +5,7 @@ use std::{collections::HashMap, sync::Arc};
 use glam::DVec3;
 
 use crate::{
-    geom::{Camera, Orbit},
+    geom::{Camera, Orbit, Texture},
     text::Value,
 };
 
@@ -44,6 +44,17 @@ pub struct Facet {
     pub role: Role,
     /// What it is about.
     pub link: Option<Link>,
+    /// What it is painted with.
+    pub skin: Option<Skin>,
+}
+
+/// A part of a texture.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Skin {
+    /// The whole of it.
+    pub texture: Texture,
+    /// Where in it the facet's first three corners lie.
+    pub uvs: [[f32; 2]; 3],
 }
 
 /// An edge of a solid.
@@ -190,6 +201,43 @@ impl Edge3 {
 }
 
 impl Facet {
+    /// Where in its texture a place of its plane lies; a facet without one, or without an area, says nothing.
+    #[must_use]
+    pub fn uv_at(&self, at: [f64; 3]) -> [f32; 2] {
+        let (Some(skin), [a, b, c, ..]) = (&self.skin, &self.corners[..]) else {
+            return [0.0; 2];
+        };
+        let [a, b, c, at] = [*a, *b, *c, at].map(DVec3::from);
+        let (along, aside) = (b - a, c - a);
+        let normal = along.cross(aside);
+        let area = normal.length_squared();
+        if area == 0.0 {
+            return skin.uvs[0];
+        }
+        let share = |of: DVec3| (of.dot(normal) / area) as f32;
+        let (second, third) = (share((at - a).cross(aside)), share(along.cross(at - a)));
+        let [first, uv_b, uv_c] = skin.uvs;
+        std::array::from_fn(|i| {
+            first[i] + second * (uv_b[i] - first[i]) + third * (uv_c[i] - first[i])
+        })
+    }
+
+    /// A part of it, in its plane.
+    #[must_use]
+    pub fn part(&self, corners: Vec<[f64; 3]>) -> Self {
+        let skin = self.skin.as_ref().filter(|_| corners.len() >= 3);
+        let skin = skin.map(|skin| Skin {
+            texture: skin.texture.clone(),
+            uvs: [0, 1, 2].map(|i| self.uv_at(corners[i])),
+        });
+        Self {
+            corners,
+            role: self.role,
+            link: self.link,
+            skin,
+        }
+    }
+
     /// Away from the solid, of length 1; zero of a facet without an area.
     #[must_use]
     pub fn normal(&self) -> DVec3 {

@@ -28,6 +28,7 @@ mod solids;
 mod space_error;
 mod sphere;
 mod sweep;
+mod texture;
 mod view_volume;
 mod window;
 
@@ -52,5 +53,6 @@ pub use simple_polygon::SimplePolygon;
 pub use solids::Solid;
 pub use space_error::SpaceError;
 pub use sphere::Sphere;
+pub use texture::Texture;
 pub use view_volume::{Sight, ViewVolume, VolumeSide, planes_from_matrix};
 pub use window::{Edge, Window};

@@ -18,6 +18,8 @@ pub struct Seen {
     pub depths: Vec<f32>,
     /// [`NONE`] where there is none.
     pub facets: Vec<u32>,
+    /// Of facets with a texture; empty where there is none on the picture.
+    pub texels: Vec<Option<[u8; 3]>>,
 }
 
 /// Which samples lie beside a line, on either side of it; `normals` are those of the facets, of length 1.
@@ -74,6 +76,7 @@ mod tests {
             n_columns: 5,
             depths: [depths, depths].concat(),
             facets: [facets, facets].concat(),
+            texels: Vec::new(),
         }
     }
 

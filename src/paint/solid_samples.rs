@@ -69,6 +69,7 @@ impl Samples<'_> {
             n_columns: (self.size[0] * self.fine) as usize,
             depths: Vec::new(),
             facets: Vec::new(),
+            texels: Vec::new(),
         };
         let starts = rows.clone().step_by(n_at_once.max(1) as usize);
         let chunks = pixels.chunks_mut((n_at_once * self.size[0]).max(1) as usize);
@@ -88,8 +89,17 @@ impl Samples<'_> {
         seen.depths.resize(n_samples, 1.0);
         seen.facets.clear();
         seen.facets.resize(n_samples, NONE);
-        self.picture
-            .draw_rows(first..end, &mut seen.depths, &mut seen.facets);
+        if self.picture.has_skin() {
+            seen.texels.clear();
+            seen.texels.resize(n_samples, None);
+        }
+        let Seen {
+            depths,
+            facets,
+            texels,
+            ..
+        } = seen;
+        self.picture.draw_rows(first..end, depths, facets, texels);
         let is_dark = match self.outline {
             Some((_, normals)) => outlines(seen, normals),
             None => Vec::new(),
@@ -126,6 +136,9 @@ impl Samples<'_> {
 
     /// The colour of a pixel that has only one: of most.
     fn whole(&self, seen: &Seen, is_dark: &[bool], left: usize) -> Option<Color32> {
+        if seen.texels.get(left).copied().flatten().is_some() {
+            return None;
+        }
         let (fine, n_columns) = (self.fine as usize, seen.n_columns);
         let facet = seen.facets[left];
         for start in (0..fine).map(|i| left + i * n_columns) {
@@ -156,7 +169,10 @@ impl Samples<'_> {
             let tone = match self.outline {
                 Some((ink, _)) if is_dark[at] => ink,
                 _ if facet == NONE => continue,
-                _ => self.tones[facet as usize],
+                _ => match seen.texels.get(at).copied().flatten() {
+                    Some(texel) => painted(texel, self.tones[facet as usize]),
+                    None => self.tones[facet as usize],
+                },
             };
             for (sum, channel) in sum.iter_mut().zip(tone.to_array()) {
                 *sum += u32::from(channel);
@@ -165,6 +181,16 @@ impl Samples<'_> {
         let [r, g, b, a] = sum.map(|sum: u32| ((sum + n / 2) / n) as u8);
         Color32::from_rgba_premultiplied(r, g, b, a)
     }
+}
+
+/// A texel under a facet's tone: as if the tone's light fell on it.
+fn painted(texel: [u8; 3], tone: Color32) -> Color32 {
+    let [r, g, b, a] = tone.to_array();
+    let [r, g, b] = std::array::from_fn(|i| {
+        let product = u16::from(texel[i]) * u16::from([r, g, b][i]);
+        (product / 255) as u8
+    });
+    Color32::from_rgba_premultiplied(r, g, b, a)
 }
 
 /// Is nothing in so many columns and rows of samples?

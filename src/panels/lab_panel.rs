@@ -3,7 +3,7 @@
 use egui::{Context, Ui};
 
 use crate::{
-    geom::Mesh,
+    geom::{Mesh, Texture},
     labs::{Edit, Lab, OutlineKind, Scene},
     widgets::Look,
 };
@@ -28,7 +28,7 @@ pub trait LabPanel {
     fn menu(&mut self, ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk>;
 
     /// What puts a mesh of this name into its scenes, if the lab shows meshes. It lies around the origin, between −1 and 1.
-    fn add_mesh(&self, _name: &str, _mesh: &Mesh) -> Option<Edit> {
+    fn add_mesh(&self, _name: &str, _mesh: &Mesh, _texture: Option<&Texture>) -> Option<Edit> {
         None
     }
 

@@ -40,7 +40,7 @@ fn add_space(hash: &mut u64, space: &Space) {
     let picture = SolidPicture::new(&mesh, &lens, part, SIZE).expect("there is something to see");
     let n = (SIZE[0] * SIZE[1]) as usize;
     let (mut depths, mut facets) = (vec![1.0; n], vec![u32::MAX; n]);
-    picture.draw_rows(0..SIZE[1], &mut depths, &mut facets);
+    picture.draw_rows(0..SIZE[1], &mut depths, &mut facets, &mut []);
     add(hash, facets.iter().flat_map(|facet| facet.to_le_bytes()));
     add(hash, depths.iter().flat_map(|depth| depth.to_le_bytes()));
     // What a number prints is its every bit.

@@ -120,7 +120,7 @@ status-no-window = The window could not be opened: it needs a display and OpenGL
 status-kept = The scene is as it was.
 status-mesh-reading = Reading { $path }… Escape gives it up.
 status-mesh-given-up = { $path } was given up: the scene is as it was.
-status-mesh-plain = { $library } is not read: the mesh is drawn without a texture.
+status-mesh-plain = The texture that { $library } names could not be had: the mesh is drawn without.
 status-mesh-added =
     { $count ->
         [one] { $name }, of { $count } triangle, stands in the scene.

@@ -120,7 +120,7 @@ status-no-window = No se pudo abrir la ventana: necesita una pantalla y OpenGL. 
 status-kept = La escena queda como estaba.
 status-mesh-reading = Leyendo { $path }… Esc lo abandona.
 status-mesh-given-up = Se abandonó { $path }: la escena sigue como estaba.
-status-mesh-plain = { $library } no se lee: la malla se dibuja sin textura.
+status-mesh-plain = No se pudo obtener la textura que nombra { $library }: la malla se dibuja sin ella.
 status-mesh-added =
     { $count ->
         [one] { $name }, de { $count } triángulo, está en la escena.

@@ -120,7 +120,7 @@ status-no-window = Não foi possível abrir a janela: ela precisa de uma tela e 
 status-kept = A cena continua como estava.
 status-mesh-reading = Lendo { $path }… Esc desiste.
 status-mesh-given-up = A leitura de { $path } foi abandonada: a cena está como estava.
-status-mesh-plain = { $library } não é lido: a malha é desenhada sem textura.
+status-mesh-plain = A textura que { $library } indica não pôde ser obtida: a malha é desenhada sem ela.
 status-mesh-added =
     { $count ->
         [one] { $name }, de { $count } triângulo, está na cena.

@@ -167,7 +167,36 @@ fn what_comes_along_with_a_mesh_is_no_scene_of_its_own() {
     let first = objects(&frustum::LAB.first_scene());
     assert_eq!(objects(bench.app.scene()), first + 2, "{:?}", said(&bench));
     let said = said(&bench).join("\n");
-    assert!(said.contains("wedge.mtl is not read"), "{said}");
+    // What stands in wedge.mtl is no material.
+    assert!(said.contains("wedge.mtl"), "{said}");
+}
+
+#[test]
+fn a_mesh_is_painted_with_the_picture_beside_it() {
+    const PAINTED: &str = "mtllib wedge.mtl\nusemtl wood\n\
+        v 0 0 0\nv 4 0 0\nv 0 2 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n";
+    let mut bench = bench();
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let write = |name: &str, bytes: &[u8]| {
+        std::fs::write(folder.path().join(name), bytes).expect("writable");
+    };
+    let material = "newmtl stone\nmap_Kd ../elsewhere.png\nnewmtl wood\nmap_Kd my wood.jpg\n";
+    write("wedge.mtl", material.as_bytes());
+    write(
+        "my wood.jpg",
+        include_bytes!("../../lesson/mesh_file/grey.jpg"),
+    );
+    write("wedge.obj", PAINTED.as_bytes());
+    let path = folder.path().join("wedge.obj");
+    bench.frame_with(0.1, Vec::new(), vec![Arc::new(Dropped(path))]);
+    wait(&mut bench);
+    let scene = bench.app.scene().get::<frustum::Scene>();
+    let wedge = scene.expect("of that lab").focused();
+    let skin = wedge.model().skin([0, 1, 2]).expect("it is painted");
+    assert_eq!(skin.texture.size(), [16, 8]);
+    assert_eq!(skin.uvs, [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]);
+    let said = said(&bench).join("\n");
+    assert!(!said.contains("wedge.mtl"), "{said}");
 }
 
 #[test]

@@ -24,6 +24,7 @@ fn facets() -> Vec<Facet> {
                 corners: mesh.corners(face).map(|at| place.point(at)).to_vec(),
                 role: Role::Accent,
                 link: Some(Link::nth("face", facets.len())),
+                skin: None,
             });
         }
     }
@@ -202,7 +203,7 @@ fn a_face_is_pointed_at_where_the_raster_shows_it() {
         let [width, height] = SIZE.map(|side| side as usize);
         let mut depths = vec![1.0; width * height];
         let mut seen = vec![u32::MAX; width * height];
-        picture.draw_rows(0..SIZE[1], &mut depths, &mut seen);
+        picture.draw_rows(0..SIZE[1], &mut depths, &mut seen, &mut []);
         let mut n_compared = 0;
         for row in 1..height - 1 {
             for column in 1..width - 1 {

@@ -19,6 +19,7 @@ fn cube() -> Vec<Facet> {
             corners: square.map(corner).to_vec(),
             role: Role::Accent,
             link: None,
+            skin: None,
         }
     };
     (0..3)

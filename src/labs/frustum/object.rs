@@ -4,7 +4,8 @@ use std::sync::{Arc, LazyLock};
 
 use crate::{
     algo::cull::FunnelObject,
-    geom::{AlignedBox, Matrix, Mesh, Solid, SpaceError},
+    figure::Skin,
+    geom::{AlignedBox, Matrix, Mesh, Solid, SpaceError, Texture},
 };
 
 /// A mesh with a name: of a file, say.
@@ -14,6 +15,8 @@ pub struct NamedMesh {
     pub name: String,
     /// Its surface.
     pub mesh: Mesh,
+    /// What it is painted with, at its texture coordinates.
+    pub texture: Option<Texture>,
 }
 
 /// What an object looks like.
@@ -41,6 +44,23 @@ impl Model {
             }
             Self::Mesh(named) => &named.mesh,
         }
+    }
+}
+
+impl Model {
+    /// What a face is painted with.
+    #[must_use]
+    pub fn skin(&self, face: [u32; 3]) -> Option<Skin> {
+        let Self::Mesh(named) = self else {
+            return None;
+        };
+        let texture = named.texture.clone()?;
+        let uvs = face.map(|i| named.mesh.uvs().get(i as usize).copied());
+        let [Some(a), Some(b), Some(c)] = uvs else {
+            return None;
+        };
+        let uvs = [a, b, c];
+        Some(Skin { texture, uvs })
     }
 }
 

@@ -6,7 +6,9 @@
 mod faces;
 mod mtl;
 mod obj;
+mod picture;
 mod statements;
 
 pub use mtl::read_mtl;
 pub use obj::{ObjFile, read_obj, read_obj_while};
+pub use picture::{read_picture, texture_of};

@@ -204,7 +204,11 @@ fn for_a_mesh_that_is_too_large_a_cube_stands_in_the_file() {
     for (n, faces) in [(60, 7200), (80, 12)] {
         let name = "grid".to_owned();
         let mesh = grid(n);
-        let model = Model::Mesh(Arc::new(NamedMesh { name, mesh }));
+        let model = Model::Mesh(Arc::new(NamedMesh {
+            name,
+            mesh,
+            texture: None,
+        }));
         scene.set_object(
             1,
             Object::new(model, [1.0, 2.0, 3.0], [0.0; 3], 0.5).expect("finite"),
@@ -228,7 +232,11 @@ fn first_scenes_and_names_that_need_quotes_come_back() {
     for name in ["a \"b\" \\ c", "牛", "line\nbreak\t\u{7f}", "x = { }"] {
         let name = name.to_owned();
         let mesh = Solid::Tetrahedron.mesh();
-        let model = Model::Mesh(Arc::new(NamedMesh { name, mesh }));
+        let model = Model::Mesh(Arc::new(NamedMesh {
+            name,
+            mesh,
+            texture: None,
+        }));
         scene.set_object(
             0,
             Object::new(model, [0.0; 3], [0.0; 3], 1.0).expect("finite"),
@@ -263,7 +271,11 @@ fn model() -> impl Strategy<Value = Model> {
             let uvs = uvs.map(|&[x, y, _]| [x, y]).collect();
             let mesh = Mesh::new(positions, uvs, vec![a, b]).expect("in order");
             let name = "m".to_owned();
-            Model::Mesh(Arc::new(NamedMesh { name, mesh }))
+            Model::Mesh(Arc::new(NamedMesh {
+                name,
+                mesh,
+                texture: None,
+            }))
         });
     prop_oneof![
         prop::sample::select(Solid::ALL.to_vec()).prop_map(Model::Solid),

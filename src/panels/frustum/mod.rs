@@ -10,7 +10,7 @@ use std::sync::Arc;
 use egui::Ui;
 
 use crate::{
-    geom::Mesh,
+    geom::{Mesh, Texture},
     labs::{
         Edit, Lab, Scene,
         frustum::{self, FrustumChange, Model, NamedMesh},
@@ -52,9 +52,12 @@ impl LabPanel for FrustumPanel {
         camera.or(objects).or(street)
     }
 
-    fn add_mesh(&self, name: &str, mesh: &Mesh) -> Option<Edit> {
-        let (name, mesh) = (name.to_owned(), mesh.clone());
-        let model = Model::Mesh(Arc::new(NamedMesh { name, mesh }));
+    fn add_mesh(&self, name: &str, mesh: &Mesh, texture: Option<&Texture>) -> Option<Edit> {
+        let model = Model::Mesh(Arc::new(NamedMesh {
+            name: name.to_owned(),
+            mesh: mesh.clone(),
+            texture: texture.cloned(),
+        }));
         Some(Edit::own(FrustumChange::Add(model)))
     }
 

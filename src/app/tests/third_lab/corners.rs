@@ -215,6 +215,7 @@ fn facets(half: f64) -> Vec<Facet> {
         corners: face.map(|idx| corner(half, idx)).to_vec(),
         role: Role::Accent,
         link: Some(Link::to("face")),
+        skin: None,
     };
     FACES.map(facet).to_vec()
 }

@@ -92,6 +92,10 @@ impl Solids {
                 corners: face.map(|i| points[i as usize]).to_vec(),
                 role,
                 link: Some(link(face_idx)),
+                skin: object
+                    .model()
+                    .skin(*face)
+                    .filter(|_| role != Role::Discarded),
             };
             match fate {
                 Fate::Cut => self.cut_face(whole, planes),
@@ -140,18 +144,14 @@ impl Solids {
     /// The part inside all planes, and what each plane cuts off.
     fn cut_face(&mut self, whole: Facet, planes: &[Plane; 6]) {
         let first = self.facets.len();
-        let Facet {
-            corners: mut left,
-            role,
-            link,
-        } = whole;
+        let mut left = whole.corners.clone();
         for plane in planes {
             let [inside, outside] = split(&left, plane);
             if !outside.is_empty() {
                 self.facets.push(Facet {
-                    corners: outside,
                     role: Role::Discarded,
-                    link,
+                    skin: None,
+                    ..whole.part(outside)
                 });
                 for cut in cuts(&inside, plane) {
                     self.edges.push(Edge3 {
@@ -165,11 +165,7 @@ impl Solids {
             left = inside;
         }
         if !left.is_empty() {
-            self.facets.push(Facet {
-                corners: left,
-                role,
-                link,
-            });
+            self.facets.push(whole.part(left));
         }
     }
 
@@ -190,6 +186,7 @@ impl Solids {
             corners: face.map(corner).to_vec(),
             role: Role::Ink,
             link: Some(Link::to("camera")),
+            skin: None,
         }));
     }
 }

@@ -9,6 +9,7 @@ use crate::{
         read_obj,
         scene_file::parts::{array, exact, span_of},
         sink::{Sink, clipped},
+        texture_of,
         toml_fields::{Item, TomlFields, list, number, numbers, one_of, text, whole},
     },
     text::Message,
@@ -99,7 +100,15 @@ fn mesh_beside(item: &Item<'_>, name: &str, sink: &mut Sink<'_>) -> Option<Named
             sink.report(read.warnings);
             let name = stem.unwrap_or_default().to_owned();
             let mesh = read.mesh.fitted();
-            Some(NamedMesh { name, mesh })
+            let texture = read.material.as_ref().and_then(|material| {
+                let bytes = |name: &str| sink.source().beside(name)?.1.ok();
+                texture_of(material, &bytes)
+            });
+            Some(NamedMesh {
+                name,
+                mesh,
+                texture,
+            })
         }
         Err(problems) => {
             sink.report(problems);
@@ -128,6 +137,7 @@ fn mesh(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<NamedMesh> {
     let made = Mesh::new(positions?, uvs?, faces?);
     match made {
         Ok(mesh) => Some(NamedMesh {
+            texture: None,
             name: name?.to_owned(),
             mesh,
         }),
@@ -233,7 +243,7 @@ pub(super) fn object_to_toml(object: &Object) -> String {
     )
 }
 
-fn mesh_to_toml(NamedMesh { name, mesh }: &NamedMesh) -> String {
+fn mesh_to_toml(NamedMesh { name, mesh, .. }: &NamedMesh) -> String {
     let mut text = format!("{{ name = {}, vertices = [", quoted(name));
     let list = |text: &mut String, rows: &mut dyn Iterator<Item = String>| {
         text.push_str(&rows.collect::<Vec<_>>().join(", "));

@@ -5,7 +5,7 @@ use std::sync::{Arc, LazyLock};
 use crate::{
     geom::Solid,
     labs::frustum::{Model, NamedMesh},
-    lesson::read_obj,
+    lesson::{read_obj, read_picture},
 };
 
 /// As scene files spell it.
@@ -23,7 +23,15 @@ pub fn model() -> Model {
         read_obj(ID, bytes).map_or(Model::Solid(Solid::Cube), |read| {
             let mesh = read.mesh.fitted();
             let name = ID.to_owned();
-            Model::Mesh(Arc::new(NamedMesh { name, mesh }))
+            let painted = include_bytes!(concat!(
+                env!("CARGO_MANIFEST_DIR"),
+                "/assets/meshes/spot/spot_texture.png"
+            ));
+            Model::Mesh(Arc::new(NamedMesh {
+                name,
+                mesh,
+                texture: read_picture(painted),
+            }))
         })
     });
     SPOT.clone()

@@ -1,0 +1,119 @@
+//! Reading the picture that a mesh is painted with: PNG or JPEG.
+
+use std::io::Cursor;
+
+use zune_jpeg::{
+    JpegDecoder,
+    zune_core::{colorspace::ColorSpace, options::DecoderOptions},
+};
+
+use crate::geom::Texture;
+
+use super::read_mtl;
+
+/// A picture of more columns or rows is not read: it would fill the memory.
+const MAX_SIDE: usize = 8192;
+
+/// A texture from the bytes of a PNG or a JPEG file, told apart by how they begin. `None` where they are neither, broken,
+/// or more than 8192 texels wide or high.
+#[must_use]
+pub fn read_picture(bytes: &[u8]) -> Option<Texture> {
+    if bytes.starts_with(b"\x89PNG") {
+        read_png(bytes)
+    } else {
+        read_jpeg(bytes)
+    }
+}
+
+/// The texture of a material, from the files beside its mesh: `material` is the MTL file's name and its own, `bytes` what a
+/// file of a name there holds. `None` where anything of it is missing, or elsewhere.
+#[must_use]
+pub fn texture_of(
+    material: &[String; 2],
+    bytes: &dyn Fn(&str) -> Option<Vec<u8>>,
+) -> Option<Texture> {
+    let beside = |name: &str| {
+        let is_beside = !name.contains(['/', '\\']);
+        is_beside.then(|| bytes(name)).flatten()
+    };
+    let [library, name] = material;
+    let picture = read_mtl(&beside(library)?, name)?;
+    read_picture(&beside(&picture)?)
+}
+
+fn read_png(bytes: &[u8]) -> Option<Texture> {
+    let mut decoder = png::Decoder::new(Cursor::new(bytes));
+    decoder.set_transformations(png::Transformations::normalize_to_color8());
+    let mut reader = decoder.read_info().ok()?;
+    let header = reader.info();
+    let size = [header.width, header.height].map(|side| side as usize);
+    if size.iter().any(|&side| side > MAX_SIDE) {
+        return None;
+    }
+    let mut samples = vec![0; reader.output_buffer_size()?];
+    let frame = reader.next_frame(&mut samples).ok()?;
+    let texels: Vec<[u8; 3]> = match frame.color_type {
+        png::ColorType::Grayscale => samples.iter().map(|&grey| [grey; 3]).collect(),
+        png::ColorType::GrayscaleAlpha => samples.chunks_exact(2).map(|it| [it[0]; 3]).collect(),
+        png::ColorType::Rgb => samples.as_chunks().0.to_vec(),
+        png::ColorType::Rgba => {
+            let texels = samples.chunks_exact(4);
+            texels.map(|it| [it[0], it[1], it[2]]).collect()
+        }
+        // Normalized away.
+        png::ColorType::Indexed => return None,
+    };
+    Texture::new(size, texels)
+}
+
+fn read_jpeg(bytes: &[u8]) -> Option<Texture> {
+    let options = DecoderOptions::default()
+        .jpeg_set_out_colorspace(ColorSpace::RGB)
+        .set_max_width(MAX_SIDE)
+        .set_max_height(MAX_SIDE);
+    let mut decoder = JpegDecoder::new_with_options(Cursor::new(bytes), options);
+    let samples = decoder.decode().ok()?;
+    let (width, height) = decoder.dimensions()?;
+    Texture::new([width, height], samples.as_chunks().0.to_vec())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pictures_are_read_and_what_is_none_is_not() {
+        let spot = include_bytes!(concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/assets/meshes/spot/spot_texture.png"
+        ));
+        let texture = read_picture(spot).unwrap();
+        assert_eq!(texture.size(), [1024, 1024]);
+        assert_eq!(read_picture(&spot[..5000]), None);
+        assert_eq!(read_picture(b"\xff\xd8\xff\xe0 no picture"), None);
+        assert_eq!(read_picture(b""), None);
+        // A grey one.
+        let jpeg = include_bytes!("grey.jpg");
+        assert_eq!(read_picture(jpeg).unwrap().size(), [16, 8]);
+    }
+
+    #[test]
+    fn pngs_of_all_kinds_are_read() {
+        for (kind, samples) in [
+            (png::ColorType::Grayscale, vec![7]),
+            (png::ColorType::GrayscaleAlpha, vec![7, 255]),
+            (png::ColorType::Rgb, vec![7, 8, 9]),
+            (png::ColorType::Rgba, vec![7, 8, 9, 255]),
+        ] {
+            let mut bytes = Vec::new();
+            let mut encoder = png::Encoder::new(&mut bytes, 1, 1);
+            encoder.set_color(kind);
+            let mut writer = encoder.write_header().unwrap();
+            writer.write_image_data(&samples).unwrap();
+            writer.finish().unwrap();
+            let texel = read_picture(&bytes).unwrap().at([0.5; 2]);
+            assert_eq!(texel[0], 7);
+            assert_eq!(texel, if samples.len() < 3 { [7; 3] } else { [7, 8, 9] });
+        }
+    }
+}
