@@ -74,7 +74,8 @@ impl Frame {
             | Body::NumberLine(_)
             | Body::Clippers(_)
             | Body::Gauges(_)
-            | Body::Ribbon(_) => None,
+            | Body::Ribbon(_)
+            | Body::Screens(_) => None,
         })
     }
 

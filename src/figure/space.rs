@@ -84,6 +84,8 @@ pub struct Mark3 {
     pub link: Option<Link>,
     /// A line of construction: a frustum's edge, a sight line, a drop line to the ground.
     pub is_fine: bool,
+    /// Dashed whatever its role: not there to stay, and yet what the step is about.
+    pub is_dashed: bool,
 }
 
 /// Something to draw, at world coordinates.
@@ -121,6 +123,7 @@ impl Mark3 {
             label: None,
             link: None,
             is_fine: false,
+            is_dashed: false,
         }
     }
 
@@ -144,6 +147,13 @@ impl Mark3 {
     #[must_use]
     pub const fn fine(mut self) -> Self {
         self.is_fine = true;
+        self
+    }
+
+    /// Drawn with dashes, in its role's colour.
+    #[must_use]
+    pub const fn dashed(mut self) -> Self {
+        self.is_dashed = true;
         self
     }
 

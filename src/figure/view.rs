@@ -3,7 +3,7 @@
 
 use crate::text::{Formula, Value};
 
-use super::{Bits, Gauges, Link, Lists, Mark, Products, Raster, Ribbon, Space, Table};
+use super::{Bits, Gauges, Link, Lists, Mark, Products, Raster, Ribbon, Screens, Space, Table};
 
 /// A name that a view keeps from step to step, and from one method to the one beside it: pan, zoom and orbit are
 /// remembered under it.
@@ -67,6 +67,8 @@ pub enum Body {
     Gauges(Gauges),
     /// How much is left after each of several tests.
     Ribbon(Ribbon),
+    /// Pictures of the screen over each other.
+    Screens(Screens),
 }
 
 /// What a crossing does to the interval on a [`NumberLine`].

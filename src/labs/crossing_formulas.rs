@@ -71,6 +71,21 @@ impl Weights {
         formula.over(sum, self.whole()).sym(" = ").point(at)
     }
 
+    /// `C = (2 · (0, 0, 1, 2) + 6 · (1, 0, 3, 4)) / (6 − (−2)) = (…)`: of all coordinates at once.
+    pub fn mean_of_places<const N: usize>(
+        &self,
+        symbol: &'static str,
+        [p1, p2]: &[[f64; N]; 2],
+        at: [f64; N],
+    ) -> Formula {
+        let [w1, w2] = self.ends;
+        let place = |formula: Formula, at: &[f64; N]| formula.sym("(").list(at).sym(")");
+        let sum = place(Formula::default().num(w2).sym(" · "), p1);
+        let sum = place(sum.sym(" + ").operand(w1).sym(" · "), p2);
+        let formula = Formula::default().sym(symbol).sym(" = ");
+        place(formula.over(sum, self.whole()).sym(" = "), &at)
+    }
+
     /// `y = (−1 · 3 + 3/2 · 1) / (2 − (−2)) = −3/8`
     fn mean(&self, symbol: &'static str, [o1, o2]: [f64; 2], free: f64) -> Formula {
         let [w1, w2] = self.ends;
@@ -112,6 +127,21 @@ pub fn upright(segment: &Segment, axis: Axis, c: f64, at: Point) -> Vec<Formula>
     let mean = Weights::along([a1, a2], c).mean(other_symbol(axis), [o1, o2], free);
     let [w1, w2] = Weights::differences([a1, a2], c);
     vec![w1, w2, mean]
+}
+
+/// The same in space, on the face on which the coordinate of `axis` is `c`: both weights, then the other two coordinates.
+pub fn upright_in_space(ends: &[[f64; 3]; 2], axis: usize, c: f64, at: [f64; 3]) -> Vec<Formula> {
+    const SYMBOLS: [&str; 3] = ["x", "y", "z"];
+    let along = ends.map(|end| end[axis]);
+    let others = (0..3).filter(|&other| other != axis);
+    if along.contains(&c) {
+        let taken = |i: usize| Formula::default().sym(SYMBOLS[i]).sym(" = ").num(at[i]);
+        return others.map(taken).collect();
+    }
+    let weights = Weights::along(along, c);
+    let mean = |i: usize| weights.mean(SYMBOLS[i], ends.map(|end| end[i]), at[i]);
+    let formulas = Weights::differences(along, c).into_iter();
+    formulas.chain(others.map(mean)).collect()
 }
 
 /// `y = 1`: the other coordinate of a point that was there already, an end or a corner.

@@ -8,6 +8,7 @@ mod difference;
 mod edit;
 pub mod frustum;
 mod handle;
+mod interval;
 mod lab;
 pub mod lines;
 pub mod polygons;

@@ -1,6 +1,7 @@
 //! Words and formulas that several labs share.
 
 use crate::{
+    algo::parameter::End,
     figure::Link,
     geom::{Axis, Edge, Point, Window},
     text::{Formula, Value},
@@ -29,6 +30,36 @@ pub const fn edge_link(edge: Edge) -> Link {
 /// A plain name.
 pub fn name(text: impl Into<String>) -> Value {
     Value::Name(text.into())
+}
+
+/// `P₁` or `P₂`.
+pub const fn end_symbol(end: End) -> &'static str {
+    match end {
+        End::P1 => "P₁",
+        End::P2 => "P₂",
+    }
+}
+
+/// `P₁` or `P₂`, for a sentence.
+pub fn end_name(end: End) -> Value {
+    Value::Name(end_symbol(end).to_owned())
+}
+
+/// `P₁` or `P₂`, after a cut `P₁′` or `P₂′`.
+pub fn end_name_now(end: End, moved: bool) -> Value {
+    Value::Name(format!(
+        "{}{}",
+        end_symbol(end),
+        if moved { "′" } else { "" }
+    ))
+}
+
+/// What marks, rows and lines about an end have in common.
+pub const fn end_link(end: End) -> Link {
+    match end {
+        End::P1 => Link::to("p1"),
+        End::P2 => Link::to("p2"),
+    }
 }
 
 /// `x` or `y`.

@@ -44,7 +44,15 @@ macro_rules! catalogues {
 }
 
 catalogues!(
-    "app", "geometry", "lines", "polygons", "frustum", "lesson", "cli", "errors"
+    "app",
+    "geometry",
+    "lines",
+    "polygons",
+    "frustum",
+    "space-lines",
+    "lesson",
+    "cli",
+    "errors"
 );
 
 /// One language's messages, falling back to English for a missing key.

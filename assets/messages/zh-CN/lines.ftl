@@ -9,9 +9,9 @@ line-accept = 接受：可见部分从 { $p1 } 到 { $p2 }。
 line-touch = 接受：线段与窗口只有一个公共点 { $at }。
 line-point = 接受：两端点是同一个点 { $at }，它在窗口内。
 param-left = { $min } < { $max }：还剩一段。
-param-touch = { $min } = { $max }：只剩一点，而边界上的点算在窗口内。
+param-touch = { $min } = { $max }：只剩一点，而边界上的点也算在内。
 param-empty = { $min } > { $max }：区间为空，什么也不剩。
-param-put-end = { $end } = { $at } 本来就在窗口内，保持不动。
+param-put-end = { $end } = { $at } 本来就在内侧，保持不动。
 watch-crossings = 交点数
 watch-crossings-used = 有用的
 table-edge = 边界

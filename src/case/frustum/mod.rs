@@ -1,20 +1,28 @@
-//! The frustum lab's cases: a point, a sphere or a box against planes, a triangle against whoever looks at it.
+//! The frustum lab's cases: a point, a sphere or a box against planes, a triangle against whoever looks at it, a segment
+//! in a box, against planes or in clip space.
 
 mod reader;
+mod segment;
 mod solve;
+mod solve_line;
 mod volume;
 
 use crate::{
     algo::cull::{BackFace, BoxCull, PointPlanes, SphereCull},
+    algo::volume::{CohenSutherland3d, HomogeneousLine, LiangBarsky3d, PlaneLine},
     labs::frustum::OnScene,
 };
 
 use super::Solver;
 
 /// The lab's methods that have one case each; the funnel and those that are wrong on purpose left out.
-pub(super) static SOLVERS: [Solver; 4] = [
+pub(super) static SOLVERS: [Solver; 8] = [
     Solver::of::<OnScene<PointPlanes>>(),
     Solver::of::<OnScene<SphereCull>>(),
     Solver::of::<OnScene<BoxCull>>(),
     Solver::of::<OnScene<BackFace>>(),
+    Solver::of::<OnScene<CohenSutherland3d>>(),
+    Solver::of::<OnScene<LiangBarsky3d>>(),
+    Solver::of::<OnScene<PlaneLine>>(),
+    Solver::of::<OnScene<HomogeneousLine>>(),
 ];

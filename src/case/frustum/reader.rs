@@ -8,7 +8,10 @@ use crate::{
     text::{Formula, Message, Value},
 };
 
-use super::volume::read_volume;
+use super::{
+    segment::{read_clip_segment, read_segment, read_solid_box},
+    volume::read_volume,
+};
 
 /// A report of more planes than this is refused: a step's table of values has a row a plane, and a report a step a plane,
 /// so that its length grows with the square.
@@ -90,6 +93,18 @@ impl<'a> Reader<'a> {
         let node = self.fields.need("box")?;
         let bounds = AlignedBox::new(node.numbers()?);
         let bounds = bounds.map_err(|error| Refusal::space(&node.path, error))?;
+        self.tell_box(&bounds);
+        Ok(bounds)
+    }
+
+    /// `box`, which has an inside
+    pub fn solid_box(&mut self) -> Result<AlignedBox, Refusal> {
+        let bounds = read_solid_box(&self.fields.need("box")?)?;
+        self.tell_box(&bounds);
+        Ok(bounds)
+    }
+
+    fn tell_box(&mut self, bounds: &AlignedBox) {
         let (min, max) = (bounds.min(), bounds.max());
         let ranges = [(" ≤ x ≤ ", 0), (" ≤ y ≤ ", 1), (" ≤ z ≤ ", 2)].map(|(symbol, axis)| {
             let formula = Formula::default().num(min[axis]).sym(symbol);
@@ -97,7 +112,27 @@ impl<'a> Reader<'a> {
         });
         self.given
             .push(Given::new("object-box", ranges.into_iter()));
-        Ok(bounds)
+    }
+
+    /// `segment`
+    pub fn segment(&mut self) -> Result<[[f64; 3]; 2], Refusal> {
+        let ends = read_segment(&self.fields.need("segment")?)?;
+        self.tell_segment(&ends);
+        Ok(ends)
+    }
+
+    /// `segment`, in clip space
+    pub fn clip_segment(&mut self) -> Result<[[f64; 4]; 2], Refusal> {
+        let ends = read_clip_segment(&self.fields.need("segment")?)?;
+        self.tell_segment(&ends);
+        Ok(ends)
+    }
+
+    fn tell_segment<const N: usize>(&mut self, ends: &[[f64; N]; 2]) {
+        let ends = ["P₁ = (", "P₂ = ("].into_iter().zip(ends);
+        let ends = ends.map(|(symbol, at)| Formula::default().sym(symbol).list(at).sym(")"));
+        let given = Given::new("object-segment", ends.map(Value::Formula));
+        self.given.push(given);
     }
 
     /// `triangle`, with or without an area.

@@ -117,6 +117,7 @@ impl Seen {
         }
         for part in &mut drawn {
             part.link = mark.link;
+            part.is_dashed |= mark.is_dashed;
         }
         // Its name stands once, where it is seen and longest.
         let named = (0..drawn.len()).max_by(|&a, &b| {

@@ -32,6 +32,12 @@ impl Scene {
         let mut on_stage = self.on_stage();
         on_stage.any(|method| method.info().subject.shows_objects())
     }
+
+    /// Does the camera?
+    pub(super) fn shows_camera(&self) -> bool {
+        let mut on_stage = self.on_stage();
+        on_stage.any(|method| method.info().subject.shows_camera())
+    }
 }
 
 impl Document for Scene {

@@ -62,14 +62,16 @@ impl Scene {
         if self.asks(Subject::Point) {
             handles.push(POINT.at([0, 0]));
         }
-        if self.asks(Subject::Segment) {
+        if self.asks(Subject::Segment) || self.asks(Subject::BoxedSegment) {
             handles.extend([0, 1].map(|i| END.at([i, 0])));
         }
         if self.asks(Subject::Triangle) {
             handles.extend([0, 1, 2].map(|i| CORNER.at([i, 0])));
         }
-        let camera = [&POSITION, &TARGET, &NEAR, &FAR, &TOP];
-        handles.extend(camera.map(|kind| kind.at([0, 0])));
+        if self.shows_camera() {
+            let camera = [&POSITION, &TARGET, &NEAR, &FAR, &TOP];
+            handles.extend(camera.map(|kind| kind.at([0, 0])));
+        }
         if self.shows_objects() {
             handles.extend((0..self.objects().len()).map(object));
         }

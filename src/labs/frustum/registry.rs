@@ -5,6 +5,9 @@ use crate::{
         BackFace, BoxCull, Funnel, PointPlanes, SphereCull,
         faulty::{AroundOrigin, Clockwise, ConstantView, FaultyFunnel, OneAngle, TurnsSign},
     },
+    algo::volume::{
+        CohenSutherland3d, HomogeneousLine, LiangBarsky3d, PlaneLine, faulty::DividedLine,
+    },
     labs::{Listed, MethodCard},
     trace::{Counted, Counts},
 };
@@ -24,17 +27,22 @@ const fn info<A: FrustumDemo>() -> MethodInfo<Scene> {
 }
 
 /// Every method, in the order in which they are taught; the mistakes last.
-pub static METHODS: [MethodInfo<Scene>; 10] = [
+pub static METHODS: [MethodInfo<Scene>; 15] = [
     info::<OnScene<PointPlanes>>(),
     info::<OnScene<SphereCull>>(),
     info::<OnScene<BoxCull>>(),
     info::<OnScene<BackFace>>(),
     info::<OnScene<Funnel>>(),
+    info::<OnScene<CohenSutherland3d>>(),
+    info::<OnScene<LiangBarsky3d>>(),
+    info::<OnScene<PlaneLine>>(),
+    info::<OnScene<HomogeneousLine>>(),
     info::<OnScene<FaultyFunnel<OneAngle>>>(),
     info::<OnScene<FaultyFunnel<TurnsSign>>>(),
     info::<OnScene<FaultyFunnel<AroundOrigin>>>(),
     info::<OnScene<FaultyFunnel<Clockwise>>>(),
     info::<OnScene<FaultyFunnel<ConstantView>>>(),
+    info::<OnScene<DividedLine>>(),
 ];
 
 impl Listed for MethodInfo<Scene> {

@@ -13,6 +13,8 @@ pub enum Subject {
     Point,
     /// The scene's segment; objects are left out of the picture.
     Segment,
+    /// The scene's segment in the box from −1 to 1; neither objects nor the camera are in the picture.
+    BoxedSegment,
     /// The scene's triangle; objects are left out of the picture.
     Triangle,
 }
@@ -23,7 +25,16 @@ impl Subject {
     pub const fn shows_objects(self) -> bool {
         match self {
             Self::Object | Self::Face | Self::Point => true,
-            Self::Segment | Self::Triangle => false,
+            Self::Segment | Self::BoxedSegment | Self::Triangle => false,
+        }
+    }
+
+    /// Does the camera?
+    #[must_use]
+    pub const fn shows_camera(self) -> bool {
+        match self {
+            Self::Object | Self::Face | Self::Point | Self::Segment | Self::Triangle => true,
+            Self::BoxedSegment => false,
         }
     }
 }

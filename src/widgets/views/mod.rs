@@ -11,6 +11,7 @@ mod on_slate;
 mod products;
 mod raster;
 mod ribbon;
+mod screens;
 mod slate;
 mod space;
 mod table;
@@ -66,5 +67,6 @@ fn body_of(shown: &View) -> Option<&dyn OnSlate> {
         Body::Clippers(body) => body,
         Body::Gauges(body) => body,
         Body::Ribbon(body) => body,
+        Body::Screens(body) => body,
     })
 }

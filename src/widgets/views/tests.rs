@@ -192,7 +192,8 @@ fn room_on_a_page(view: &View) -> Vec2 {
         | Body::Table(_)
         | Body::Lists(_)
         | Body::Gauges(_)
-        | Body::Products(_) => vec2(390.0, 380.0),
+        | Body::Products(_)
+        | Body::Screens(_) => vec2(390.0, 380.0),
     }
 }
 
@@ -252,6 +253,7 @@ fn numbers_of_a_view_are_all_fractions_or_all_decimals() {
                             | Body::Lists(_)
                             | Body::Gauges(_)
                             | Body::Ribbon(_)
+                            | Body::Screens(_)
                             | Body::Clippers(_) => continue,
                         };
                         let is_mixed = ['/', '.'].map(|sign| has_number(&compared, sign));

@@ -2,7 +2,9 @@
 
 mod back_face;
 mod box_cull;
+mod cohen_sutherland_3d;
 mod funnel;
+mod line;
 mod planes;
 mod point_planes;
 mod sphere_cull;

@@ -28,12 +28,26 @@ pub fn plane_link(plane_idx: usize) -> Link {
 
 /// `d = n·c + D = 0.9 · (−5.5) + … = −3.4`, divided by |n| where that is not 1.
 pub fn distance_formula(symbol: [&'static str; 2], plane: &Plane, at: [f64; 3], d: f64) -> Formula {
-    let sum = Formula::default().sym(format!("{} = n·{} + D = ", symbol[0], symbol[1]));
-    let is_unit = plane.length() == 1.0;
+    if plane.length() == 1.0 {
+        return sum_formula(symbol, plane, at, d);
+    }
+    let symbol = format!("{} = (n·{} + D) / |n| = ", symbol[0], symbol[1]);
+    let quotient = Formula::default().sym(symbol);
+    let length = Formula::default().num(plane.length());
+    let sum = terms(Formula::default(), plane, at);
+    quotient.over(sum, length).equals(d)
+}
+
+/// `d₁ = n·P₁ + D = 1 · (−2) + 3 = 1`, not divided by |n|.
+pub fn sum_formula([d, p]: [&'static str; 2], plane: &Plane, at: [f64; 3], sum: f64) -> Formula {
+    let formula = Formula::default().sym(format!("{d} = n·{p} + D = "));
+    terms(formula, plane, at).equals(sum)
+}
+
+/// `… 0.9 · (−5.5) + 2`
+fn terms(mut formula: Formula, plane: &Plane, at: [f64; 3]) -> Formula {
     let normal = plane.normal();
-    let terms = (0..3).filter(|&i| normal[i] != 0.0);
-    let mut formula = if is_unit { sum } else { Formula::default() };
-    for (n, i) in terms.enumerate() {
+    for (n, i) in (0..3).filter(|&i| normal[i] != 0.0).enumerate() {
         formula = if n == 0 {
             formula.num(normal[i])
         } else {
@@ -41,14 +55,7 @@ pub fn distance_formula(symbol: [&'static str; 2], plane: &Plane, at: [f64; 3], 
         };
         formula = formula.sym(" · ").operand(at[i]);
     }
-    formula = formula.sym(" + ").operand(plane.d());
-    if is_unit {
-        return formula.equals(d);
-    }
-    let symbol = format!("{} = (n·{} + D) / |n| = ", symbol[0], symbol[1]);
-    let quotient = Formula::default().sym(symbol);
-    let length = Formula::default().num(plane.length());
-    quotient.over(formula, length).equals(d)
+    formula.sym(" + ").operand(plane.d())
 }
 
 /// `(1, −2, 0.5)`

@@ -1,10 +1,12 @@
 //! What is drawn of a scene whatever the method: solids by what becomes of them, the view volume, the ground.
 
+mod cube;
 mod ground;
 mod solids;
 mod views;
 mod volume;
 
+pub use cube::{cube_view, face_at_work};
 pub use solids::{FaceLook, Fate, Solids};
 pub use views::{Scenery, face_link, object_link};
 pub use volume::{plane_at_work, side_link, side_name};

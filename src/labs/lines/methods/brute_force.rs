@@ -18,11 +18,12 @@ use crate::{
 };
 
 use super::shared::{
-    accepted, border_mark, crossing_mark, end_name, end_symbol, ends_rows, inside_mark, opening,
-    outside_marks, parallel_formula, segment_marks, side_key,
+    accepted, border_mark, crossing_mark, ends_rows, inside_mark, opening, outside_marks,
+    parallel_formula, segment_marks, side_key,
 };
 use crate::labs::crossing_formulas::upright;
 use crate::labs::words::{along, axis_symbol, border_equation, edge_link, edge_name, name};
+use crate::labs::words::{end_name, end_symbol};
 
 /// The view of the crossings, computed one by one.
 const CROSSINGS_VIEW: &str = "crossings";

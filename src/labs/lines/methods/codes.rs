@@ -8,7 +8,8 @@ use crate::{
     text::{Message, Value},
 };
 
-use super::shared::{end_link, end_name_now, side_key};
+use super::shared::side_key;
+use crate::labs::words::{end_link, end_name_now};
 
 /// The side whose bit decides at this step: that both ends lie beyond, or that is cut at.
 pub fn deciding_edge(step: &Step<'_, CohenSutherland>) -> Option<Edge> {

@@ -16,11 +16,11 @@ use crate::{
 
 use super::codes::{codes, deciding_edge};
 use super::shared::{
-    accepted, crossing_mark, end_link, end_name, ends_rows, opening, outside_marks, region_key,
-    segment_marks,
+    accepted, crossing_mark, ends_rows, opening, outside_marks, region_key, segment_marks,
 };
 use crate::labs::crossing_formulas::upright;
 use crate::labs::words::{border_equation, edge_name, name, position_formula, subscript};
+use crate::labs::words::{end_link, end_name};
 
 /// The view of the codes as bits.
 const CODES_VIEW: &str = "codes";

@@ -13,7 +13,8 @@ use crate::{
     text::{Formula, Value},
 };
 
-use super::parametric::{ShownCrossing, ShownInterval, quotient, value_of};
+use super::parametric::SegmentInterval;
+use crate::labs::interval::{ShownCrossing, ShownInterval, quotient, value_of};
 
 /// `e₁`, `e₂`, …: edges are numbered from 1 on screen.
 pub fn edge_name(edge_idx: usize) -> Value {
@@ -49,7 +50,7 @@ pub fn edge_in_hand(state: &State, event: Option<Event>) -> Option<usize> {
 }
 
 /// What is left of t in a state; `event` tells which edge is the step's.
-pub fn interval(state: &State, event: Option<Event>) -> ShownInterval {
+pub fn interval(state: &State, event: Option<Event>) -> SegmentInterval {
     let current = edge_in_hand(state, event).or(current_edge(event));
     let crossings = state.rows.iter().enumerate().filter_map(|(i, row)| {
         Some(ShownCrossing {
@@ -66,16 +67,20 @@ pub fn interval(state: &State, event: Option<Event>) -> ShownInterval {
             link: edge_link(i),
         })
     });
-    ShownInterval {
-        symbol: "t",
-        crossing_symbol: "t",
-        bounds: state.interval,
-        crossings: crossings.collect(),
-        verdict: if matches!(event, Some(Event::Parallel { inside: false, .. })) {
-            Some(None)
-        } else {
-            state.verdict
+    let verdict = if matches!(event, Some(Event::Parallel { inside: false, .. })) {
+        Some(None)
+    } else {
+        state.verdict
+    };
+    SegmentInterval {
+        shown: ShownInterval {
+            symbol: "t",
+            bounds: state.interval,
+            crossings: crossings.collect(),
+            is_rejected: verdict == Some(None),
         },
+        crossing_symbol: "t",
+        verdict,
         goes_on: false,
         vector: edge_in_hand(state, event).map(|_| "D"),
     }

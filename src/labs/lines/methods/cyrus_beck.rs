@@ -18,9 +18,11 @@ use crate::{
 use super::{
     convex_edges::{edge_name, edge_table, interval, ratio, reach, row_values},
     dot_products::{edge_marks, products},
-    parametric::{moved_ends_rows, quotient_formula, stays_caption},
-    shared::{accepted, end_name, opening},
+    parametric::{moved_ends_rows, stays_caption},
+    shared::{accepted, opening},
 };
+use crate::labs::interval::quotient_formula;
+use crate::labs::words::end_name;
 
 /// The view of the edge in hand, or of all edges.
 const EDGES_VIEW: &str = "edges";
@@ -135,7 +137,7 @@ impl Demo for CyrusBeck {
                 let key = if lowers { "cb-leave" } else { "cb-leave-idle" };
                 bound_caption(key, edge_idx, before, Side::Leaving, [t, t_max])
             }
-            Event::Interval { empty, .. } => interval(before, None).caption(empty),
+            Event::Interval { empty, .. } => interval(before, None).shown.caption(empty),
             Event::Put {
                 end,
                 t,
@@ -158,7 +160,7 @@ impl Demo for CyrusBeck {
             View::new(EDGES_VIEW, edges),
             View::new(
                 AXIS_VIEW,
-                Body::NumberLine(interval.number_line(reach(step.input))),
+                Body::NumberLine(interval.shown.number_line(reach(step.input))),
             ),
         ]
     }
@@ -166,7 +168,10 @@ impl Demo for CyrusBeck {
     fn watch(step: &Step<'_, Self>) -> Watch {
         let scalars = moved_ends_rows(step.state.ends).collect();
         let table = WatchSection::table(vec!["n·(P₁ − E)", "n·D", "t"], row_values(step));
-        let bounds = interval(step.state, step.event).bound_rows().collect();
+        let bounds = interval(step.state, step.event)
+            .shown
+            .bound_rows()
+            .collect();
         vec![
             WatchSection::list(scalars),
             table.seen_in(EDGES_VIEW),
@@ -256,8 +261,14 @@ fn bound_caption(
     };
     let quotient = ratio(row, t);
     caption
-        .so(quotient_formula("t", ["−n·(P₁ − E)", "n·D"], quotient))
-        .so(interval(before, None).bound_formula(side, t, quotient, bound))
+        .so(quotient_formula(
+            "t",
+            ["−n·(P₁ − E)", "n·D"].map(|symbol| Formula::default().sym(symbol)),
+            quotient,
+        ))
+        .so(interval(before, None)
+            .shown
+            .bound_formula(side, t, quotient, bound))
 }
 
 fn put_caption(
@@ -274,7 +285,7 @@ fn put_caption(
     let caption = Caption::new(
         Message::new("cb-put")
             .with("end", end_name(end))
-            .with("t", interval(before, None).written(t))
+            .with("t", interval(before, None).shown.written(t))
             .with("edge", edge_name(edge_idx)),
     );
     let Some(row) = before.rows.get(edge_idx) else {

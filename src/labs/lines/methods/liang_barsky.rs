@@ -15,10 +15,12 @@ use crate::{
 };
 
 use super::{
-    parametric::{moved_ends_rows, quotient_formula, stays_caption},
+    parametric::{moved_ends_rows, stays_caption},
     rows::{direction, edge_in_hand, interval, ratio, reach, row_values, rows_table},
-    shared::{accepted, end_name, opening, outside_marks, put_formulas},
+    shared::{accepted, opening, outside_marks, put_formulas},
 };
+use crate::labs::interval::quotient_formula;
+use crate::labs::words::end_name;
 
 /// The view of the rows p, q, r.
 const ROWS_VIEW: &str = "pqr";
@@ -147,7 +149,7 @@ impl Demo for LiangBarsky {
                     u_max,
                 ))
             }
-            Event::Interval { empty, .. } => interval(before, None).caption(empty),
+            Event::Interval { empty, .. } => interval(before, None).shown.caption(empty),
             Event::Put { end, u, edge, at } => put_caption(end, u, edge, at, before, input),
             Event::Accept { segment: visible } => accepted(&input.segment, visible),
             Event::Reject { edge } => {
@@ -163,7 +165,7 @@ impl Demo for LiangBarsky {
             View::new(ROWS_VIEW, Body::Table(rows_table(step))),
             View::new(
                 AXIS_VIEW,
-                Body::NumberLine(interval.number_line(reach(step.input))),
+                Body::NumberLine(interval.shown.number_line(reach(step.input))),
             ),
         ]
     }
@@ -175,7 +177,7 @@ impl Demo for LiangBarsky {
             WatchRow::new(name("Δy"), state.delta.map(|d| Value::Number(d[1]))),
         ];
         rows.extend(moved_ends_rows(state.ends));
-        let bounds = interval(state, step.event).bound_rows().collect();
+        let bounds = interval(state, step.event).shown.bound_rows().collect();
         vec![
             WatchSection::list(rows),
             WatchSection::table(vec!["p", "q", "r"], row_values(state)).seen_in(ROWS_VIEW),
@@ -200,7 +202,9 @@ fn marks(step: &Step<'_, LiangBarsky>) -> Vec<Mark> {
 
 /// `u_min = max(0, 1/4) = 1/4`
 fn formula(before: &State, edge: Edge, side: Side, r: f64, new: f64) -> Formula {
-    interval(before, None).bound_formula(side, r, ratio(before, edge, r), new)
+    interval(before, None)
+        .shown
+        .bound_formula(side, r, ratio(before, edge, r), new)
 }
 
 fn delta_caption(segment: &Segment, dx: f64, dy: f64) -> Caption {
@@ -268,7 +272,7 @@ fn row_caption(
 fn bound_caption(key: &'static str, edge: Edge, r: f64, before: &State) -> Caption {
     Caption::new(Message::new(key).with("edge", edge_name(edge))).so(quotient_formula(
         "r",
-        ["q", "p"],
+        ["q", "p"].map(|symbol| Formula::default().sym(symbol)),
         ratio(before, edge, r),
     ))
 }
@@ -286,7 +290,7 @@ fn put_caption(
     };
     let message = Message::new("lb-put")
         .with("end", end_name(end))
-        .with("u", interval(before, None).written(u))
+        .with("u", interval(before, None).shown.written(u))
         .with("border", border_equation(window, edge));
     let [u_min, u_max] = before.interval;
     let [enters, leaves] = before.set_by;

@@ -19,12 +19,13 @@ use crate::{
 
 use super::sectors;
 use super::shared::{
-    accepted, border_mark, crossing_mark, end_link, end_name, ends_rows, opening, put_formulas,
-    region_key, segment_marks,
+    accepted, border_mark, crossing_mark, ends_rows, opening, put_formulas, region_key,
+    segment_marks,
 };
 use crate::labs::words::{
     border_equation, edge_name, name, point_formula, position_formula, subscript,
 };
+use crate::labs::words::{end_link, end_name};
 
 /// The view of the corners' lines that have been asked.
 const CORNERS_VIEW: &str = "corners";

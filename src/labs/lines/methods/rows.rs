@@ -14,13 +14,11 @@ use crate::{
     text::{Formula, Message, Value},
 };
 
-use super::{
-    parametric::{ShownCrossing, ShownInterval, quotient, value_of},
-    shared::side_key,
-};
+use super::{parametric::SegmentInterval, shared::side_key};
+use crate::labs::interval::{ShownCrossing, ShownInterval, quotient, value_of};
 
 /// What is left of u in a state; `event` tells which side is the step's.
-pub fn interval(state: &State, event: Option<Event>) -> ShownInterval {
+pub fn interval(state: &State, event: Option<Event>) -> SegmentInterval {
     let current = edge_in_hand(state, event);
     let crossings = state.rows.into_iter().flatten().filter_map(|row| {
         let at = row.r?;
@@ -38,12 +36,16 @@ pub fn interval(state: &State, event: Option<Event>) -> ShownInterval {
             link: edge_link(row.edge),
         })
     });
-    ShownInterval {
-        symbol: "u",
+    let verdict = verdict(state, event);
+    SegmentInterval {
+        shown: ShownInterval {
+            symbol: "u",
+            bounds: state.interval,
+            crossings: crossings.collect(),
+            is_rejected: verdict == Some(None),
+        },
         crossing_symbol: "r",
-        bounds: state.interval,
-        crossings: crossings.collect(),
-        verdict: verdict(state, event),
+        verdict,
         goes_on: true,
         vector: None,
     }
@@ -207,7 +209,7 @@ fn bound_cell(i: usize, row: Option<Row>, state: &State, above: [f64; 2], is_now
     let Some(left) = row.and_then(|row| row.left) else {
         return Cell::new(Role::Soft, None::<Value>);
     };
-    let value = Some(interval(state, None).written(left[i]));
+    let value = Some(interval(state, None).shown.written(left[i]));
     if left[i] == above[i] {
         return Cell::new(Role::Soft, value);
     }

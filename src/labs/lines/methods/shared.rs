@@ -1,43 +1,15 @@
 //! Words, formulas and marks that several methods share.
 
 use crate::labs::crossing_formulas::{taken, upright};
-use crate::labs::words::{along, axis_symbol, border_equation, edge_link, point_formula};
+use crate::labs::words::{
+    along, axis_symbol, border_equation, edge_link, end_link, end_name, end_name_now, point_formula,
+};
 use crate::{
     algo::line::{End, Ratio, Visible, corner_between},
-    figure::{Caption, Link, Mark, Role, Shape, WatchRow},
+    figure::{Caption, Mark, Role, Shape, WatchRow},
     geom::{Axis, Edge, Point, Segment, Window},
     text::{Formula, Message, Value},
 };
-
-/// `P₁` or `P₂`.
-pub const fn end_symbol(end: End) -> &'static str {
-    match end {
-        End::P1 => "P₁",
-        End::P2 => "P₂",
-    }
-}
-
-/// `P₁` or `P₂`, for a sentence.
-pub fn end_name(end: End) -> Value {
-    Value::Name(end_symbol(end).to_owned())
-}
-
-/// `P₁` or `P₂`, after a cut `P₁′` or `P₂′`.
-pub fn end_name_now(end: End, moved: bool) -> Value {
-    Value::Name(format!(
-        "{}{}",
-        end_symbol(end),
-        if moved { "′" } else { "" }
-    ))
-}
-
-/// What marks, rows and lines about an end have in common.
-pub const fn end_link(end: End) -> Link {
-    match end {
-        End::P1 => Link::to("p1"),
-        End::P2 => Link::to("p2"),
-    }
-}
 
 /// Before the first event: the problem.
 pub fn opening(segment: &Segment) -> Caption {

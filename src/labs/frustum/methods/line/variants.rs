@@ -1,0 +1,65 @@
+//! How each line clipper is called, and its pseudocode: seven lines each, of the same sense.
+
+use crate::{
+    algo::{ring::Right, volume::ClipSpace},
+    geom::{AlignedBox, Plane},
+    labs::{CodeLine, code_line},
+};
+
+use super::look::Variant;
+
+pub const START: usize = 0;
+pub const EACH: usize = 1;
+pub const PARALLEL: usize = 2;
+pub const ENTER: usize = 3;
+pub const LEAVE: usize = 4;
+pub const EMPTY: usize = 5;
+pub const ACCEPT: usize = 6;
+
+/// The pseudocode of any variant.
+pub type Pseudocode = [CodeLine; ACCEPT + 1];
+
+/// In clip space, by the right rules.
+pub const HOMOGENEOUS: Pseudocode = [
+    code_line(0, "code-hl-start", "words-hl-start"),
+    code_line(0, "code-hl-each", "words-hl-each"),
+    code_line(1, "code-pl-parallel", "words-lb-parallel"),
+    code_line(1, "code-hl-enter", "words-hl-enter"),
+    code_line(1, "code-hl-leave", "words-hl-leave"),
+    code_line(1, "code-hl-empty", "words-lb-empty"),
+    code_line(0, "code-hl-accept", "words-hl-accept"),
+];
+
+impl Variant<3, AlignedBox> for Right {
+    const ID: &'static str = "liang-barsky-3d";
+    const NAME_KEY: &'static str = "alg-liang-barsky-3d";
+    const CODE: &'static [CodeLine] = &[
+        code_line(0, "code-lb-start", "words-lb-start"),
+        code_line(0, "code-lb3-each", "words-lb3-each"),
+        code_line(1, "code-lb-parallel", "words-lb-parallel"),
+        code_line(1, "code-lb-enter", "words-lb-enter"),
+        code_line(1, "code-lb-leave", "words-lb-leave"),
+        code_line(1, "code-lb-empty", "words-lb-empty"),
+        code_line(0, "code-lb-accept", "words-lb-accept"),
+    ];
+}
+
+impl Variant<3, Vec<Plane>> for Right {
+    const ID: &'static str = "plane-line";
+    const NAME_KEY: &'static str = "alg-plane-line";
+    const CODE: &'static [CodeLine] = &[
+        code_line(0, "code-pl-start", "words-pl-start"),
+        code_line(0, "code-pl-each", "words-pl-each"),
+        code_line(1, "code-pl-parallel", "words-lb-parallel"),
+        code_line(1, "code-pl-enter", "words-pl-enter"),
+        code_line(1, "code-pl-leave", "words-pl-leave"),
+        code_line(1, "code-pl-empty", "words-lb-empty"),
+        code_line(0, "code-pl-accept", "words-lb-accept"),
+    ];
+}
+
+impl Variant<4, ClipSpace> for Right {
+    const ID: &'static str = "homogeneous-line";
+    const NAME_KEY: &'static str = "alg-homogeneous-line";
+    const CODE: &'static [CodeLine] = &HOMOGENEOUS;
+}

@@ -1,0 +1,326 @@
+//! The w-lens: w over x, as the camera's own space has them, the screen at w = 1, and what lands on it.
+//!
+//! ```text
+//!   x = −w ╲    w    ╱ x = w        From above the view volume is the wedge −w ≤ x ≤ w, the depth of a point its w,
+//!           ╲   │ P₁╱               and its image where the line to the eye meets the screen. Of a point behind the
+//!   ── w = 1 ╲──┼──╱────            eye that line goes on through the eye: the image is on the other side.
+//!             ╲ │ ╱
+//!   ───────────eye────── x
+//! ```
+
+use crate::{
+    algo::{
+        parameter::End,
+        volume::{ClipSpace, HomogeneousLine, VisibleLine},
+    },
+    figure::{Body, Mark, Mark3, Role, Screen, Screens, Shape, Shape3, View},
+    geom::{Camera, Sight},
+    labs::words::{end_link, end_name_now, name},
+    text::{Formula, Message, Value},
+    trace::silent,
+};
+
+use super::{
+    super::super::stage::{Fate, Scenery, plane_at_work},
+    look::{LineLook, ShownLine},
+    marks::{interval_marks, on_line},
+};
+
+const SCREENS_VIEW: &str = "screens";
+/// Images farther out are not marked.
+const FAR: f64 = 40.0;
+/// The edge of the screen.
+const SQUARE: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+
+type Ends = [[f64; 4]; 2];
+
+/// The observer's view, and the screen by both ways.
+pub fn views(shown: &ShownLine<'_, 4, ClipSpace>, scenery: &Scenery) -> Vec<View> {
+    let lens = WLens::new(shown, scenery.scene().culler());
+    let mut marks = lens.wedge();
+    if let Some(side) = shown.in_hand {
+        marks.extend(plane_at_work(lens.camera, side));
+    }
+    let world = scenery.scene().places.segment();
+    marks.extend(lens.segment(&world));
+    marks.extend(lens.images(&world));
+    let screens = Body::Screens(Screens {
+        screens: vec![lens.divided_screen(), lens.clipped_screen()],
+    });
+    vec![
+        scenery.observer(|_| Fate::ToCome, marks),
+        View::new(SCREENS_VIEW, screens),
+    ]
+}
+
+/// Where a point lands on the screen; `None` where there is no such place, or none that can be shown.
+fn image([x, y, _, w]: [f64; 4]) -> Option<[f64; 2]> {
+    let at = [x / w, y / w];
+    let is_near = at.iter().all(|x| x.abs() <= FAR);
+    is_near.then_some(at)
+}
+
+/// Which way the image goes on the screen, on the way from a to b.
+fn heading([a, b]: Ends) -> [f64; 2] {
+    [0, 1].map(|i| b[i] * a[3] - a[i] * b[3])
+}
+
+/// The image of a segment: of one through w = 0 it leaves on one side and comes back from the other.
+fn images_of(ends: Ends) -> Vec<Shape> {
+    let [from, to] = ends.map(image);
+    let [dx, dy] = heading(ends);
+    let ray = |at: [f64; 2], sign: f64| Shape::Ray([at, [at[0] + sign * dx, at[1] + sign * dy]]);
+    match (ends[0][3] > 0.0, ends[1][3] > 0.0) {
+        (true, true) => from
+            .zip(to)
+            .map(|(a, b)| Shape::Segment([a, b]))
+            .into_iter()
+            .collect(),
+        (false, false) => Vec::new(),
+        (true, false) | (false, true) => {
+            let leaves = from.map(|at| ray(at, 1.0));
+            leaves
+                .into_iter()
+                .chain(to.map(|at| ray(at, -1.0)))
+                .collect()
+        }
+    }
+}
+
+struct WLens<'a> {
+    shown: &'a ShownLine<'a, 4, ClipSpace>,
+    camera: &'a Camera,
+    /// By the right rules, the whole run.
+    right: VisibleLine<4>,
+    /// Between both images, as far as they are.
+    joined: Option<[[f64; 2]; 2]>,
+}
+
+impl<'a> WLens<'a> {
+    fn new(shown: &'a ShownLine<'a, 4, ClipSpace>, camera: &'a Camera) -> Self {
+        let [from, to] = shown.input.ends.map(image);
+        Self {
+            shown,
+            camera,
+            right: silent::<HomogeneousLine>(shown.input),
+            joined: from.zip(to).map(Into::into),
+        }
+    }
+
+    fn is_behind(&self, end: End) -> bool {
+        self.shown.input.ends[end.idx()][3] < 0.0
+    }
+
+    /// Is the segment between both images a piece that was never there?
+    fn is_torn(&self) -> bool {
+        self.is_behind(End::P1) != self.is_behind(End::P2)
+    }
+
+    /// A place of the screen, in the world.
+    fn on_screen(&self, [x, y]: [f64; 2]) -> [f64; 3] {
+        let [width, height] = self.camera.volume().half_size();
+        self.camera.world_from_view([x * width, y * height, -1.0])
+    }
+
+    /// The sides x = ±w as far as the far plane, the line w = 0, the screen, the eye.
+    fn wedge(&self) -> Vec<Mark3> {
+        let volume = self.camera.volume();
+        if volume.sight() == Sight::Parallel {
+            return Vec::new();
+        }
+        let (far, eye) = (volume.far(), self.camera.position());
+        let [width, _] = volume.half_size();
+        let at = |x: f64, w: f64| self.camera.world_from_view([x * width, 0.0, -w]);
+        let line = |role, ends| Mark3::new(role, Shape3::Segment(ends));
+        let sides = [-far, far].map(|x| at(x, far));
+        let mut marks = vec![
+            Mark3::new(Role::Accent, Shape3::Wash(vec![eye, sides[0], sides[1]])),
+            line(Role::Accent, [eye, sides[0]]).fine(),
+            line(Role::Accent, [eye, sides[1]]).fine(),
+            line(Role::Soft, [at(-2.6, 1.0), at(2.6, 1.0)]).fine(),
+            line(Role::Soft, [at(-2.6, 0.0), at(2.6, 0.0)]).fine(),
+            line(Role::Ink, [at(-1.0, 1.0), at(1.0, 1.0)]),
+            Mark3::new(Role::Ink, Shape3::Ring(eye)),
+            Mark3::new(Role::Ink, Shape3::Label(at(-0.3, -0.1)))
+                .labelled(Value::Term("w-lens-eye")),
+            Mark3::new(Role::Ink, Shape3::Label(at(2.4, 1.0)))
+                .labelled(Value::Term("w-lens-screen")),
+            Mark3::new(Role::Soft, Shape3::Label(at(2.4, 0.0))).labelled(name("w = 0")),
+        ];
+        let equations = ["x = −w", "x = w"].into_iter().zip([-0.7, 0.7]);
+        marks.extend(equations.map(|(equation, part)| {
+            let label = Shape3::Label(at(part * far, 0.7 * far));
+            Mark3::new(Role::Accent, label).labelled(name(equation))
+        }));
+        marks
+    }
+
+    /// The segment in the world: what is left of it by the run, or as it is where the run is about the images.
+    fn segment(&self, world: &[[f64; 3]; 2]) -> Vec<Mark3> {
+        let shown = self.shown;
+        if shown.is_divided {
+            return super::marks::segment_marks(world, world, None);
+        }
+        let visible = shown.state.verdict.flatten();
+        let visible = visible.map(|_| shown.interval.bounds.map(|u| on_line(world, u)));
+        interval_marks(world, &shown.interval, ClipSpace::SYMBOLS[1], visible)
+    }
+
+    /// Lines of sight and where they meet the screen, with what lies between the images.
+    fn images(&self, world: &[[f64; 3]; 2]) -> Vec<Mark3> {
+        if self.camera.volume().sight() == Sight::Parallel {
+            return Vec::new();
+        }
+        let wrong = if self.shown.in_hand.is_some() && !self.shown.is_divided {
+            Role::Discarded
+        } else {
+            Role::Signal
+        };
+        let mut marks = Vec::new();
+        if let (Some(joined), true) = (self.joined, self.is_torn()) {
+            let ends = joined.map(|at| self.on_screen(at));
+            marks.push(Mark3::new(wrong, Shape3::Segment(ends)).dashed());
+        }
+        if let Some(right) = self.right.filter(|_| !self.shown.is_divided)
+            && let [Some(from), Some(to)] = right.map(image)
+        {
+            let ends = [from, to].map(|at| self.on_screen(at));
+            marks.push(Mark3::new(Role::Accent, Shape3::Segment(ends)));
+        }
+        let eye = self.camera.position();
+        for end in End::BOTH {
+            let given = self.shown.input.ends[end.idx()];
+            let Some(at) = image(given) else {
+                continue;
+            };
+            let place = self.on_screen(at);
+            let behind = self.is_behind(end);
+            let role = if behind { wrong } else { Role::Accent };
+            let sight = if behind {
+                Mark3::new(role, Shape3::Segment([world[end.idx()], place])).dashed()
+            } else {
+                Mark3::new(role, Shape3::Segment([eye, world[end.idx()]]))
+            };
+            marks.push(sight.fine());
+            let [x, w] = [given[0], given[3]];
+            let label = Formula::default()
+                .sym(if end == End::P1 {
+                    "x₁ / w₁ = "
+                } else {
+                    "x₂ / w₂ = "
+                })
+                .ratio(x, w);
+            let ring = Mark3::new(role, Shape3::Ring(place)).labelled(label);
+            marks.push(ring.linked(end_link(end)));
+        }
+        marks
+    }
+
+    fn square() -> Vec<Mark> {
+        vec![
+            Mark::new(Role::Accent, Shape::Fill(vec![SQUARE.to_vec()])),
+            Mark::new(Role::Ink, Shape::Outline(SQUARE.to_vec())),
+        ]
+    }
+
+    fn point(end: End, at: [f64; 2], role: Role, shape: fn([f64; 2]) -> Shape) -> Mark {
+        let label = match end_name_now(end, true) {
+            Value::Name(name) => Formula::default().sym(name).sym(" ").point(at),
+            other => return Mark::new(role, shape(at)).labelled(other),
+        };
+        Mark::new(role, shape(at))
+            .labelled(label)
+            .linked(end_link(end))
+    }
+
+    /// What joining both images gives.
+    fn divided_screen(&self) -> Screen {
+        let is_torn = self.is_torn();
+        let role = if is_torn { Role::Signal } else { Role::Accent };
+        let mut marks = Self::square();
+        if let Some(joined) = self.joined {
+            let whole = Mark::new(role, Shape::Segment(joined));
+            let whole_of = if is_torn { whole.dashed() } else { whole };
+            marks.push(whole_of.linked("segment"));
+            let [a, b] = joined.map(|[x, y]| [x, y, 0.0, 1.0]);
+            if self.shown.is_divided {
+                let ends = self.shown.interval.bounds.map(|u| on_line(&[a, b], u));
+                let left = ends.map(|[x, y, ..]| [x, y]);
+                let is_left =
+                    !self.shown.interval.is_rejected && !self.shown.interval.is_crossed_over();
+                marks.extend(is_left.then(|| Mark::new(role, Shape::Segment(left))));
+            }
+            for (end, at) in End::BOTH.into_iter().zip(joined) {
+                let role = if self.is_behind(end) { role } else { Role::Ink };
+                marks.push(Self::point(end, at, role, Shape::Ring));
+            }
+            if is_torn && let Some([Some(from), Some(to)]) = self.right.map(|ends| ends.map(image))
+            {
+                marks.push(Mark::new(Role::Accent, Shape::Segment([from, to])).dashed());
+            }
+        }
+        Screen {
+            title: Value::Term("screen-divide-first"),
+            note: Message::new(if is_torn {
+                "screen-torn"
+            } else if self.joined.is_none() {
+                "screen-no-image"
+            } else {
+                "screen-same"
+            }),
+            role: if is_torn { Role::Signal } else { Role::Soft },
+            marks,
+        }
+    }
+
+    /// What is left by the run, or by the right rules where the run is another.
+    fn clipped_screen(&self) -> Screen {
+        let shown = self.shown;
+        let given = &shown.input.ends;
+        let is_rejected = shown.interval.is_rejected || shown.interval.is_crossed_over();
+        let left: Option<Ends> = if shown.is_divided {
+            self.right
+        } else if is_rejected {
+            None
+        } else {
+            let so_far = shown.interval.bounds.map(|u| on_line(given, u));
+            Some(shown.state.verdict.flatten().unwrap_or(so_far))
+        };
+        let is_done = shown.is_divided || shown.state.verdict.is_some();
+        let mut marks = Self::square();
+        let discarded = |ends| {
+            images_of(ends)
+                .into_iter()
+                .map(|shape| Mark::new(Role::Discarded, shape))
+        };
+        match left {
+            None => marks.extend(discarded(*given)),
+            Some([from, to]) => {
+                marks.extend(discarded([given[0], from]));
+                marks.extend(discarded([to, given[1]]));
+                let role = if is_done {
+                    Role::Accepted
+                } else {
+                    Role::Accent
+                };
+                let seen = images_of([from, to]).into_iter();
+                marks.extend(seen.map(|shape| Mark::new(role, shape).linked("segment")));
+                for (end, at) in End::BOTH.into_iter().zip([from, to]) {
+                    let place = image(at).filter(|_| at[3] > 0.0);
+                    marks.extend(place.map(|place| Self::point(end, place, role, Shape::Dot)));
+                }
+            }
+        }
+        let (note, role) = match (is_done, left.is_some()) {
+            (false, true) => ("screen-so-far", Role::Soft),
+            (true, true) => ("screen-right", Role::Accent),
+            (_, false) => ("screen-nothing", Role::Soft),
+        };
+        Screen {
+            title: Value::Term("screen-clip-first"),
+            note: Message::new(note),
+            role,
+            marks,
+        }
+    }
+}
