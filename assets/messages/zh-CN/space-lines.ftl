@@ -33,9 +33,9 @@ space-line-note-code = 点在哪个面外侧，哪一位就是 1。
 ## One inequality a plane
 
 space-line-delta = P(u) = P₁ + u (P₂ − P₁)：沿线段从头到尾，x、y、z 的变化量为 Δx、Δy、Δz。
-space-line-before = 两端点都有 w ≥ 0：都不在眼睛后方。
-space-line-behind = { $end } 的 w < 0：它在眼睛后方，不能拿去除。
-space-line-all-behind = 两端点都有 w < 0：整条线段在眼睛后方。
+space-line-before = 两端点都有 w ≥ 0：都不在视点后方。
+space-line-behind = { $end } 的 w < 0：它在视点后方，不能拿去除。
+space-line-all-behind = 两端点都有 w < 0：整条线段在视点后方。
 space-line-divided = 两端点先除以 w，然后再裁剪。
 space-line-row = { $plane }平面：{ $direction }。
 space-line-parallel-inside = 与{ $plane }平面平行且在其内侧：单凭它还不能判定。
@@ -47,21 +47,21 @@ space-line-leave-idle = 直线由{ $plane }平面离开，但不早于 { $bound 
 space-line-put = { $end } 移到 { $symbol } = { $u } 处，落在 { $border } 上。
 space-line-the-plane = { $plane }平面
 space-line-reject = 处理到{ $plane }平面时舍弃：线段一点不剩。
-space-line-reject-behind = 舍弃：没有一点在眼睛前方。
+space-line-reject-behind = 舍弃：没有一点在视点前方。
 space-line-note-enter = { $first } < { $second } 进入：{ $bound } = max({ $bound }, { $crossing })
 space-line-note-leave = { $first } > { $second } 离开：{ $bound } = min({ $bound }, { $crossing })
 
 ## The w-lens
 
-w-lens-eye = 眼睛
+w-lens-eye = 视点
 w-lens-screen = 屏幕，w = 1
 screen-divide-first = 先除以 w
 screen-clip-first = 先裁剪
 screen-torn = 错误：这一段从来不存在
-screen-same = 结果相同：没有端点在眼睛后方
+screen-same = 结果相同：没有端点在视点后方
 screen-no-image = 有一个端点没有像：w = 0
 screen-so-far = 到目前为止剩下的部分
-screen-right = 正确：眼睛前方的部分
+screen-right = 正确：视点前方的部分
 screen-nothing = 什么也看不见
 
 ## Cases
@@ -90,8 +90,8 @@ code-hl-enter = 若 d₁ < d₂，则 t_min ← max(t_min, d₁/(d₁ − d₂))
 code-hl-leave = 若 d₁ > d₂，则 t_max ← min(t_max, d₁/(d₁ − d₂))
 code-hl-empty = 若 t_min > t_max，则舍弃
 code-hl-accept = 接受 P(t_min) P(t_max)；此时才除以 w
-words-hl-start = 两端点都在眼睛后方时，什么也看不见。
-words-hl-each = 每个面都是过眼睛的平面：w ± 坐标说明点在内侧多远。
+words-hl-start = 两端点都在视点后方时，什么也看不见。
+words-hl-each = 每个面都是过视点的平面：w ± 坐标说明点在内侧多远。
 words-hl-enter = d 增大：直线由此进入。
 words-hl-leave = d 减小：直线由此离开。
 words-hl-accept = 剩下的部分 w ≥ 0：现在可以除了。

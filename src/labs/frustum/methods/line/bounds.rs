@@ -7,7 +7,7 @@ use crate::{
             Bounds, ClipSpace, LineInput, LineRow, LineState, plane_distances, side_distances,
         },
     },
-    figure::{Link, View},
+    figure::{Link, Table, View},
     geom::{AlignedBox, Camera, Plane, VolumeSide, planes_from_matrix},
     labs::{
         crossing_formulas::{Weights, upright_in_space},
@@ -24,8 +24,10 @@ use super::{
         },
         planes::{plane_link, plane_name, sum_formula},
     },
+    Event,
     look::{LineLook, ShownLine},
     marks::{interval_marks, shadow},
+    points::points_table,
     w_lens,
 };
 
@@ -58,7 +60,7 @@ impl LineLook<3> for AlignedBox {
     const HEADER: [&'static str; 2] = ["p", "q"];
     const QUOTIENT: [&'static [&'static str]; 2] = [&["q"], &["p"]];
     const SIGN: f64 = 1.0;
-    const HAS_AXIS: bool = true;
+    const SHOWS_PLANES: bool = true;
 
     fn input(scene: &Scene) -> LineInput<3, Self> {
         LineInput {
@@ -155,7 +157,7 @@ impl LineLook<3> for Vec<Plane> {
     const HEADER: [&'static str; 2] = ["d₁", "d₂"];
     const QUOTIENT: [&'static [&'static str]; 2] = [&["n·(p₀ − P₁)"], &["n·(P₂ − P₁)"]];
     const SIGN: f64 = -1.0;
-    const HAS_AXIS: bool = true;
+    const SHOWS_PLANES: bool = true;
 
     fn input(scene: &Scene) -> LineInput<3, Self> {
         LineInput {
@@ -241,7 +243,7 @@ impl LineLook<4> for ClipSpace {
     const HEADER: [&'static str; 2] = ["d₁", "d₂"];
     const QUOTIENT: [&'static [&'static str]; 2] = [&["d₁"], &["d₁", "d₂"]];
     const SIGN: f64 = 1.0;
-    const HAS_AXIS: bool = false;
+    const SHOWS_PLANES: bool = false;
 
     fn input(scene: &Scene) -> LineInput<4, Self> {
         let clip_from_world = scene.culler().clip_from_world();
@@ -305,6 +307,14 @@ impl LineLook<4> for ClipSpace {
     fn border(&self, _: Option<&Scenery>, side: VolumeSide) -> Value {
         let sign = if side.is_high() { "" } else { "−" };
         name(format!("{} = {sign}w", AXES[side.axis()]))
+    }
+
+    fn table(
+        shown: &ShownLine<'_, 4, Self>,
+        _: Option<Event<VolumeSide, 4>>,
+        _: Option<&Scenery>,
+    ) -> Table {
+        points_table(shown)
     }
 
     fn drawing(shown: &ShownLine<'_, 4, Self>, scenery: &Scenery) -> Vec<View> {

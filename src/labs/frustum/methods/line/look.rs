@@ -5,12 +5,16 @@ use crate::{
         parameter::{End, Ratio},
         volume::{Bounds, LineInput, LineRow, LineState},
     },
-    figure::{Link, View},
+    figure::{Link, Table, View},
     labs::{CodeLine, interval::quotient},
     text::{Formula, Message, Value},
 };
 
-use super::super::super::{Scene, Subject, stage::Scenery};
+use super::{
+    super::super::{Scene, Subject, stage::Scenery},
+    Event,
+    table::rows_table,
+};
 
 /// Bounds that can be shown.
 pub trait LineLook<const N: usize>: Bounds<N> {
@@ -26,8 +30,8 @@ pub trait LineLook<const N: usize>: Bounds<N> {
     const QUOTIENT: [&'static [&'static str]; 2];
     /// Its sign and that of the denominator, beside q/p.
     const SIGN: f64;
-    /// Is the interval shown as an axis?
-    const HAS_AXIS: bool;
+    /// Are the planes the rows of the table, and the interval an axis? Else the points are.
+    const SHOWS_PLANES: bool;
 
     /// Its input, from the scene.
     fn input(scene: &Scene) -> LineInput<N, Self>;
@@ -66,6 +70,15 @@ pub trait LineLook<const N: usize>: Bounds<N> {
 
     /// `x = 1`, or the plane's name.
     fn border(&self, scenery: Option<&Scenery>, plane: Self::Plane) -> Value;
+
+    /// What stands beside the drawing in rows: those of the planes.
+    fn table(
+        shown: &ShownLine<'_, N, Self>,
+        event: Option<Event<Self::Plane, N>>,
+        scenery: Option<&Scenery>,
+    ) -> Table {
+        rows_table(shown, event, scenery)
+    }
 
     /// The drawing, and what stands beside it but for the table.
     fn drawing(shown: &ShownLine<'_, N, Self>, scenery: &Scenery) -> Vec<View>;

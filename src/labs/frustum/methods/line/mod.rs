@@ -5,6 +5,7 @@ mod captions;
 mod faulty;
 mod look;
 pub mod marks;
+mod points;
 mod table;
 mod variants;
 mod w_lens;
@@ -123,9 +124,9 @@ impl<const N: usize, B: LineLook<N>, L: LineRules + Variant<N, B>> Demo for Show
         let scenery = step.input.scenery.as_deref();
         let shown = shown_line::<N, B, L>(step);
         let mut views = scenery.map_or_else(Vec::new, |scenery| B::drawing(&shown, scenery));
-        let table = table::rows_table(&shown, step.event, scenery);
+        let table = B::table(&shown, step.event, scenery);
         views.push(View::new(ROWS_VIEW, Body::Table(table)));
-        if B::HAS_AXIS {
+        if B::SHOWS_PLANES {
             let reach = reach(step.input);
             let axis = Body::NumberLine(shown.interval.number_line(reach));
             views.push(View::new(AXIS_VIEW, axis));
@@ -139,16 +140,14 @@ impl<const N: usize, B: LineLook<N>, L: LineRules + Variant<N, B>> Demo for Show
         let [first, second] = B::HEADER;
         let header = vec![first, second, B::SYMBOLS[1]];
         let bounds = shown.interval.bound_rows().collect();
+        let ends = WatchSection::list(end_rows(step.state));
+        let rows = WatchSection::table(header, table::row_values(&shown, scenery));
         let bounds = WatchSection::list(bounds);
-        vec![
-            WatchSection::list(end_rows(step.state)),
-            WatchSection::table(header, table::row_values(&shown, scenery)).seen_in(ROWS_VIEW),
-            if B::HAS_AXIS {
-                bounds.seen_in(AXIS_VIEW)
-            } else {
-                bounds.seen_in(ROWS_VIEW)
-            },
-        ]
+        if B::SHOWS_PLANES {
+            vec![ends, rows.seen_in(ROWS_VIEW), bounds.seen_in(AXIS_VIEW)]
+        } else {
+            vec![ends, rows, bounds]
+        }
     }
 }
 

@@ -195,10 +195,6 @@ fn notes<const N: usize, B: LineLook<N>>(shown: &ShownLine<'_, N, B>) -> Vec<Tab
     } else {
         ["space-line-note-enter", "space-line-note-leave"]
     };
-    if !B::HAS_AXIS {
-        // The screens need the room.
-        return Vec::new();
-    }
     vec![
         note(enter, "min", p.is_some_and(|p| p < 0.0)),
         note(leave, "max", p.is_some_and(|p| p > 0.0)),

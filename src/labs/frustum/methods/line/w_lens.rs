@@ -24,6 +24,7 @@ use super::{
     super::super::stage::{Fate, Scenery, plane_at_work},
     look::{LineLook, ShownLine},
     marks::{interval_marks, on_line},
+    points::left_so_far,
 };
 
 const SCREENS_VIEW: &str = "screens";
@@ -283,8 +284,7 @@ impl<'a> WLens<'a> {
         } else if is_rejected {
             None
         } else {
-            let so_far = shown.interval.bounds.map(|u| on_line(given, u));
-            Some(shown.state.verdict.flatten().unwrap_or(so_far))
+            Some(left_so_far(shown))
         };
         let is_done = shown.is_divided || shown.state.verdict.is_some();
         let mut marks = Self::square();
