@@ -206,6 +206,15 @@ fn said_in(body: &Body, catalog: &Catalog) -> Vec<String> {
             let said = said.flat_map(|stage| [&stage.title, &stage.counts]);
             said.map(|said| catalog.message(said)).collect()
         }
+        Body::Screens(screens) => {
+            let screens = screens.screens.iter();
+            let said = screens.flat_map(|screen| {
+                let labels = screen.marks.iter().filter_map(|mark| mark.label.as_ref());
+                let labels = labels.map(|label| value(&label.text));
+                labels.chain([value(&screen.title), catalog.message(&screen.note)])
+            });
+            said.collect()
+        }
         Body::Clippers(row) => {
             let clippers = row.clippers.iter().map(|clipper| &clipper.name);
             let travellers = row.travellers.iter().map(|traveller| &traveller.name);

@@ -63,7 +63,7 @@ impl View {
             Body::Ribbon(_) => (Stand::Across, [25.0, 5.5], [f32::MAX, 7.0]),
             Body::Screens(screens) => {
                 let n = screens.screens.len() as f32;
-                (Stand::Beside, [17.0, 6.5 * n], [30.0, 16.0 * n])
+                (Stand::Beside, [17.0, 7.2 * n], [30.0, 16.0 * n])
             }
             Body::Raster(raster) => {
                 let [columns, rows] = raster.size.map(|n| n as f32);

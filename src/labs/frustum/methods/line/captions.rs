@@ -3,7 +3,7 @@
 use crate::{
     algo::{
         parameter::End,
-        volume::{LineRules, LineState},
+        volume::{LineRow, LineRules, LineState},
     },
     figure::{Caption, Side},
     labs::{
@@ -32,33 +32,21 @@ pub fn caption<const N: usize, B: LineLook<N>, L: LineRules>(
         Event::Delta { delta } => delta_caption(&before.ends, &delta),
         Event::Depths { ends, behind } => depths_caption::<N, L>(&ends, behind, &before.ends),
         Event::Row { plane, p, q } => {
-            let row = crate::algo::volume::LineRow {
+            let direction = Value::Term(direction(p));
+            let message = say("space-line-row", plane).with("direction", direction);
+            let row = LineRow {
                 plane,
                 p,
                 q,
                 r: None,
                 left: None,
             };
-            let direction = Value::Term(direction(p));
-            let message = say("space-line-row", plane).with("direction", direction);
             let formulas = input.own.bounds.row_formulas(&before.ends, before, &row);
-            formulas
-                .into_iter()
-                .fold(Caption::new(message), Caption::so)
+            let formulas = formulas.into_iter();
+            formulas.fold(Caption::new(message), Caption::so)
         }
         Event::Parallel { plane, q, inside } => {
-            let (key, relation) = if inside {
-                ("space-line-parallel-inside", " ≥ 0")
-            } else {
-                ("space-line-parallel-outside", " < 0")
-            };
-            let symbol = if B::HEADER[1] == "q" {
-                "q"
-            } else {
-                B::HEADER[0]
-            };
-            let formula = Formula::default().sym(symbol).sym(" = ").num(q);
-            Caption::new(say(key, plane)).so(formula.sym(relation))
+            parallel_caption::<N, B>(say(parallel_key(inside), plane), q)
         }
         Event::Enter {
             plane,
@@ -66,13 +54,8 @@ pub fn caption<const N: usize, B: LineLook<N>, L: LineRules>(
             raises,
             u_min,
         } => {
-            let key = if raises {
-                "space-line-enter"
-            } else {
-                "space-line-enter-idle"
-            };
-            let found = (Side::Entering, r, u_min);
-            bound_caption::<N, B>(say(key, plane), before, found)
+            let message = say(bound_key(Side::Entering, raises), plane);
+            bound_caption::<N, B>(message, before, (Side::Entering, r, u_min))
         }
         Event::Leave {
             plane,
@@ -80,13 +63,8 @@ pub fn caption<const N: usize, B: LineLook<N>, L: LineRules>(
             lowers,
             u_max,
         } => {
-            let key = if lowers {
-                "space-line-leave"
-            } else {
-                "space-line-leave-idle"
-            };
-            let found = (Side::Leaving, r, u_max);
-            bound_caption::<N, B>(say(key, plane), before, found)
+            let message = say(bound_key(Side::Leaving, lowers), plane);
+            bound_caption::<N, B>(message, before, (Side::Leaving, r, u_max))
         }
         Event::Interval { empty, .. } => interval::<N, B>(before, None, scenery).caption(empty),
         Event::Put { end, u, plane, at } => put_caption(end, u, plane, at, before, input),
@@ -96,6 +74,35 @@ pub fn caption<const N: usize, B: LineLook<N>, L: LineRules>(
         Event::Reject { plane: Some(plane) } => Caption::new(say("space-line-reject", plane)),
         Event::Reject { plane: None } => Caption::new(Message::new("space-line-reject-behind")),
     }
+}
+
+const fn parallel_key(is_inside: bool) -> &'static str {
+    if is_inside {
+        "space-line-parallel-inside"
+    } else {
+        "space-line-parallel-outside"
+    }
+}
+
+const fn bound_key(side: Side, moves: bool) -> &'static str {
+    match (side, moves) {
+        (Side::Entering, true) => "space-line-enter",
+        (Side::Entering, false) => "space-line-enter-idle",
+        (Side::Leaving, true) => "space-line-leave",
+        (Side::Leaving, false) => "space-line-leave-idle",
+    }
+}
+
+/// `q = 2 ≥ 0`
+fn parallel_caption<const N: usize, B: LineLook<N>>(message: Message, q: f64) -> Caption {
+    let symbol = if B::HEADER[1] == "q" {
+        "q"
+    } else {
+        B::HEADER[0]
+    };
+    let formula = Formula::default().sym(symbol).sym(" = ").num(q);
+    let relation = if q < 0.0 { " < 0" } else { " ≥ 0" };
+    Caption::new(message).so(formula.sym(relation))
 }
 
 /// The last word where something is visible. One point is a touch only where it is all that is left of more.

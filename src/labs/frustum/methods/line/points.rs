@@ -7,7 +7,7 @@ use crate::{
     },
     figure::{Cell, Role, Table, TableRow},
     geom::VolumeSide,
-    labs::words::{end_link, end_name, end_name_now, name},
+    labs::words::{end_link, end_name, end_name_now},
     text::{Formula, Value},
 };
 
@@ -38,23 +38,21 @@ pub fn points_table(shown: &ShownLine<'_, 4, ClipSpace>) -> Table {
         let link = Some(end_link(end));
         row(end_name(end), ends[end.idx()], side, role, link)
     });
-    let moved = End::BOTH.into_iter().map(|end| {
+    let is_left = !shown.interval.is_rejected && !shown.interval.is_crossed_over();
+    let left = left_so_far(shown);
+    let moved = End::BOTH.into_iter().filter(|end| {
         let bound = shown.interval.bounds[end.idx()];
-        let is_moved = bound != [0.0, 1.0][end.idx()];
-        let is_left = !shown.interval.is_rejected && !shown.interval.is_crossed_over();
-        let at = left_so_far(shown)[end.idx()];
-        if is_moved && is_left {
-            let link = Some(end_link(end));
-            row(end_name_now(end, true), at, side, Role::Accent, link)
-        } else {
-            // Its room is there from the start.
-            TableRow {
-                name: name(""),
-                cells: vec![Cell::new(Role::Ink, None::<Value>); 4],
-                is_current: false,
-                link: None,
-            }
-        }
+        is_left && bound != [0.0, 1.0][end.idx()]
+    });
+    let moved = moved.map(|end| {
+        let link = Some(end_link(end));
+        row(
+            end_name_now(end, true),
+            left[end.idx()],
+            side,
+            Role::Accent,
+            link,
+        )
     });
     Table {
         header: vec![
