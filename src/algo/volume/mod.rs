@@ -10,6 +10,7 @@ mod homogeneous_triangle;
 mod intersection_polygon;
 mod liang_barsky_3d;
 mod line_clip;
+mod line_event;
 mod line_rules;
 mod plane_at_a_time;
 mod plane_cut;
@@ -34,7 +35,8 @@ pub use intersection_polygon::{
     IntersectionPolygon, IntersectionPolygonEvent, IntersectionPolygonState,
 };
 pub use liang_barsky_3d::LiangBarsky3d;
-pub use line_clip::{Bounds, LineClip, LineEvent, LineInput, LineRow, LineState, VisibleLine};
+pub use line_clip::{Bounds, LineClip, LineInput, LineState};
+pub use line_event::{LineEvent, LineRow, VisibleLine};
 pub use line_rules::LineRules;
 pub use plane_at_a_time::{AskedTriangle, PlaneAtATime, PlaneAtATimeEvent, PlaneAtATimeState};
 pub use plane_line::{PlaneLine, plane_distances};

@@ -167,12 +167,13 @@ impl Demo for Shown {
             WatchRow::new(end_name(end), Some(at)).linked(end_link(end))
         });
         let mut rows: Vec<WatchRow> = ends.collect();
-        let t = match step.event {
-            Some(Event::Cut { u, .. }) => Some(Value::Ratio {
+        let t = if let Some(Event::Cut { u, .. }) = step.event {
+            Some(Value::Ratio {
                 num: u.num,
                 den: u.den,
-            }),
-            _ => None,
+            })
+        } else {
+            None
         };
         rows.push(WatchRow::new(name("t"), t));
         vec![
@@ -185,11 +186,11 @@ impl Demo for Shown {
 /// "P₁ is beyond left and far: code₁ = 100001", and the comparisons that say so.
 fn code_caption(end: End, at: [f64; 3], code: SideCode, bounds: &AlignedBox) -> Caption {
     let beyond: Vec<VolumeSide> = code.sides().collect();
-    let key = match beyond.len() {
-        0 => "space-line-code-inside",
-        1 => "space-line-code-one",
-        2 => "space-line-code-two",
-        _ => "space-line-code-three",
+    let key = match beyond[..] {
+        [] => "space-line-code-inside",
+        [_] => "space-line-code-one",
+        [_, _] => "space-line-code-two",
+        [_, _, _, ..] => "space-line-code-three",
     };
     let message = Message::new(key)
         .with("end", end_name(end))

@@ -24,10 +24,10 @@ use super::{
         },
         planes::{plane_link, plane_name, sum_formula},
     },
-    Event,
-    look::{LineLook, ShownLine},
+    look::{Event, LineLook, ShownLine},
     marks::{interval_marks, shadow},
     points::points_table,
+    table::rows_table,
     w_lens,
 };
 
@@ -129,6 +129,14 @@ impl LineLook<3> for AlignedBox {
         Value::Formula(face_equation(self, side))
     }
 
+    fn table(
+        shown: &ShownLine<'_, 3, Self>,
+        event: Option<Event<VolumeSide, 3>>,
+        scenery: Option<&Scenery>,
+    ) -> Table {
+        rows_table(shown, event, scenery)
+    }
+
     fn drawing(shown: &ShownLine<'_, 3, Self>, scenery: &Scenery) -> Vec<View> {
         let ends = &shown.input.ends;
         let mut marks: Vec<_> = shown.in_hand.into_iter().flat_map(face_at_work).collect();
@@ -214,6 +222,14 @@ impl LineLook<3> for Vec<Plane> {
     fn border(&self, scenery: Option<&Scenery>, plane: usize) -> Value {
         let named = Message::new("space-line-the-plane");
         Value::Message(named.with("plane", plane_name(scenery, plane)).into())
+    }
+
+    fn table(
+        shown: &ShownLine<'_, 3, Self>,
+        event: Option<Event<usize, 3>>,
+        scenery: Option<&Scenery>,
+    ) -> Table {
+        rows_table(shown, event, scenery)
     }
 
     fn drawing(shown: &ShownLine<'_, 3, Self>, scenery: &Scenery) -> Vec<View> {

@@ -14,8 +14,7 @@ use crate::{
 };
 
 use super::{
-    Event, Input, end_formula, listed,
-    look::{LineLook, ratio},
+    look::{Event, Input, LineLook, end_formula, listed, ratio},
     table::{direction, interval},
 };
 

@@ -3,18 +3,30 @@
 use crate::{
     algo::{
         parameter::{End, Ratio},
-        volume::{Bounds, LineInput, LineRow, LineState},
+        volume::{Bounds, LineEvent, LineInput, LineRow, LineState},
     },
     figure::{Link, Table, View},
     labs::{CodeLine, interval::quotient},
     text::{Formula, Message, Value},
 };
 
-use super::{
-    super::super::{Scene, Subject, stage::Scenery},
-    Event,
-    table::rows_table,
-};
+use super::super::super::{OnSceneInput, Scene, Subject, stage::Scenery};
+
+/// What happens.
+pub type Event<P, const N: usize> = LineEvent<P, N>;
+/// What a method runs on.
+pub type Input<const N: usize, B> = OnSceneInput<LineInput<N, B>>;
+
+/// `(1, 0, 2)`, as many as there are.
+pub fn listed<const N: usize>(at: &[f64; N]) -> Formula {
+    Formula::default().sym("(").list(at).sym(")")
+}
+
+/// `P₁ = (1, 0, 2)`
+pub fn end_formula<const N: usize>(symbol: &'static str, at: &[f64; N]) -> Formula {
+    let formula = Formula::default().sym(symbol).sym(" = (");
+    formula.list(at).sym(")")
+}
 
 /// Bounds that can be shown.
 pub trait LineLook<const N: usize>: Bounds<N> {
@@ -71,14 +83,12 @@ pub trait LineLook<const N: usize>: Bounds<N> {
     /// `x = 1`, or the plane's name.
     fn border(&self, scenery: Option<&Scenery>, plane: Self::Plane) -> Value;
 
-    /// What stands beside the drawing in rows: those of the planes.
+    /// What stands beside the drawing in rows.
     fn table(
         shown: &ShownLine<'_, N, Self>,
         event: Option<Event<Self::Plane, N>>,
         scenery: Option<&Scenery>,
-    ) -> Table {
-        rows_table(shown, event, scenery)
-    }
+    ) -> Table;
 
     /// The drawing, and what stands beside it but for the table.
     fn drawing(shown: &ShownLine<'_, N, Self>, scenery: &Scenery) -> Vec<View>;

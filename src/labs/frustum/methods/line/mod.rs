@@ -22,7 +22,7 @@ use crate::{
         Answer, CodeLine, Demo, Step, record, record_wrong,
         words::{end_link, end_name, end_name_now, name},
     },
-    text::{Formula, Value},
+    text::Value,
 };
 
 use super::super::{OnScene, OnSceneInput, Scene, Subject, demo::FrustumDemo};
@@ -30,10 +30,10 @@ use super::super::{OnScene, OnSceneInput, Scene, Subject, demo::FrustumDemo};
 pub use bounds::{face_equation, unit_box};
 pub use captions::accepted;
 
-use look::{LineLook, ShownLine, Variant};
+pub use look::end_formula;
 
-type Event<P, const N: usize> = LineEvent<P, N>;
-type Input<const N: usize, B> = OnSceneInput<LineInput<N, B>>;
+use look::{Event, Input, LineLook, ShownLine, Variant, listed};
+
 type Shown<const N: usize, B, L> = OnScene<LineClip<N, B, L>>;
 
 const ROWS_VIEW: &str = "rows";
@@ -44,17 +44,6 @@ impl<const N: usize> Answer for VisibleLine<N> {
         let segment = self.as_ref().map(|ends| ends.as_flattened());
         json!({ "visible": self.is_some(), "segment": segment })
     }
-}
-
-/// `(1, 0, 2)`, as many as there are.
-pub fn listed<const N: usize>(at: &[f64; N]) -> Formula {
-    Formula::default().sym("(").list(at).sym(")")
-}
-
-/// `P₁ = (1, 0, 2)`
-pub fn end_formula<const N: usize>(symbol: &'static str, at: &[f64; N]) -> Formula {
-    let formula = Formula::default().sym(symbol).sym(" = (");
-    formula.list(at).sym(")")
 }
 
 impl<const N: usize, B: LineLook<N>, L: LineRules + Variant<N, B>> FrustumDemo for Shown<N, B, L>

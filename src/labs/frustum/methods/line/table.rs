@@ -12,8 +12,7 @@ use crate::{
 
 use super::{
     super::super::stage::Scenery,
-    Event,
-    look::{LineLook, ShownLine, ratio},
+    look::{Event, LineLook, ShownLine, ratio},
 };
 
 /// The plane that the step is about; while the interval is looked at, the last one.
