@@ -89,7 +89,7 @@ words-pl-each = Ask each plane how far inside both ends are.
 words-pl-enter = d grows: the line comes in here. It cannot be visible before a.
 words-pl-leave = d shrinks: the line goes out here. It cannot be visible after a.
 code-hl-start = if w₁ < 0 and w₂ < 0: reject
-code-hl-each = for each side x, y, z = ±w: d₁, d₂ ← w ∓ x, y, z
+code-hl-each = for each side x, y, z = ±w: d₁, d₂ ← w ± x, y, z
 code-hl-enter = if d₁ < d₂: t_min ← max(t_min, d₁/(d₁ − d₂))
 code-hl-leave = if d₁ > d₂: t_max ← min(t_max, d₁/(d₁ − d₂))
 code-hl-empty = if t_min > t_max: reject

@@ -89,7 +89,7 @@ words-pl-each = Pregunta a cada plano cuánto están dentro los dos extremos.
 words-pl-enter = d crece: la recta entra por aquí. Antes de a no puede verse nada.
 words-pl-leave = d disminuye: la recta sale por aquí. Después de a no puede verse nada.
 code-hl-start = si w₁ < 0 y w₂ < 0: rechazar
-code-hl-each = para cada lado x, y, z = ±w: d₁, d₂ ← w ∓ x, y, z
+code-hl-each = para cada lado x, y, z = ±w: d₁, d₂ ← w ± x, y, z
 code-hl-enter = si d₁ < d₂: t_min ← max(t_min; d₁/(d₁ − d₂))
 code-hl-leave = si d₁ > d₂: t_max ← min(t_max; d₁/(d₁ − d₂))
 code-hl-empty = si t_min > t_max: rechazar

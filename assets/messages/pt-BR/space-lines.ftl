@@ -89,7 +89,7 @@ words-pl-each = Pergunte a cada plano quanto os dois extremos estão para dentro
 words-pl-enter = d cresce: a reta entra por aqui. Antes de a, nada pode ser visível.
 words-pl-leave = d diminui: a reta sai por aqui. Depois de a, nada pode ser visível.
 code-hl-start = se w₁ < 0 e w₂ < 0: rejeite
-code-hl-each = para cada lado x, y, z = ±w: d₁, d₂ ← w ∓ x, y, z
+code-hl-each = para cada lado x, y, z = ±w: d₁, d₂ ← w ± x, y, z
 code-hl-enter = se d₁ < d₂: t_min ← max(t_min; d₁/(d₁ − d₂))
 code-hl-leave = se d₁ > d₂: t_max ← min(t_max; d₁/(d₁ − d₂))
 code-hl-empty = se t_min > t_max: rejeite

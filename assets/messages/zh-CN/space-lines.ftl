@@ -85,7 +85,7 @@ words-pl-each = 对每个平面，求两端点在内侧多远。
 words-pl-enter = d 增大：直线由此进入，在 a 之前不可能可见。
 words-pl-leave = d 减小：直线由此离开，在 a 之后不可能可见。
 code-hl-start = 若 w₁ < 0 且 w₂ < 0，则舍弃
-code-hl-each = 对每个面 x, y, z = ±w：d₁, d₂ ← w ∓ x, y, z
+code-hl-each = 对每个面 x, y, z = ±w：d₁, d₂ ← w ± x, y, z
 code-hl-enter = 若 d₁ < d₂，则 t_min ← max(t_min, d₁/(d₁ − d₂))
 code-hl-leave = 若 d₁ > d₂，则 t_max ← min(t_max, d₁/(d₁ − d₂))
 code-hl-empty = 若 t_min > t_max，则舍弃

@@ -15,7 +15,7 @@ use crate::{
     },
     figure::{Body, Mark, Mark3, Role, Screen, Screens, Shape, Shape3, View},
     geom::{Camera, Sight},
-    labs::words::{end_link, end_name_now, name},
+    labs::words::{end_link, name},
     text::{Formula, Message, Value},
     trace::silent,
 };
@@ -224,14 +224,16 @@ impl<'a> WLens<'a> {
         ]
     }
 
-    fn point(end: End, at: [f64; 2], role: Role, shape: fn([f64; 2]) -> Shape) -> Mark {
-        let label = match end_name_now(end, true) {
-            Value::Name(name) => Formula::default().sym(name).sym(" ").point(at),
-            other => return Mark::new(role, shape(at)).labelled(other),
-        };
-        Mark::new(role, shape(at))
-            .labelled(label)
-            .linked(end_link(end))
+    /// An image with its name; of what lies behind the eye also where it is.
+    fn point(&self, end: End, at: [f64; 2], role: Role, shape: fn([f64; 2]) -> Shape) -> Mark {
+        let mark = Mark::new(role, shape(at)).linked(end_link(end));
+        let symbol = ["P₁′", "P₂′"][end.idx()];
+        if self.is_behind(end) && role == Role::Signal {
+            let place = Formula::default().sym(symbol).sym(" ").point(at);
+            mark.labelled(place)
+        } else {
+            mark.labelled(name(symbol))
+        }
     }
 
     /// What joining both images gives.
@@ -253,7 +255,7 @@ impl<'a> WLens<'a> {
             }
             for (end, at) in End::BOTH.into_iter().zip(joined) {
                 let role = if self.is_behind(end) { role } else { Role::Ink };
-                marks.push(Self::point(end, at, role, Shape::Ring));
+                marks.push(self.point(end, at, role, Shape::Ring));
             }
             if is_torn && let Some([Some(from), Some(to)]) = self.right.map(|ends| ends.map(image))
             {
@@ -307,7 +309,7 @@ impl<'a> WLens<'a> {
                 marks.extend(seen.map(|shape| Mark::new(role, shape).linked("segment")));
                 for (end, at) in End::BOTH.into_iter().zip([from, to]) {
                     let place = image(at).filter(|_| at[3] > 0.0);
-                    marks.extend(place.map(|place| Self::point(end, place, role, Shape::Dot)));
+                    marks.extend(place.map(|place| self.point(end, place, role, Shape::Dot)));
                 }
             }
         }
