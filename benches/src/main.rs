@@ -23,6 +23,7 @@ mod paint;
 mod plot;
 mod polygon;
 mod space;
+mod textured;
 #[cfg(feature = "gui")]
 mod turning;
 mod weiler_atherton;
@@ -37,6 +38,7 @@ const BENCHMARKS: &[Benchmark] = &[
     ("polygon", polygon::run),
     ("weiler-atherton", weiler_atherton::run),
     ("space", space::run),
+    ("textured", textured::run),
     #[cfg(feature = "gui")]
     ("frame", frame::run),
     #[cfg(feature = "gui")]

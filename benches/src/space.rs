@@ -81,7 +81,7 @@ fn spheres() {
     );
 }
 
-fn table(
+pub fn table(
     results: &crate::harness::Results,
     names: &[&str],
     base: &str,
@@ -102,10 +102,10 @@ fn table(
 }
 
 /// Positions, colours, faces.
-type Waves = (Vec<[f32; 3]>, Vec<[f32; 3]>, Vec<[u32; 3]>);
+pub type Waves = (Vec<[f32; 3]>, Vec<[f32; 3]>, Vec<[u32; 3]>);
 
 /// A sphere of triangles with waves on it, in view; about as many triangles as asked for.
-fn waves(n_triangles: usize) -> Waves {
+pub fn waves(n_triangles: usize) -> Waves {
     let rows = ((n_triangles as f64 / 4.0).sqrt()) as u32;
     let columns = 2 * rows;
     let (mut positions, mut colours, mut faces) = (Vec::new(), Vec::new(), Vec::new());
@@ -222,7 +222,7 @@ fn packed(colour: [f32; 3]) -> u32 {
 }
 
 /// One row of a matrix after the other, as f32.
-fn narrow(matrix: &Matrix) -> [[f32; 4]; 4] {
+pub fn narrow(matrix: &Matrix) -> [[f32; 4]; 4] {
     matrix.rows().map(|row| row.map(|x| x as f32))
 }
 

@@ -177,6 +177,7 @@ fn put(facets: &mut Vec<Facet>, mesh: &Mesh, world_from_model: &Matrix) {
                 .to_vec(),
             role: Role::Accent,
             link,
+            skin: None,
         }
     }));
 }
