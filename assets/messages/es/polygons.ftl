@@ -320,3 +320,13 @@ words-wa-leave = Donde ese polígono sale, y donde los bordes se estrangulan, si
 words-wa-close = De vuelta a un vértice ya emitido: lo que queda en medio es un anillo. De vuelta al comienzo, el recorrido termina.
 words-wa-whole = Un borde en el que nunca se cambia de lista está entero dentro o entero fuera.
 words-wa-holes = Un agujero pertenece al anillo en el que está.
+
+## The verdict
+
+verdict-vertex-kept = { $vertex } se conserva.
+verdict-vertex-cut = { $vertex } se recorta aquí: es el primer borde más allá del cual está.
+verdict-vertex-passed-by = Ningún recorrido pasa por { $vertex }: no está en el resultado.
+verdict-vertex-in = Desplazado { $move } hacia dentro, en perpendicular al borde ({ $edge }), { $vertex } se conservaría.
+verdict-vertex-never = Ningún desplazamiento en perpendicular al borde ({ $edge }) conservaría { $vertex }.
+verdict-vertex-out = Desplazado más de { $move } hacia fuera, en perpendicular al borde más cercano ({ $edge }), { $vertex } se recortaría.
+verdict-vertex-touch = { $vertex } está sobre el borde ({ $edge }): con el menor desplazamiento hacia fuera se recortaría.

@@ -318,3 +318,13 @@ words-wa-leave = Onde o polígono sai, e onde os contornos se estrangulam, siga 
 words-wa-close = De volta a um vértice já emitido: o que fica entre as duas passagens é um anel. De volta ao começo, o percurso termina.
 words-wa-whole = Um contorno no qual nunca se muda de lista está inteiro dentro ou inteiro fora.
 words-wa-holes = Um furo pertence ao anel em que está.
+
+## The verdict
+
+verdict-vertex-kept = { $vertex } é mantido.
+verdict-vertex-cut = { $vertex } é cortado aqui: é a primeira borda além da qual ele está.
+verdict-vertex-passed-by = Nenhum percurso passa por { $vertex }: ele não está no resultado.
+verdict-vertex-in = Deslocado { $move } para dentro, na perpendicular à borda ({ $edge }), { $vertex } seria mantido.
+verdict-vertex-never = Nenhum deslocamento na perpendicular à borda ({ $edge }) manteria { $vertex }.
+verdict-vertex-out = Deslocado mais de { $move } para fora, na perpendicular à borda mais próxima ({ $edge }), { $vertex } seria cortado.
+verdict-vertex-touch = { $vertex } está sobre a borda ({ $edge }): com o menor deslocamento para fora seria cortado.

@@ -319,3 +319,13 @@ words-wa-leave = 在出点和对顶点处，转到裁剪多边形的顶点表。
 words-wa-close = 回到已经输出过的顶点：其间就是一个环。回到起点时，行走结束。
 words-wa-whole = 行走时从不换表的边界，整条在内部或整条在外部。
 words-wa-holes = 内孔属于包围它的环。
+
+## The verdict
+
+verdict-vertex-kept = { $vertex } 保留。
+verdict-vertex-cut = { $vertex } 在这里被裁去：这是它越过的第一条边界。
+verdict-vertex-passed-by = 没有任何行走经过 { $vertex }：它不在结果中。
+verdict-vertex-in = 垂直于该边界（{ $edge }）向内移动 { $move }，{ $vertex } 就会保留。
+verdict-vertex-never = 垂直于该边界（{ $edge }）怎样移动，{ $vertex } 都不会保留。
+verdict-vertex-out = 垂直于最近的边界（{ $edge }）向外移动超过 { $move }，{ $vertex } 就会被裁去。
+verdict-vertex-touch = { $vertex } 在边界（{ $edge }）上：稍向外移，就会被裁去。

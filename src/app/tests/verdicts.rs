@@ -76,6 +76,24 @@ fn a_segment_that_is_clicked_is_told_by_the_method_on_stage() {
 }
 
 #[test]
+fn a_vertex_that_is_clicked_is_selected_and_told() {
+    let mut bench = bench("polygons");
+    let handle = bench.app.scene().document().handles()[0];
+    let [x, y, _] = bench
+        .app
+        .scene()
+        .document()
+        .position(handle)
+        .expect("the first vertex");
+    let vertex = bench.on_screen([x, y]);
+    bench.click_there(vertex);
+    assert_eq!(bench.app.stage.selected, Some(handle));
+    assert!(bench.verdict().is_some());
+    bench.key(Key::Enter);
+    assert!(bench.app.position() > 0);
+}
+
+#[test]
 fn enter_belongs_to_whoever_has_the_focus() {
     let mut bench = bench("frustum");
     let object = bench.app.stage.on_screen([-6.5, 0.8, 0.5]);

@@ -2,6 +2,7 @@
 
 use crate::{
     figure::Run,
+    geom::Point,
     labs::{self, Demo},
 };
 
@@ -25,6 +26,26 @@ pub trait PolygonDemo: Demo {
     /// # Errors
     /// What in the scene it cannot take.
     fn input(scene: &Scene) -> Result<Self::Input, UnfitScene>;
+
+    /// The clip edge that an event brings up.
+    fn border(_: &Self::Event) -> Option<usize> {
+        None
+    }
+
+    /// What an event says of a vertex of the subject that lies there: does it stay, as far as it has been asked?
+    fn tells(_: &Self::Event, _at: Point) -> Option<bool> {
+        None
+    }
+
+    /// Where an event finds an intersection.
+    fn crossing(_: &Self::Event) -> Option<Point> {
+        None
+    }
+
+    /// The outline of the piece that an event finishes; the state is that after it.
+    fn piece(_: &Self::Event, _: &Self::State) -> Option<Vec<Point>> {
+        None
+    }
 
     /// Runs it on the scene.
     ///

@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use crate::{
-    figure::{Mark, Run},
+    figure::{Link, Mark, Run},
     geom::{Point, Polygon},
-    labs::{ChangeOf, Click, Document, Handle, Lab, MethodCard, Own},
+    labs::{ChangeOf, Click, Document, Handle, Lab, MethodCard, Own, Verdict},
     text::Diagnostic,
 };
 
@@ -13,6 +13,7 @@ use super::{
     LAB, Method, PolygonsChange, Scene,
     backdrop::{backdrop, bounds},
     change::{clicked, vertex_of},
+    verdict::{asked, verdict},
 };
 
 impl Scene {
@@ -69,6 +70,14 @@ impl Document for Scene {
     fn record(&self) -> Vec<Box<dyn Run>> {
         let record = |method: Method| method.info().record(self);
         self.on_stage().map(record).collect()
+    }
+
+    fn asked(&self, click: &Click<'_>) -> Option<Link> {
+        asked(self, click)
+    }
+
+    fn verdict(&self, about: Link, run: &dyn Run) -> Option<Verdict> {
+        verdict(self, about, run)
     }
 
     fn takes(&self, id: &str) -> bool {

@@ -1,6 +1,7 @@
 //! What can be taken hold of in the polygons lab.
 
 use crate::{
+    figure::Link,
     geom::{Point, Polygon, extent},
     labs::{Handle, HandleKind, window_handles},
     text::{Diagnostic, Message},
@@ -10,6 +11,7 @@ use super::Scene;
 
 static VERTEX: HandleKind = HandleKind {
     is_vertex: true,
+    link: Some(|[i, _]| corner_link(i)),
     ..HandleKind::new("vertex", "polygon", |[i, _]| {
         Message::new("handle-vertex").with("number", i + 1)
     })
@@ -42,6 +44,11 @@ pub enum SceneVertex {
     Hole(usize, usize),
     /// Of the clip polygon.
     Clip(usize),
+}
+
+/// What is asked about where a vertex of the subject is clicked. Lists number theirs anew.
+pub const fn corner_link(vertex_idx: usize) -> Link {
+    Link::nth("corner", vertex_idx)
 }
 
 impl SceneVertex {

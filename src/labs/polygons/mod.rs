@@ -13,6 +13,7 @@ mod random;
 mod registry;
 mod scene;
 mod unfit_scene;
+mod verdict;
 
 pub use change::{OUTLINES, PolygonsChange};
 pub use demo::PolygonDemo;

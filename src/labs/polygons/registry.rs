@@ -6,7 +6,11 @@ use crate::{
     labs::{Listed, MethodCard},
 };
 
-use super::{MethodInfo, PolygonDemo, Scene, methods::faulty};
+use super::{
+    MethodInfo, PolygonDemo, Scene,
+    methods::faulty,
+    verdict::{fate, found},
+};
 
 const fn info<A: PolygonDemo>() -> MethodInfo<Scene> {
     MethodInfo {
@@ -17,6 +21,8 @@ const fn info<A: PolygonDemo>() -> MethodInfo<Scene> {
         knows_holes: A::KNOWS_HOLES,
         record: |scene| A::record(scene).unwrap_or_else(|refusal| refusal.run(scene, A::SUBJECT)),
         takes: |scene| A::input(scene).is_ok(),
+        fate: fate::<A>,
+        found: found::<A>,
     }
 }
 

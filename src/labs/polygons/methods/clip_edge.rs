@@ -39,6 +39,11 @@ pub struct ClipEdge<'a> {
 /// A vertex: how it is called, and where it is.
 pub type NamedPoint = (String, Point);
 
+/// What an edge of the clip region is called.
+pub fn clip_edge_name(region: &ClipRegion, edge_idx: usize) -> Value {
+    ClipEdge::new(region, edge_idx, EdgeLook::RIGHT).name()
+}
+
 impl<'a> ClipEdge<'a> {
     pub const fn new(region: &'a ClipRegion, idx: usize, look: EdgeLook) -> Self {
         Self { region, idx, look }

@@ -20,3 +20,6 @@ mod triangles;
 mod triangulate_and_clip;
 mod variant;
 mod weiler_atherton;
+
+pub use clip_edge::clip_edge_name;
+pub use sutherland_hodgman::region;

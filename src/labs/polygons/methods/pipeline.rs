@@ -40,6 +40,53 @@ impl PolygonDemo for Pipeline {
     fn input(scene: &Scene) -> Result<Input, UnfitScene> {
         input(scene)
     }
+
+    fn border(event: &Event<Point>) -> Option<usize> {
+        match *event {
+            Event::First { stage_idx, .. } | Event::Test { stage_idx, .. } => Some(stage_idx),
+            Event::Enter { .. }
+            | Event::Cross { .. }
+            | Event::Output { .. }
+            | Event::Close { .. }
+            | Event::Done { .. } => None,
+        }
+    }
+
+    fn tells(event: &Event<Point>, vertex: Point) -> Option<bool> {
+        match *event {
+            Event::First { at, inside, .. } => (at == vertex).then_some(inside),
+            Event::Test { ends, rule, .. } => (ends[1] == vertex).then_some(rule.ends_inside()),
+            Event::Enter { .. }
+            | Event::Cross { .. }
+            | Event::Output { .. }
+            | Event::Close { .. }
+            | Event::Done { .. } => None,
+        }
+    }
+
+    fn crossing(event: &Event<Point>) -> Option<Point> {
+        match *event {
+            Event::Cross { at, .. } => Some(at),
+            Event::Enter { .. }
+            | Event::First { .. }
+            | Event::Test { .. }
+            | Event::Output { .. }
+            | Event::Close { .. }
+            | Event::Done { .. } => None,
+        }
+    }
+
+    fn piece(event: &Event<Point>, after: &State<Point>) -> Option<Vec<Point>> {
+        match event {
+            Event::Done { .. } => Some(after.output.clone()),
+            Event::Enter { .. }
+            | Event::First { .. }
+            | Event::Test { .. }
+            | Event::Cross { .. }
+            | Event::Output { .. }
+            | Event::Close { .. } => None,
+        }
+    }
 }
 
 impl Demo for Pipeline {

@@ -43,6 +43,54 @@ impl<L: Variant> PolygonDemo for SutherlandHodgman<Point, L> {
         input(scene)
     }
 
+    fn border(event: &Event<Point>) -> Option<usize> {
+        match *event {
+            Event::Edge { edge_idx, .. } => Some(edge_idx),
+            Event::First { .. }
+            | Event::Test { .. }
+            | Event::Cross { .. }
+            | Event::Output { .. }
+            | Event::Pass { .. }
+            | Event::Done { .. } => None,
+        }
+    }
+
+    fn tells(event: &Event<Point>, vertex: Point) -> Option<bool> {
+        match *event {
+            Event::First { at, inside, .. } => (at == vertex).then_some(inside),
+            Event::Test { ends, rule, .. } => (ends[1] == vertex).then_some(rule.ends_inside()),
+            Event::Edge { .. }
+            | Event::Cross { .. }
+            | Event::Output { .. }
+            | Event::Pass { .. }
+            | Event::Done { .. } => None,
+        }
+    }
+
+    fn crossing(event: &Event<Point>) -> Option<Point> {
+        match *event {
+            Event::Cross { at, .. } => Some(at),
+            Event::Edge { .. }
+            | Event::First { .. }
+            | Event::Test { .. }
+            | Event::Output { .. }
+            | Event::Pass { .. }
+            | Event::Done { .. } => None,
+        }
+    }
+
+    fn piece(event: &Event<Point>, after: &State<Point>) -> Option<Vec<Point>> {
+        match event {
+            Event::Done { .. } => Some(after.input.clone()),
+            Event::Edge { .. }
+            | Event::First { .. }
+            | Event::Test { .. }
+            | Event::Cross { .. }
+            | Event::Output { .. }
+            | Event::Pass { .. } => None,
+        }
+    }
+
     fn record(scene: &Scene) -> Result<Box<dyn Run>, UnfitScene> {
         if L::DIFFERS_KEY.is_some() {
             return Ok(record_wrong::<Self, SutherlandHodgman>(input(scene)?));

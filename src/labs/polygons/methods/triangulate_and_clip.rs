@@ -4,9 +4,10 @@ use serde_json::{Value as Json, json};
 
 use crate::{
     algo::polygon::{
-        EachTriangleEvent as Each, EarClipping, Pieces, RingOutcome, SutherlandHodgmanEvent,
-        SutherlandHodgmanInput, Triangle, TriangulateAndClip, TriangulateAndClipEvent as Event,
-        TriangulateAndClipInput as Input, TriangulateAndClipState as State,
+        EachTriangleEvent as Each, EarClipping, Pieces, RingOutcome, SutherlandHodgman,
+        SutherlandHodgmanEvent, SutherlandHodgmanInput, Triangle, TriangulateAndClip,
+        TriangulateAndClipEvent as Event, TriangulateAndClipInput as Input,
+        TriangulateAndClipState as State,
     },
     figure::{Body, Caption, Mark, Role, Shape, Tick, View, Watch, WatchRow, WatchSection},
     geom::{Point, SimplePolygon},
@@ -40,6 +41,25 @@ impl PolygonDemo for TriangulateAndClip {
         let polygon = SimplePolygon::try_from(&scene.subject)
             .map_err(|error| UnfitScene::new(ScenePart::Subject, error))?;
         Ok(Input { region, polygon })
+    }
+
+    fn crossing(event: &Event) -> Option<Point> {
+        match event {
+            Event::Clip(event) => SutherlandHodgman::<Point>::crossing(event),
+            Event::Triangulate(_) | Event::Each(_) => None,
+        }
+    }
+
+    fn piece(event: &Event, after: &State) -> Option<Vec<Point>> {
+        match event {
+            Event::Each(Each::Piece {
+                outcome: RingOutcome::Whole | RingOutcome::Cut,
+                ..
+            }) => after.pieces.rings().last().map(<[Point]>::to_vec),
+            Event::Each(Each::Piece { .. } | Each::Triangle { .. } | Each::Finish { .. })
+            | Event::Triangulate(_)
+            | Event::Clip(_) => None,
+        }
     }
 }
 

@@ -11,7 +11,7 @@ use crate::{
         EarClipping, EarClippingEvent as Event, EarClippingState as State, Triangulation,
     },
     figure::{Body, Caption, Link, Tick, View, Watch, WatchRow, WatchSection},
-    geom::SimplePolygon,
+    geom::{Point, SimplePolygon},
     labs::{
         Answer, CodeLine, Demo, Step, code_line,
         polygons::{PolygonDemo, Scene, ScenePart, UnfitScene},
@@ -43,6 +43,21 @@ impl PolygonDemo for EarClipping {
     fn input(scene: &Scene) -> Result<SimplePolygon, UnfitScene> {
         SimplePolygon::try_from(&scene.subject)
             .map_err(|error| UnfitScene::new(ScenePart::Subject, error))
+    }
+
+    fn piece(event: &Event, after: &State) -> Option<Vec<Point>> {
+        match *event {
+            Event::Cut { triangle, .. } | Event::Last { triangle } => {
+                Some(after.cut_off.corners(triangle).to_vec())
+            }
+            Event::Classify { .. }
+            | Event::Round { .. }
+            | Event::Pass { .. }
+            | Event::Candidate { .. }
+            | Event::Blocked { .. }
+            | Event::Ear { .. }
+            | Event::Done { .. } => None,
+        }
     }
 }
 

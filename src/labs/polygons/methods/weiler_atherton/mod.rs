@@ -12,7 +12,7 @@ use serde_json::{Value as Json, json};
 
 use crate::{
     algo::polygon::weiler_atherton::{
-        IntersectionLabel, List, Relation, WeilerAtherton, WeilerAthertonEvent as Event,
+        IntersectionLabel, List, Relation, RingKind, WeilerAtherton, WeilerAthertonEvent as Event,
         WeilerAthertonInput as Input, WeilerAthertonOutput, WeilerAthertonState as State,
     },
     figure::{Body, Caption, Tick, View, Watch, WatchRow, WatchSection},
@@ -62,6 +62,69 @@ impl PolygonDemo for WeilerAtherton {
             UnfitScene::new(part, error)
         })?;
         Ok(Input { subject, clip })
+    }
+
+    fn tells(event: &Event, vertex: Point) -> Option<bool> {
+        match *event {
+            Event::Visit { at, .. } => (at == vertex).then_some(true),
+            // The first ring is the one around all others.
+            Event::Whole {
+                list: List::Subject,
+                ring_idx: 0,
+                kind,
+                ..
+            } => Some(kind.is_some()),
+            Event::Whole { .. }
+            | Event::Vertex { .. }
+            | Event::Found { .. }
+            | Event::Inserted { .. }
+            | Event::Labelled { .. }
+            | Event::Start { .. }
+            | Event::Switch { .. }
+            | Event::Closed { .. }
+            | Event::Hole { .. }
+            | Event::Done { .. } => None,
+        }
+    }
+
+    fn crossing(event: &Event) -> Option<Point> {
+        match *event {
+            Event::Found { at, .. } => Some(at),
+            Event::Vertex { .. }
+            | Event::Inserted { .. }
+            | Event::Labelled { .. }
+            | Event::Start { .. }
+            | Event::Visit { .. }
+            | Event::Switch { .. }
+            | Event::Closed { .. }
+            | Event::Whole { .. }
+            | Event::Hole { .. }
+            | Event::Done { .. } => None,
+        }
+    }
+
+    fn piece(event: &Event, after: &State) -> Option<Vec<Point>> {
+        match *event {
+            Event::Closed {
+                kind: RingKind::Outer,
+                ..
+            }
+            | Event::Whole {
+                kind: Some(RingKind::Outer),
+                ..
+            } => after.rings.last().map(|ring| ring.points.clone()),
+            Event::Closed { .. }
+            | Event::Whole { .. }
+            | Event::Vertex { .. }
+            | Event::Found { .. }
+            | Event::Inserted { .. }
+            | Event::Labelled { .. }
+            | Event::Start { .. }
+            | Event::Visit { .. }
+            | Event::Switch { .. }
+            | Event::Hole { .. }
+            | Event::Done { .. } => None,
+        }
     }
 }
 

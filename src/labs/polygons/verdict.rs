@@ -1,0 +1,259 @@
+//! Why a vertex of the subject is kept or cut away, an intersection lies where it does, a piece is one: the step that decided
+//! it, and how far a vertex is from another answer.
+
+use crate::{
+    algo::{
+        line::{least_move_in, least_move_out},
+        polygon::ClipRegion,
+    },
+    figure::{Caption, Link, Run},
+    geom::{Location, Point, Segment, locate},
+    labs::{Click, Verdict, words::vertex_name},
+    text::Message,
+};
+
+use super::{
+    PolygonDemo, Scene,
+    handles::corner_link,
+    method_info::{Found, VertexFate},
+    methods::{clip_edge_name, region},
+};
+
+/// What becomes of a vertex of the subject that lies there; none where the run never says.
+pub fn fate<A: PolygonDemo>(scene: &Scene, at: Point) -> Option<VertexFate> {
+    let input = A::input(scene).ok()?;
+    let (mut step, mut border) = (0, None);
+    let mut fate: Option<VertexFate> = None;
+    A::run::<f64>(&input, |event| {
+        step += 1;
+        border = A::border(&event).or(border);
+        // The first test that it does not pass decides; of one that is kept, the last.
+        if let Some(is_kept) = A::tells(&event, at)
+            && fate.is_none_or(|fate| fate.is_kept)
+        {
+            fate = Some(VertexFate {
+                step,
+                is_kept,
+                border,
+            });
+        }
+    });
+    fate
+}
+
+/// The intersections and the pieces that a run finds, in its order.
+pub fn found<A: PolygonDemo>(scene: &Scene) -> Vec<Found> {
+    let Ok(input) = A::input(scene) else {
+        return Vec::new();
+    };
+    let (mut state, mut step) = (A::start(&input), 0);
+    let mut found = Vec::new();
+    A::run::<f64>(&input, |event| {
+        step += 1;
+        let crossing = A::crossing(&event).map(|at| Found::Crossing { step, at });
+        A::apply(&mut state, event);
+        let piece = A::piece(&event, &state);
+        found.extend(crossing);
+        found.extend(piece.map(|outline| Found::Piece { step, outline }));
+    });
+    found
+}
+
+/// The intersection that a click is on, or the piece that it is in.
+pub fn asked(scene: &Scene, click: &Click<'_>) -> Option<Link> {
+    let [x, y, _] = click.at;
+    let at = Point::new(x, y).ok()?;
+    let found = scene.method.info().found(scene);
+    let near = found.iter().enumerate().filter_map(|(i, found)| {
+        let distance = match found {
+            Found::Crossing { at: there, .. } => (there.x() - x).hypot(there.y() - y),
+            Found::Piece { .. } => return None,
+        };
+        (distance <= click.reach).then_some((distance, i))
+    });
+    let crossing = near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, i)| i);
+    let piece = || {
+        found.iter().position(|found| match found {
+            Found::Crossing { .. } => false,
+            Found::Piece { outline, .. } => locate(outline, at) == Location::Inside,
+        })
+    };
+    crossing.or_else(piece).map(found_link)
+}
+
+/// The verdict on what was clicked, by the method that is stepped.
+pub fn verdict(scene: &Scene, about: Link, run: &dyn Run) -> Option<Verdict> {
+    let vertices = scene.subject.vertices();
+    if let Some(vertex_idx) = (0..vertices.len()).find(|&i| about == corner_link(i)) {
+        return vertex_verdict(scene, vertex_idx, run);
+    }
+    let found = scene.method.info().found(scene);
+    let idx = (0..found.len()).find(|&i| about == found_link(i))?;
+    let step = match found[idx] {
+        Found::Crossing { step, .. } | Found::Piece { step, .. } => step,
+    };
+    Some(Verdict {
+        why: run.caption(step),
+        notes: Vec::new(),
+        step: Some(step),
+    })
+}
+
+fn vertex_verdict(scene: &Scene, vertex_idx: usize, run: &dyn Run) -> Option<Verdict> {
+    let info = scene.method.info();
+    if !info.clips || run.is_refused() {
+        return None;
+    }
+    let at = scene.subject.vertices()[vertex_idx];
+    let Some(fate) = info.fate(scene, at) else {
+        let message = Message::new("verdict-vertex-passed-by");
+        return Some(Verdict {
+            why: Caption::new(message.with("vertex", vertex_name(vertex_idx))),
+            notes: Vec::new(),
+            step: Some(run.n_steps()),
+        });
+    };
+    let told = Message::new(if fate.is_kept {
+        "verdict-vertex-kept"
+    } else {
+        "verdict-vertex-cut"
+    });
+    let told = told.with("vertex", vertex_name(vertex_idx));
+    let turn = vertex_turn(scene, vertex_idx, fate);
+    Some(Verdict {
+        why: run.caption(fate.step),
+        notes: std::iter::once(told).chain(turn).collect(),
+        step: Some(fate.step),
+    })
+}
+
+/// How far a vertex has to be moved to be kept, or to be cut away, in a sentence. None of a method that is wrong on purpose.
+fn vertex_turn(scene: &Scene, vertex_idx: usize, fate: VertexFate) -> Option<Message> {
+    if scene.method.card().is_faulty {
+        return None;
+    }
+    let region = region(scene).ok()?;
+    let (border_idx, by) = turn(scene, &region, scene.subject.vertices()[vertex_idx], fate)?;
+    let key = match by {
+        None => "verdict-vertex-never",
+        Some(by) if by > 0.0 => "verdict-vertex-in",
+        Some(by) if by < 0.0 => "verdict-vertex-out",
+        Some(_) => "verdict-vertex-touch",
+    };
+    let message = Message::new(key).with("vertex", vertex_name(vertex_idx));
+    let message = message.with("move", by.unwrap_or_default().abs());
+    Some(message.with("edge", clip_edge_name(&region, border_idx)))
+}
+
+/// Along which border's normal a vertex is to be moved, and how far inwards; none where no such move turns its fate. A method
+/// that asks no border by name has no answer.
+fn turn(
+    scene: &Scene,
+    region: &ClipRegion,
+    at: Point,
+    fate: VertexFate,
+) -> Option<(usize, Option<f64>)> {
+    let border_idx = fate.border?;
+    let planes = region.half_planes();
+    let corners = scene.convex_clip().ok()?;
+    let corners = corners.vertices();
+    let point = Segment { p1: at, p2: at };
+    Some(if fate.is_kept {
+        let turn = least_move_out(&planes, corners, &point)?;
+        (turn.border_idx, Some(turn.by))
+    } else {
+        (
+            border_idx,
+            least_move_in(&planes, corners, &point, border_idx),
+        )
+    })
+}
+
+const fn found_link(idx: usize) -> Link {
+    Link::nth("found", idx)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{
+        super::{LAB, Method, random_polygon},
+        *,
+    };
+    use crate::labs::Document;
+
+    /// The scene with one vertex of its subject elsewhere.
+    fn moved(scene: &Scene, vertex_idx: usize, along: [f64; 2], by: f64) -> Scene {
+        let mut scene = scene.clone();
+        let [x, y] = scene.subject.vertices()[vertex_idx].to_array();
+        let length = along[0].hypot(along[1]);
+        let [x, y] = [x + by * along[0] / length, y + by * along[1] / length];
+        let to = Point::new(x, y).expect("finite");
+        scene.subject.set_vertex(vertex_idx, to);
+        scene
+    }
+
+    fn is_kept(scene: &Scene, vertex_idx: usize) -> Option<bool> {
+        let at = scene.subject.vertices()[vertex_idx];
+        let fate = scene.method.info().fate(scene, at);
+        fate.map(|fate| fate.is_kept)
+    }
+
+    #[test]
+    fn a_vertex_turns_where_it_is_said() {
+        let mut scene = LAB.first_scene();
+        let scene = scene.get_mut::<Scene>().expect("of this lab");
+        let mut n_turned = [0; 2];
+        for (id, seed) in [
+            ("sutherland-hodgman", 1),
+            ("sutherland-hodgman-pipeline", 2),
+        ] {
+            scene.method = Method::by_id(id).expect("in the registry");
+            scene.subject = random_polygon(&scene.clip_window(), 40, seed).expect("a polygon");
+            let region = region(scene).expect("convex");
+            let planes = region.half_planes();
+            for vertex_idx in 0..40 {
+                let at = scene.subject.vertices()[vertex_idx];
+                let fate = scene.method.info().fate(scene, at).expect("each is asked");
+                let Some((border_idx, by)) = turn(scene, &region, at, fate) else {
+                    continue;
+                };
+                let Some(by) = by else { continue };
+                let normal = planes[border_idx].normal();
+                let beyond = moved(scene, vertex_idx, normal, by + by.signum() * 1e-9);
+                let before = moved(scene, vertex_idx, normal, 0.99 * by);
+                assert_eq!(
+                    is_kept(&beyond, vertex_idx),
+                    Some(!fate.is_kept),
+                    "{at:?} {by}"
+                );
+                assert_eq!(
+                    is_kept(&before, vertex_idx),
+                    Some(fate.is_kept),
+                    "{at:?} {by}"
+                );
+                n_turned[usize::from(fate.is_kept)] += 1;
+            }
+        }
+        assert!(n_turned.iter().all(|&n| n > 5), "{n_turned:?}");
+    }
+
+    #[test]
+    fn every_vertex_intersection_and_piece_of_every_method_is_told() {
+        let mut scene = LAB.first_scene();
+        let scene = scene.get_mut::<Scene>().expect("of this lab");
+        for card in scene.lab().methods() {
+            scene.set_method(card.id);
+            let runs = scene.record();
+            let found = scene.method.info().found(scene);
+            assert!(!found.is_empty(), "{}", card.id);
+            for idx in 0..found.len() {
+                let told = verdict(scene, found_link(idx), &*runs[0]).expect("it is told");
+                assert!((1..=runs[0].n_steps()).contains(&told.step.expect("at a step")));
+            }
+            for vertex_idx in 0..scene.subject.vertices().len() {
+                let told = verdict(scene, corner_link(vertex_idx), &*runs[0]);
+                assert_eq!(told.is_some(), scene.method.info().clips, "{}", card.id);
+            }
+        }
+    }
+}
