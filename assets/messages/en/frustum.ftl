@@ -235,6 +235,12 @@ verdict-culled = Object { $object } is culled by the { $plane } plane: d = { $di
 verdict-culled-for-good = Object { $object } is culled by the { $plane } plane: d = { $distance } < −r, r = { $radius }. No move along that plane’s normal would bring it in.
 verdict-straddles = Object { $object } straddles: nearest is the { $plane } plane, d = { $distance } < r = { $radius }. { $move } further out, and it would be culled.
 verdict-inside = Object { $object } is inside: nearest is the { $plane } plane, d = { $distance } ≥ r = { $radius }. { $move } further out, and it would be culled.
+verdict-face-in = Moved { $move } along the normal of the { $plane } plane, its corners would no longer all lie beyond one plane.
+verdict-face-never = No move along the normal of the { $plane } plane would change that.
+verdict-face-cut = Nothing of it lies inside all planes at once: moving it along one plane’s normal does not tell.
+verdict-face-turn-to = Turned { $angle }° about V₀, straight towards the viewer, it would begin to show its front.
+verdict-face-turn-away = Turned { $angle }° about V₀, straight away from the viewer, it would be edge-on, and culled.
+verdict-face-no-normal = It has no normal: no turn would show its front.
 
 ## What culling costs, measured
 

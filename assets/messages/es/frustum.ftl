@@ -235,6 +235,12 @@ verdict-culled = El plano { $plane } descarta el objeto { $object }: d = { $dist
 verdict-culled-for-good = El plano { $plane } descarta el objeto { $object }: d = { $distance } < −r, r = { $radius }. Ningún desplazamiento por la normal de ese plano lo haría entrar.
 verdict-straddles = El objeto { $object } cruza el borde: el más cercano es el plano { $plane }, d = { $distance } < r = { $radius }. { $move } más afuera y se descartaría.
 verdict-inside = El objeto { $object } está dentro: el más cercano es el plano { $plane }, d = { $distance } ≥ r = { $radius }. { $move } más afuera y se descartaría.
+verdict-face-in = Desplazado { $move } por la normal del plano { $plane }, sus vértices ya no estarían todos más allá de un mismo plano.
+verdict-face-never = Ningún desplazamiento por la normal del plano { $plane } lo cambiaría.
+verdict-face-cut = Nada de él está dentro de todos los planos a la vez: desplazarlo por la normal de un plano no dice nada.
+verdict-face-turn-to = Girada { $angle }° en torno a V₀, directamente hacia el observador, empezaría a mostrar su frente.
+verdict-face-turn-away = Girada { $angle }° en torno a V₀, alejándose del observador, quedaría de canto y se descartaría.
+verdict-face-no-normal = No tiene normal: ningún giro mostraría su frente.
 
 ## What culling costs, measured
 

@@ -235,6 +235,12 @@ verdict-culled = O plano { $plane } descarta o objeto { $object }: d = { $distan
 verdict-culled-for-good = O plano { $plane } descarta o objeto { $object }: d = { $distance } < −r, r = { $radius }. Nenhum deslocamento pela normal desse plano o faria entrar.
 verdict-straddles = O objeto { $object } cruza a borda: o mais próximo é o plano { $plane }, d = { $distance } < r = { $radius }. { $move } mais para fora e seria descartado.
 verdict-inside = O objeto { $object } está dentro: o mais próximo é o plano { $plane }, d = { $distance } ≥ r = { $radius }. { $move } mais para fora e seria descartado.
+verdict-face-in = Deslocado { $move } pela normal do plano { $plane }, seus vértices já não estariam todos além de um mesmo plano.
+verdict-face-never = Nenhum deslocamento pela normal do plano { $plane } mudaria isso.
+verdict-face-cut = Nada dele está dentro de todos os planos ao mesmo tempo: deslocá-lo pela normal de um plano não diz nada.
+verdict-face-turn-to = Girada { $angle }° em torno de V₀, diretamente para o observador, começaria a mostrar sua frente.
+verdict-face-turn-away = Girada { $angle }° em torno de V₀, afastando-se do observador, ficaria de perfil e seria descartada.
+verdict-face-no-normal = Não tem normal: nenhum giro mostraria sua frente.
 
 ## What culling costs, measured
 

@@ -231,6 +231,12 @@ verdict-culled = 物体 { $object } 被{ $plane }平面剔除：d = { $distance 
 verdict-culled-for-good = 物体 { $object } 被{ $plane }平面剔除：d = { $distance } < −r，r = { $radius }。沿该平面的法向量怎样移动都进不来。
 verdict-straddles = 物体 { $object } 跨界：最近的是{ $plane }平面，d = { $distance } < r = { $radius }。再向外移 { $move }，就会被剔除。
 verdict-inside = 物体 { $object } 在内部：最近的是{ $plane }平面，d = { $distance } ≥ r = { $radius }。再向外移 { $move }，就会被剔除。
+verdict-face-in = 沿{ $plane }平面的法向量移动 { $move }，它的顶点就不再都在同一平面之外。
+verdict-face-never = 沿{ $plane }平面的法向量怎样移动都改变不了。
+verdict-face-cut = 它没有任何部分同时在所有平面之内：沿某一平面的法向量移动说明不了什么。
+verdict-face-turn-to = 绕 V₀ 正对视点转 { $angle }°，它就开始露出正面。
+verdict-face-turn-away = 绕 V₀ 背离视点转 { $angle }°，它就侧对视点，被剔除。
+verdict-face-no-normal = 它没有法向量：怎样转都不会露出正面。
 
 ## What culling costs, measured
 

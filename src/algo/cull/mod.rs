@@ -12,6 +12,7 @@ mod funnel_levels;
 mod point_planes;
 mod rules;
 mod sphere_cull;
+mod triangle_turn;
 mod verdict;
 
 use serde::Serialize;
@@ -31,7 +32,7 @@ pub use rules::CullRules;
 pub use sphere_cull::{
     SphereCull, SphereCullEvent, SphereCullInput, SphereCullOutput, SphereCullState,
 };
-
+pub use triangle_turn::{FaceTurn, face_turn, triangle_fate, triangle_move};
 pub use verdict::{SphereVerdict, sphere_verdict};
 
 /// Where something lies, as seen from one plane or from a volume.

@@ -5,15 +5,23 @@ use crate::{
     labs::{self, Demo},
 };
 
-use super::{Scene, Subject};
+use super::{FaceFate, Scene, Subject};
 
 /// A method of this lab.
 pub trait FrustumDemo: Demo {
     /// What it is about.
     const SUBJECT: Subject = Subject::Object;
 
+    /// Can it say what became of a face of the object in focus?
+    const TELLS_FACES: bool = false;
+
     /// Its input, from the scene.
     fn input(scene: &Scene) -> Self::Input;
+
+    /// The step that decided the fate of a face of the object in focus, and what was asked there.
+    fn face_fate(_: &Scene, _face_idx: usize) -> Option<FaceFate> {
+        None
+    }
 
     /// Records its run.
     fn record(scene: &Scene) -> Box<dyn Run> {

@@ -21,7 +21,7 @@ mod verdict;
 pub use change::{CameraNumber, FrustumChange};
 pub use culling::{Culling, CullingTask};
 pub use lab::LAB;
-pub use method_info::MethodInfo;
+pub use method_info::{FaceFate, FaceTest, MethodInfo};
 pub use object::{Model, NamedMesh, Object};
 pub use on_scene::{OnScene, OnSceneInput};
 pub use registry::METHODS;

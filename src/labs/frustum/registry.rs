@@ -18,7 +18,9 @@ const fn info<A: FrustumDemo>() -> MethodInfo<Scene> {
     MethodInfo {
         card: MethodCard::of::<A>(),
         subject: A::SUBJECT,
+        tells_faces: A::TELLS_FACES,
         record: A::record,
+        face_fate: A::face_fate,
         cost: |scene| {
             let input = A::input(scene);
             Counts::of(|| A::run::<Counted>(&input, |_| {})).1

@@ -1,7 +1,13 @@
-//! Why an object was kept or culled, in a sentence.
+//! Why an object or a face was kept or culled, in a sentence, and the smallest change that would turn it.
 
 use crate::{
-    algo::cull::{Containment, SphereCullInput, sphere_verdict},
+    algo::{
+        cull::{
+            BackFaceInput, Containment, FaceTurn, SphereCullInput, asked_viewer, face_turn,
+            sphere_verdict, triangle_move,
+        },
+        ring::Right,
+    },
     figure::{Caption, Link, Moment, Run},
     geom::VolumeSide,
     labs::Verdict,
@@ -9,12 +15,69 @@ use crate::{
 };
 
 use super::{
-    Scene,
-    stage::{object_link, side_name},
+    FaceFate, FaceTest, Scene,
+    stage::{face_link, object_link, side_name},
 };
 
-/// The verdict on the object that is asked about, by its bounding sphere; and the step of the funnel that says so.
+/// The verdict on the object that is asked about, or on the face of the object in focus.
 pub fn verdict(scene: &Scene, about: Link, run: &dyn Run) -> Option<Verdict> {
+    let mut faces = 0..scene.focused().model().mesh().faces().len();
+    match faces.find(|&i| about == face_link(i)) {
+        Some(face_idx) => face_verdict(scene, face_idx, run),
+        None => object_verdict(scene, about, run),
+    }
+}
+
+fn face_verdict(scene: &Scene, face_idx: usize, run: &dyn Run) -> Option<Verdict> {
+    let method = scene.method;
+    let FaceFate { step, test } = method.info().face_fate(scene, face_idx)?;
+    let turn = match test {
+        FaceTest::Sphere => return object_verdict(scene, object_link(scene.focus()), run),
+        FaceTest::Corners(side) => corners_turn(scene, face_idx, side),
+        FaceTest::Cut => Some(Message::new("verdict-face-cut")),
+        FaceTest::Facing => facing_turn(scene, face_idx),
+    };
+    Some(Verdict {
+        why: run.caption(step),
+        notes: turn
+            .into_iter()
+            .filter(|_| !method.card().is_faulty)
+            .collect(),
+        step: Some(step),
+    })
+}
+
+/// How far a face has to be moved until its corners do not all lie beyond one plane.
+fn corners_turn(scene: &Scene, face_idx: usize, side: VolumeSide) -> Option<Message> {
+    let planes = scene.culler().planes_in_world();
+    let by = triangle_move(&planes, &scene.focused().face(face_idx)?, side as usize);
+    let message = Message::new(match by {
+        Some(_) => "verdict-face-in",
+        None => "verdict-face-never",
+    });
+    let message = message.with("move", by.unwrap_or_default());
+    Some(message.with("plane", side_name(side)))
+}
+
+/// By how many degrees a face has to be turned until it shows its other side.
+fn facing_turn(scene: &Scene, face_idx: usize) -> Option<Message> {
+    let turn = face_turn(&BackFaceInput {
+        triangle: scene.focused().face(face_idx)?,
+        viewer: asked_viewer::<Right>(scene.culler()),
+    });
+    let Some(FaceTurn { degrees, .. }) = turn else {
+        return Some(Message::new("verdict-face-no-normal"));
+    };
+    let key = if degrees < 0.0 {
+        "verdict-face-turn-away"
+    } else {
+        "verdict-face-turn-to"
+    };
+    Some(Message::new(key).with("angle", degrees.abs()))
+}
+
+/// By its bounding sphere; and the step of the funnel that says so.
+fn object_verdict(scene: &Scene, about: Link, run: &dyn Run) -> Option<Verdict> {
     let mut objects = scene.objects().iter().enumerate();
     let (object_idx, object) = objects.find(|(i, _)| about == object_link(*i))?;
     let sphere = object.in_funnel().sphere;
@@ -42,4 +105,50 @@ pub fn verdict(scene: &Scene, about: Link, run: &dyn Run) -> Option<Verdict> {
         notes: Vec::new(),
         step: moment.and_then(|moment: Moment| run.find(&moment)),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::labs::Document;
+
+    #[test]
+    fn every_object_and_every_face_of_it_is_told_by_the_funnel() {
+        let mut scene = Scene::first();
+        let mut tests = std::collections::HashSet::new();
+        // One object goes out of sight, sideways.
+        for x in 0..8 {
+            let object = scene.objects()[0].moved([0.6 * f64::from(x), 0.9, 0.2]);
+            scene.set_object(0, object.expect("finite"));
+            for object_idx in 0..scene.objects().len() {
+                scene.set_focus(object_idx).expect("one of them");
+                tests.extend(told_of_faces(&scene));
+            }
+        }
+        assert!(tests.len() >= 2, "spheres decide, and faces");
+    }
+
+    /// Holds what is told of the object in focus and of its faces to the run; which kinds of tests decided.
+    fn told_of_faces(scene: &Scene) -> Vec<std::mem::Discriminant<FaceTest>> {
+        let runs = scene.record();
+        let event = |about| {
+            let told = verdict(scene, about, &*runs[0]).expect("it is told");
+            runs[0].event_json(told.step.expect("at a step"))
+        };
+        assert_eq!(event(object_link(scene.focus()))["event"], "sphere");
+        let faces = 0..scene.focused().model().mesh().faces().len();
+        let kinds = faces.map(|face_idx| {
+            let fate = scene.method.info().face_fate(scene, face_idx);
+            let FaceFate { test, .. } = fate.expect("it is told");
+            let event = event(face_link(face_idx));
+            match test {
+                FaceTest::Sphere => assert_eq!(event["class"], "outside"),
+                FaceTest::Corners(_) | FaceTest::Cut | FaceTest::Facing => {
+                    assert_eq!(event["triangle_idx"], face_idx);
+                }
+            }
+            std::mem::discriminant(&test)
+        });
+        kinds.collect()
+    }
 }

@@ -18,12 +18,12 @@ use crate::{
     geom::Camera,
     labs::{Answer, CodeLine, Demo, Step, code_line, words::name},
     text::{Formula, Message, Value},
-    trace::silent,
+    trace::{Algorithm, silent},
 };
 
 use super::{
     super::{
-        OnScene, OnSceneInput, Scene, Subject,
+        FaceFate, FaceTest, OnScene, OnSceneInput, Scene, Subject,
         demo::FrustumDemo,
         stage::{FaceLook, Fate, face_link},
     },
@@ -52,10 +52,18 @@ fn input_of(scene: &Scene, face_idx: usize) -> Option<BackFaceInput> {
 
 impl FrustumDemo for Shown {
     const SUBJECT: Subject = Subject::Face;
+    const TELLS_FACES: bool = true;
 
     fn input(scene: &Scene) -> Input {
         let own = input_of(scene, scene.face()).expect("the face is one of the object's");
         OnSceneInput::of(scene, own)
+    }
+
+    /// Of the face that is asked, at the last step: nothing before it decides.
+    fn face_fate(scene: &Scene, face_idx: usize) -> Option<FaceFate> {
+        let step = Self::max_events(&Self::input(scene));
+        let test = FaceTest::Facing;
+        (face_idx == scene.face()).then_some(FaceFate { step, test })
     }
 }
 

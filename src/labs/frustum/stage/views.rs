@@ -11,7 +11,7 @@ use crate::{
 };
 
 use super::{
-    super::{Object, Scene, Subject},
+    super::{Object, Scene},
     FaceLook, Fate, Solids,
     ground::ground,
     volume::volume,
@@ -133,10 +133,11 @@ impl Scenery {
         solids.into_parts()
     }
 
-    /// What a face is about: itself where faces are asked, else its object.
+    /// What a face is about: itself where a method tells of faces, else its object.
     fn link(&self, object_idx: usize, face_idx: usize) -> Link {
-        let asks_face = self.scene.asks(Subject::Face);
-        if asks_face && object_idx == self.scene.focus() {
+        let mut on_stage = self.scene.on_stage();
+        let tells_faces = on_stage.any(|method| method.info().tells_faces);
+        if tells_faces && object_idx == self.scene.focus() {
             face_link(face_idx)
         } else {
             object_link(object_idx)

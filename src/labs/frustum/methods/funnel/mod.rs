@@ -12,7 +12,7 @@ use crate::{
     algo::{
         cull::{
             Containment, CullRules, Funnel, FunnelEvent as Event, FunnelInput, FunnelLevels,
-            FunnelState as State, TriangleFate,
+            FunnelState as State, TriangleFate, triangle_fate,
         },
         ring::Right,
     },
@@ -22,7 +22,9 @@ use crate::{
 };
 
 use super::{
-    super::{OnScene, OnSceneInput, Scene, demo::FrustumDemo, stage::side_link},
+    super::{
+        FaceFate, FaceTest, OnScene, OnSceneInput, Scene, demo::FrustumDemo, stage::side_link,
+    },
     sphere_cull::{class_row, class_tick, plane_tick, sphere_gauges, sphere_rows},
 };
 use variant::Variant;
@@ -40,6 +42,26 @@ impl Answer for FunnelLevels {
 }
 
 impl<L: CullRules + Variant> FrustumDemo for Shown<L> {
+    const TELLS_FACES: bool = true;
+
+    fn face_fate(scene: &Scene, face_idx: usize) -> Option<FaceFate> {
+        let input = Self::input(scene).own;
+        let (step, event) = triangle_fate::<L>(&input, scene.focus(), face_idx)?;
+        let test = match event {
+            Event::Triangle {
+                codes: [a, b, c], ..
+            } => match a.and(b).and(c).lowest() {
+                Some(side) => FaceTest::Corners(side),
+                None => FaceTest::Cut,
+            },
+            Event::Face { .. } => FaceTest::Facing,
+            Event::Object { .. } | Event::Plane { .. } | Event::Sphere { .. } | Event::Done => {
+                FaceTest::Sphere
+            }
+        };
+        Some(FaceFate { step, test })
+    }
+
     fn input(scene: &Scene) -> Input {
         let own = FunnelInput {
             camera: *scene.culler(),
