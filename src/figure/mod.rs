@@ -39,6 +39,7 @@ pub use mark::{Mark, Shape, Texel, Weight};
 pub use moment::{Moment, MomentError};
 pub use products::{Measured, Product, Products, Vector};
 pub use project::project;
+pub(crate) use project::{between, complement, inside};
 pub use raster::{Pixel, Raster};
 pub use ribbon::{Ribbon, RibbonStage};
 pub use role::{Link, Role};

@@ -43,7 +43,7 @@ use crate::{
         ring::Right,
         volume::{ClipVertex, HomogeneousTriangle, SideCode},
     },
-    geom::{Matrix, Plane, VolumeSide},
+    geom::{Matrix, VolumeSide},
     trace::{Algorithm, Real, silent},
 };
 
@@ -155,8 +155,15 @@ impl<L: CullRules> Algorithm for Funnel<L> {
     type State = FunnelState;
 
     fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Self::Output {
-        let asking = Asking {
-            planes: asked_camera::<L>(&input.camera).planes_in_world().to_vec(),
+        let Some(first) = input.objects.first() else {
+            emit(FunnelEvent::Done);
+            return FunnelLevels::default();
+        };
+        let mut asking = Asking {
+            sphere: SphereCullInput {
+                planes: asked_camera::<L>(&input.camera).planes_in_world().to_vec(),
+                sphere: asked_sphere::<L>(first),
+            },
             clip_from_world: input.camera.clip_from_world(),
             viewer: asked_viewer::<L>(&input.camera),
         };
@@ -204,24 +211,22 @@ impl<L: CullRules> Algorithm for Funnel<L> {
 
 /// What all objects are asked by.
 struct Asking {
-    planes: Vec<Plane>,
+    /// Of each object in turn, against the same planes.
+    sphere: SphereCullInput,
     clip_from_world: Matrix,
     viewer: Viewer,
 }
 
 impl Asking {
     fn object<R: Real, L: CullRules>(
-        &self,
+        &mut self,
         object: &FunnelObject,
         levels: &mut FunnelLevels,
         emit: &mut impl FnMut(FunnelEvent),
     ) {
-        let input = SphereCullInput {
-            planes: self.planes.clone(),
-            sphere: asked_sphere::<L>(object),
-        };
+        self.sphere.sphere = asked_sphere::<L>(object);
         let n_triangles = object.triangles.len();
-        let class = SphereCull::<L>::run::<R>(&input, |told| match told {
+        let class = SphereCull::<L>::run::<R>(&self.sphere, |told| match told {
             SphereCullEvent::Plane {
                 plane_idx,
                 distance,

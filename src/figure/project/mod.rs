@@ -19,7 +19,7 @@ use glam::DVec3;
 use super::{Edge3, Lens, Mark, Mark3, Role, Shape, Shape3, Solids, Space, Weight, lens::Optics};
 
 use facets::FacetsInView;
-use interval::{between, complement, inside};
+pub(crate) use interval::{between, complement, inside};
 
 /// More edges than these are not drawn one by one.
 const MOST_EDGES: usize = 3_000;

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use crate::{
     algo::volume::split,
-    figure::{Edge3, Facet, Link, Role},
+    figure::{Edge3, Facet, Link, Role, between, complement, inside},
     geom::{Camera, Plane},
 };
 
@@ -74,7 +74,6 @@ impl Solids {
         look: impl Fn(usize) -> FaceLook,
     ) {
         let mesh = object.model().mesh();
-        let world_from_model = object.world_from_model();
         let points: Vec<[f64; 3]> = object.points().collect();
         // Of each face a part that has its plane.
         let mut facet_of = Vec::with_capacity(mesh.faces().len());
@@ -102,6 +101,19 @@ impl Solids {
                 Fate::ToCome | Fate::Kept | Fate::Culled => self.facets.push(whole),
             }
         }
+        self.edges_of(object, &facet_of, fate, planes);
+    }
+
+    /// The edges of an object, of whose faces these facets are drawn.
+    fn edges_of(
+        &mut self,
+        object: &Object,
+        facet_of: &[Option<u32>],
+        fate: Fate,
+        planes: &[Plane; 6],
+    ) {
+        let mesh = object.model().mesh();
+        let world_from_model = object.world_from_model();
         let normals: Vec<DVec3> = mesh
             .faces()
             .iter()
@@ -222,30 +234,14 @@ fn cuts<'a>(polygon: &'a [[f64; 3]], plane: &'a Plane) -> impl Iterator<Item = [
 
 /// Of a segment what is inside of all planes, and what is not: one part, and up to two.
 fn parts_of_segment(ends: [[f64; 3]; 2], planes: &[Plane; 6]) -> [Vec<[[f64; 3]; 2]>; 2] {
-    let mut outside = Vec::new();
-    let mut left = ends;
-    for plane in planes {
-        let distances = left.map(|at| {
-            let distance: f64 = crate::algo::volume::signed_distance(plane, at);
-            distance
-        });
-        let [d1, d2] = distances;
-        if d1 >= 0.0 && d2 >= 0.0 {
-            continue;
-        }
-        if d1 < 0.0 && d2 < 0.0 {
-            outside.push(left);
-            return [Vec::new(), outside];
-        }
-        let [a, b] = left.map(DVec3::from);
-        let cut: [f64; 3] = a.lerp(b, d1 / (d1 - d2)).into();
-        if d1 < 0.0 {
-            outside.push([left[0], cut]);
-            left[0] = cut;
-        } else {
-            outside.push([cut, left[1]]);
-            left[1] = cut;
-        }
-    }
-    [vec![left], outside]
+    let [a, b] = ends.map(DVec3::from);
+    let bounds = planes.map(|plane| (DVec3::from(plane.normal()), -plane.d()));
+    let kept: Vec<[f64; 2]> = inside([a, b], bounds).into_iter().collect();
+    let dropped = complement(&kept);
+    [kept, dropped].map(|parts| {
+        let ends = parts
+            .into_iter()
+            .map(|part| part.map(|t| between(a, b, t).into()));
+        ends.collect()
+    })
 }

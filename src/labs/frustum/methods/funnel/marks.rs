@@ -121,17 +121,16 @@ fn sphere<L: CullRules>(step: &Step<'_, Shown<L>>) -> Vec<Mark3> {
     sphere_marks(&captions::sphere::<L>(object), asked.as_ref())
 }
 
-pub fn observer<L: CullRules>(step: &Step<'_, Shown<L>>, scenery: &Scenery) -> View {
+/// The observer's view and the camera's.
+pub fn both<L: CullRules>(step: &Step<'_, Shown<L>>, scenery: &Scenery) -> [View; 2] {
     let known = Known::of(step);
+    let fate = |i| known.fate(i);
     let mut marks = sphere(step);
     marks.extend(triangle(step));
-    let look = |object, face| known.look(object, face, FaceLook::Own(Role::Discarded));
-    scenery.observer_with(|i| known.fate(i), look, marks)
-}
-
-pub fn camera<L: CullRules>(step: &Step<'_, Shown<L>>, scenery: &Scenery) -> View {
-    let known = Known::of(step);
-    let look = |object, face| known.look(object, face, FaceLook::Hidden);
-    let marks = triangle(step).into_iter().collect();
-    scenery.camera(|i| known.fate(i), look, marks)
+    let pale = |object, face| known.look(object, face, FaceLook::Own(Role::Discarded));
+    let gone = |object, face| known.look(object, face, FaceLook::Hidden);
+    [
+        scenery.observer_with(fate, pale, marks),
+        scenery.camera(fate, gone, triangle(step).into_iter().collect()),
+    ]
 }

@@ -130,8 +130,7 @@ impl<L: CullRules + Variant> Demo for Shown<L> {
         let mut views = Vec::new();
         let scenery = step.input.scenery.as_deref();
         if let Some(scenery) = scenery {
-            views.push(marks::observer(step, scenery));
-            views.push(marks::camera(step, scenery));
+            views.extend(marks::both(step, scenery));
         }
         if !is_compared(step) {
             views.push(View::new(GAUGES_VIEW, Body::Gauges(distances(step))));
