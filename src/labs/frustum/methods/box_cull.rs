@@ -52,7 +52,7 @@ impl Demo for Shown {
     const NAME_KEY: &'static str = "alg-box-cull";
     const SOURCE: &'static str = "Assarsson & Möller, 2000";
     const CODE: &'static [CodeLine] = &[
-        code_line(0, "code-box-each", "words-box-each"),
+        code_line(0, "code-plane-each", "words-plane-each"),
         code_line(1, "code-box-corners", "words-box-corners"),
         code_line(1, "code-box-outside", "words-box-outside"),
         code_line(0, "code-box-meets", "words-box-meets"),
@@ -107,7 +107,7 @@ impl Demo for Shown {
                 let last = before.asked.len().saturating_sub(1);
                 let key = match (class, before.meets) {
                     (Containment::Inside, _) => "box-done-inside",
-                    (Containment::Outside, _) => "box-done-outside",
+                    (Containment::Outside, _) => "planes-done-outside",
                     (Containment::Straddles, Some(false)) => "box-done-in-vain",
                     (Containment::Straddles, _) => "box-done-straddles",
                 };

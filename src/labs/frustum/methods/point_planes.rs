@@ -56,7 +56,7 @@ impl Demo for Shown {
     const NAME_KEY: &'static str = "alg-point-planes";
     const SOURCE: &'static str = "Sutherland & Hodgman, 1974";
     const CODE: &'static [CodeLine] = &[
-        code_line(0, "code-point-each", "words-point-each"),
+        code_line(0, "code-plane-each", "words-plane-each"),
         code_line(1, "code-point-distance", "words-point-distance"),
         code_line(1, "code-point-outside", "words-point-outside"),
         code_line(0, "code-point-inside", "words-point-inside"),

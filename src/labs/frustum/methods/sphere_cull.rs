@@ -52,7 +52,7 @@ impl Demo for Shown {
     const NAME_KEY: &'static str = "alg-sphere-cull";
     const SOURCE: &'static str = "Clark, 1976";
     const CODE: &'static [CodeLine] = &[
-        code_line(0, "code-sphere-each", "words-sphere-each"),
+        code_line(0, "code-plane-each", "words-plane-each"),
         code_line(1, "code-sphere-distance", "words-sphere-distance"),
         code_line(1, "code-sphere-outside", "words-sphere-outside"),
         code_line(1, "code-sphere-straddles", "words-sphere-straddles"),
@@ -99,7 +99,7 @@ impl Demo for Shown {
                 let message = Message::new(match class {
                     Containment::Inside => "sphere-done-inside",
                     Containment::Straddles => "sphere-done-straddles",
-                    Containment::Outside => "sphere-done-outside",
+                    Containment::Outside => "planes-done-outside",
                 });
                 let message = message
                     .with("planes", before.asked.len())
