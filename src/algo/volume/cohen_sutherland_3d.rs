@@ -20,7 +20,7 @@
 //!
 //! *Conventions*: closed box, near is zmin. *Degenerate*: a point is accepted or rejected by its codes; a touch is accepted.
 //! *Bound*: each cut clears a bit of the OR for good, so there are at most 6. *Cost*: 12 comparisons for the codes; 5 +, 4 ×,
-//! 2 ÷ and 14 comparisons a cut.
+//! 2 ÷ and 12 comparisons a cut.
 //!
 //! *Source*: Newman and Sproull, *Principles of Interactive Computer Graphics*, 1973, pp. 123–124; in three dimensions J. D.
 //! Foley and A. van Dam, *Fundamentals of Interactive Computer Graphics*, 1982, section 8.4.

@@ -12,7 +12,7 @@
 //!
 //! *Conventions*: closed box, near is zmin. *Degenerate*: a point has all p = 0 and is accepted if all q ≥ 0; a box may be
 //! flat. *Exact*: the face's own coordinate is assigned, at a touched edge both; the others are weighted means of the given
-//! ends', kept within the box. *Cost*: at most 27 +, 8 ×, 10 ÷ and 51 comparisons.
+//! ends', kept within the box. *Cost*: at most 19 +, 8 ×, 10 ÷ and 37 comparisons.
 //!
 //! *Source*: Liang and Barsky, 1984, section 5.
 //!
