@@ -137,7 +137,7 @@ fn refusals_name_code_and_field() {
             "wrong-type",
             "segment[5]",
         ),
-        (BOTH[0], format!("{UNIT}"), "missing-field", "segment"),
+        (BOTH[0], UNIT.to_owned(), "missing-field", "segment"),
         (
             "plane-line",
             r#""planes":[[1,0,0,0],[0,0,0,1]],"segment":[0,0,0,1,1,1]"#.to_owned(),

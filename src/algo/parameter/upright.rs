@@ -23,6 +23,7 @@ pub struct Upright {
 impl Upright {
     /// Distances of P₁ and P₂, inside positive. One rounding each, and none in their signs. Where one overflows, half of
     /// both: only their ratio counts.
+    #[must_use]
     pub fn distances<R: Real>(&self) -> [R; 2] {
         let at_scale = |scale: f64| {
             let c = R::new(scale * self.at);

@@ -90,8 +90,8 @@ fn draw_screen(slate: &mut Slate<'_>, place: Rect, screen: &Screen, links: &mut 
     let [min, max] = Screens::SEEN;
     let [width, height] = [0, 1].map(|i| max[i] - min[i]);
     let fits = [
-        picture.width() as f64 / width,
-        picture.height() as f64 / height,
+        f64::from(picture.width()) / width,
+        f64::from(picture.height()) / height,
     ];
     let viewport = Viewport {
         rect: picture,

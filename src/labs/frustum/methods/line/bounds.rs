@@ -221,7 +221,7 @@ impl LineLook<3> for Vec<Plane> {
 
     fn border(&self, scenery: Option<&Scenery>, plane: usize) -> Value {
         let named = Message::new("space-line-the-plane");
-        Value::Message(named.with("plane", plane_name(scenery, plane)).into())
+        Value::Message(named.with("plane", plane_name(scenery, plane)))
     }
 
     fn table(
