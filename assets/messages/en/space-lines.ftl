@@ -61,7 +61,7 @@ w-lens-eye = eye
 w-lens-screen = screen, w = 1
 screen-divide-first = Divide first
 screen-clip-first = Clip first
-screen-torn = wrong: a piece that was never there
+screen-wrong = wrong: a piece that was never there
 screen-same = the same: no end is behind the eye
 screen-no-image = an end has no image: w = 0
 screen-so-far = what is left so far

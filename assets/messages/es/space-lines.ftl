@@ -61,7 +61,7 @@ w-lens-eye = ojo
 w-lens-screen = pantalla, w = 1
 screen-divide-first = Dividir primero
 screen-clip-first = Recortar primero
-screen-torn = mal: un trozo que nunca existió
+screen-wrong = mal: un trozo que nunca existió
 screen-same = lo mismo: ningún extremo está detrás
 screen-no-image = un extremo no tiene imagen: w = 0
 screen-so-far = lo que queda hasta ahora

@@ -61,7 +61,7 @@ w-lens-eye = olho
 w-lens-screen = tela, w = 1
 screen-divide-first = Dividir primeiro
 screen-clip-first = Recortar primeiro
-screen-torn = errado: um trecho que nunca existiu
+screen-wrong = errado: um trecho que nunca existiu
 screen-same = o mesmo: nenhum extremo está atrás
 screen-no-image = um extremo não tem imagem: w = 0
 screen-so-far = o que resta até agora

@@ -112,9 +112,9 @@ impl<'a> WLens<'a> {
         self.shown.input.ends[end.idx()][3] < 0.0
     }
 
-    /// Is the segment between both images a piece that was never there?
-    fn is_torn(&self) -> bool {
-        self.is_behind(End::P1) != self.is_behind(End::P2)
+    /// Is the segment between both images a piece that is not to be seen there?
+    fn is_wrong(&self) -> bool {
+        End::BOTH.into_iter().any(|end| self.is_behind(end))
     }
 
     /// A place of the screen, in the world.
@@ -178,7 +178,7 @@ impl<'a> WLens<'a> {
             Role::Signal
         };
         let mut marks = Vec::new();
-        if let (Some(joined), true) = (self.joined, self.is_torn()) {
+        if let (Some(joined), true) = (self.joined, self.is_wrong()) {
             let ends = joined.map(|at| self.on_screen(at));
             marks.push(Mark3::new(wrong, Shape3::Segment(ends)).dashed());
         }
@@ -238,12 +238,12 @@ impl<'a> WLens<'a> {
 
     /// What joining both images gives.
     fn divided_screen(&self) -> Screen {
-        let is_torn = self.is_torn();
-        let role = if is_torn { Role::Signal } else { Role::Accent };
+        let is_wrong = self.is_wrong();
+        let role = if is_wrong { Role::Signal } else { Role::Accent };
         let mut marks = Self::square();
         if let Some(joined) = self.joined {
             let whole = Mark::new(role, Shape::Segment(joined));
-            let whole_of = if is_torn { whole.dashed() } else { whole };
+            let whole_of = if is_wrong { whole.dashed() } else { whole };
             marks.push(whole_of.linked("segment"));
             let [a, b] = joined.map(|[x, y]| [x, y, 0.0, 1.0]);
             if self.shown.is_divided {
@@ -257,21 +257,21 @@ impl<'a> WLens<'a> {
                 let role = if self.is_behind(end) { role } else { Role::Ink };
                 marks.push(self.point(end, at, role, Shape::Ring));
             }
-            if is_torn && let Some([Some(from), Some(to)]) = self.right.map(|ends| ends.map(image))
+            if is_wrong && let Some([Some(from), Some(to)]) = self.right.map(|ends| ends.map(image))
             {
                 marks.push(Mark::new(Role::Accent, Shape::Segment([from, to])).dashed());
             }
         }
         Screen {
             title: Value::Term("screen-divide-first"),
-            note: Message::new(if is_torn {
-                "screen-torn"
+            note: Message::new(if is_wrong {
+                "screen-wrong"
             } else if self.joined.is_none() {
                 "screen-no-image"
             } else {
                 "screen-same"
             }),
-            role: if is_torn { Role::Signal } else { Role::Soft },
+            role: if is_wrong { Role::Signal } else { Role::Soft },
             marks,
         }
     }
