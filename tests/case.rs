@@ -26,11 +26,11 @@ fn answer(case: &str) -> Json {
     serde_json::from_str(&text).expect("one answer of JSON")
 }
 
-/// Those that clip a segment.
+/// Those that clip a segment in the plane.
 fn line_solvers() -> impl Iterator<Item = &'static Solver> {
-    Solvers::standard()
-        .iter()
-        .filter(|solver| solver.fields().iter().any(|field| field.name == "segment"))
+    let takes = |solver: &Solver, name| solver.fields().iter().any(|field| field.name == name);
+    let is_flat = move |solver: &&Solver| takes(solver, "segment") && takes(solver, "window");
+    Solvers::standard().iter().filter(is_flat)
 }
 
 /// The code and the place of a refusal.
