@@ -215,6 +215,12 @@ fn said_in(body: &Body, catalog: &Catalog) -> Vec<String> {
             });
             said.collect()
         }
+        Body::Multiples(multiples) => {
+            let drawings = multiples.drawings.iter();
+            let said =
+                drawings.flat_map(|drawing| std::iter::once(&drawing.title).chain(&drawing.note));
+            said.map(value).collect()
+        }
         Body::Clippers(row) => {
             let clippers = row.clippers.iter().map(|clipper| &clipper.name);
             let travellers = row.travellers.iter().map(|traveller| &traveller.name);

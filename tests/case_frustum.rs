@@ -479,3 +479,133 @@ fn reports_are_as_they_were() {
         );
     }
 }
+
+/// A square in the plane z = −2, in view space, and a triangle around its lower left corner.
+const SQUARE: &str = r#""planes":[[1,0,0,1],[-1,0,0,1],[0,1,0,1],[0,-1,0,1]]"#;
+
+#[test]
+fn a_triangle_is_cut_by_planes_in_both_ways() {
+    let fields = format!(r#"{SQUARE},"triangle":[[0,0,-2],[-2,0,-2],[0,-2,-2]]"#);
+    let polygon = output("intersection-polygon", &fields);
+    // A pentagon would be left of a larger one; here the slanted edge runs through the corner (−1, −1).
+    assert_eq!(
+        polygon,
+        json!({"triangles": [
+            [[0.0, 0.0, -2.0], [-1.0, 0.0, -2.0], [-1.0, -1.0, -2.0]],
+            [[0.0, 0.0, -2.0], [-1.0, -1.0, -2.0], [0.0, -1.0, -2.0]],
+        ]})
+    );
+    let one_by_one = output("plane-at-a-time", &fields);
+    assert_eq!(one_by_one, polygon, "one diagonal, which no plane cuts");
+    let textured = format!(r#"{fields},"uv":[[0,0],[1,0],[0,1]]"#);
+    for id in ["intersection-polygon", "plane-at-a-time"] {
+        let found = output(id, &textured);
+        assert_eq!(found["triangles"], polygon["triangles"]);
+        assert_eq!(
+            found["uv"],
+            json!([
+                [[0.0, 0.0], [0.5, 0.0], [0.5, 0.5]],
+                [[0.0, 0.0], [0.5, 0.5], [0.0, 0.5]],
+            ])
+        );
+        let nothing = format!(r#"{SQUARE},"triangle":[[0,0,0],[1,1,1],[2,2,2]]"#);
+        assert_eq!(output(id, &nothing), json!({"triangles": []}), "no area");
+        let outside =
+            format!(r#"{FRUSTUM},"triangle":[[0,0,1],[1,0,1],[0,1,1]],"uv":[[0,0],[1,0],[0,1]]"#);
+        assert_eq!(output(id, &outside), json!({"triangles": [], "uv": []}));
+    }
+}
+
+#[test]
+fn a_triangle_is_cut_before_the_divide() {
+    let fields = r#""triangle":[[0,0,0,1],[4,0,0,1],[0,2,0,-1]],"uv":[[0,0],[1,0],[0,1]]"#;
+    let found = output("homogeneous-triangle", fields);
+    for vertex in found["triangles"].as_array().expect("triangles").iter() {
+        for at in vertex.as_array().expect("three corners") {
+            assert!(at[3].as_f64().expect("w") > 0.0, "{found}");
+        }
+    }
+    assert_eq!(
+        found["triangles"].as_array().map(Vec::len),
+        found["uv"].as_array().map(Vec::len)
+    );
+    let inside = r#""triangle":[[0,0,0,1],[1,0,0,1],[0,1,0,1]]"#;
+    assert_eq!(
+        output("homogeneous-triangle", inside),
+        json!({"triangles": [[[0.0, 0.0, 0.0, 1.0], [1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 1.0]]]})
+    );
+}
+
+#[test]
+fn a_triangles_fields_are_checked() {
+    for (id, fields, code, field) in [
+        (
+            "plane-at-a-time",
+            r#""triangle":[[0,0,0],[1,0,0],[0,1,0]]"#,
+            "missing-field",
+            None,
+        ),
+        (
+            "intersection-polygon",
+            r#""planes":[[0,0,0,1]],"triangle":[[0,0,0],[1,0,0],[0,1,0]]"#,
+            "degenerate",
+            Some("planes[0]"),
+        ),
+        (
+            "intersection-polygon",
+            r#""planes":[[0,0,1,1]],"triangle":[[0,0,0],[1,0,0]]"#,
+            "wrong-length",
+            Some("triangle"),
+        ),
+        (
+            "homogeneous-triangle",
+            r#""triangle":[[0,0,0,1],[1,0,0,1],[0,1,0]]"#,
+            "wrong-length",
+            Some("triangle[2]"),
+        ),
+        (
+            "homogeneous-triangle",
+            r#""triangle":[[0,0,0,1],[1,0,0,1],[0,1,0,1]],"uv":[[0,0],[1,0]]"#,
+            "wrong-length",
+            Some("uv"),
+        ),
+    ] {
+        let error = answer(&line(id, fields))["error"].clone();
+        assert_eq!(error["code"], code, "{fields}: {error}");
+        if let Some(field) = field {
+            assert_eq!(error["field"], field, "{fields}: {error}");
+        }
+    }
+}
+
+#[test]
+fn a_triangles_answer_key_says_everything_in_four_languages() {
+    let cases = [
+        line(
+            "plane-at-a-time",
+            &format!(r#"{SQUARE},"triangle":[[0,0,-2],[-2,0,-2],[0,-2,-2]]"#),
+        ),
+        line(
+            "intersection-polygon",
+            &format!(
+                r#"{FRUSTUM},"triangle":[[0,0,0],[5,0,-3],[0,9,-6]],"uv":[[0,0],[1,0],[0,1]]"#
+            ),
+        ),
+        line(
+            "homogeneous-triangle",
+            r#""triangle":[[0,0,0,1],[4,0,0,1],[0,2,0,-1]]"#,
+        ),
+    ]
+    .join("\n");
+    for lang in Lang::ALL {
+        for format in [Format::Markdown, Format::Text] {
+            let style = Style {
+                format,
+                detail: Detail::Steps,
+                lang,
+            };
+            let report = answers(&cases, style);
+            assert!(!report.contains('⟦'), "{lang}: {report}");
+        }
+    }
+}

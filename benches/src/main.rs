@@ -24,6 +24,7 @@ mod plot;
 mod polygon;
 mod space;
 mod textured;
+mod space_triangles;
 #[cfg(feature = "gui")]
 mod turning;
 mod weiler_atherton;
@@ -39,6 +40,7 @@ const BENCHMARKS: &[Benchmark] = &[
     ("weiler-atherton", weiler_atherton::run),
     ("space", space::run),
     ("textured", textured::run),
+    ("space-triangles", space_triangles::run),
     #[cfg(feature = "gui")]
     ("frame", frame::run),
     #[cfg(feature = "gui")]

@@ -17,10 +17,10 @@ const N_SPHERES: usize = 1_000_000;
 const N_ROUNDS: usize = 15;
 
 /// The same numbers at every run.
-struct Lot(u64);
+pub struct Lot(pub u64);
 
 impl Lot {
-    fn next(&mut self) -> f64 {
+    pub fn next(&mut self) -> f64 {
         self.0 = self
             .0
             .wrapping_mul(6_364_136_223_846_793_005)

@@ -65,6 +65,10 @@ impl View {
                 let n = screens.screens.len() as f32;
                 (Stand::Beside, [17.0, 7.2 * n], [30.0, 16.0 * n])
             }
+            Body::Multiples(multiples) => {
+                let n = multiples.drawings.len() as f32;
+                (Stand::Across, [5.0 * n, 6.5], [f32::MAX, 10.0])
+            }
             Body::Raster(raster) => {
                 let [columns, rows] = raster.size.map(|n| n as f32);
                 (

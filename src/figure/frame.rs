@@ -75,7 +75,8 @@ impl Frame {
             | Body::Clippers(_)
             | Body::Gauges(_)
             | Body::Ribbon(_)
-            | Body::Screens(_) => None,
+            | Body::Screens(_)
+            | Body::Multiples(_) => None,
         })
     }
 

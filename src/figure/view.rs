@@ -3,7 +3,9 @@
 
 use crate::text::{Formula, Value};
 
-use super::{Bits, Gauges, Link, Lists, Mark, Products, Raster, Ribbon, Screens, Space, Table};
+use super::{
+    Bits, Gauges, Link, Lists, Mark, Multiples, Products, Raster, Ribbon, Screens, Space, Table,
+};
 
 /// A name that a view keeps from step to step, and from one method to the one beside it: pan, zoom and orbit are
 /// remembered under it.
@@ -69,6 +71,8 @@ pub enum Body {
     Ribbon(Ribbon),
     /// Pictures of the screen over each other.
     Screens(Screens),
+    /// Small drawings of the plane in a row.
+    Multiples(Multiples),
 }
 
 /// What a crossing does to the interval on a [`NumberLine`].

@@ -50,6 +50,7 @@ catalogues!(
     "polygons",
     "frustum",
     "space-lines",
+    "space-triangles",
     "lesson",
     "cli",
     "errors"

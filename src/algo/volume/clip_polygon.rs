@@ -50,6 +50,12 @@ impl<A: Copy> ClipPolygon<A> {
         &self.vertices[..self.len]
     }
 
+    /// The triangle's first vertex, whatever has become of it.
+    #[must_use]
+    pub const fn first_given(&self) -> ClipVertex<A> {
+        self.padding
+    }
+
     /// The fan from the first vertex: none where there is nothing to fill.
     pub fn triangles(&self) -> impl Iterator<Item = [ClipVertex<A>; 3]> + '_ {
         let vertices = self.vertices();

@@ -13,6 +13,14 @@ pub struct TrianglePlanes {
     pub triangle: [SpaceVertex; 3],
 }
 
+impl TrianglePlanes {
+    /// Has every corner a place in a texture?
+    #[must_use]
+    pub fn has_uv(&self) -> bool {
+        self.triangle.iter().all(|v| v.uv.is_some())
+    }
+}
+
 /// What is left.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct CutTriangles {
@@ -20,6 +28,8 @@ pub struct CutTriangles {
     pub triangles: Vec<[SpaceVertex; 3]>,
     /// How many crossings of edges and planes it took.
     pub n_crossings: usize,
+    /// Have their corners places in a texture?
+    pub has_uv: bool,
 }
 
 /// The fan from the first vertex: none where there is nothing to fill.

@@ -143,6 +143,8 @@ pub struct IntersectionPolygonState {
     pub n_crossings: usize,
     /// The fan as far as it goes.
     pub triangles: Vec<[SpaceVertex; 3]>,
+    /// Have vertices places in a texture?
+    pub has_uv: bool,
     /// Is there nothing left to do?
     pub is_done: bool,
 }
@@ -197,12 +199,14 @@ impl<L: VolumeRules> Algorithm for IntersectionPolygon<L> {
         CutTriangles {
             triangles,
             n_crossings,
+            has_uv: input.has_uv(),
         }
     }
 
     fn start(input: &Self::Input) -> Self::State {
         IntersectionPolygonState {
             input: paths::<L>(input.triangle).0,
+            has_uv: input.has_uv(),
             ..IntersectionPolygonState::default()
         }
     }
@@ -215,6 +219,7 @@ impl<L: VolumeRules> Algorithm for IntersectionPolygon<L> {
         CutTriangles {
             triangles: state.triangles.clone(),
             n_crossings: state.n_crossings,
+            has_uv: state.has_uv,
         }
     }
 

@@ -130,14 +130,16 @@ pub struct PlaneAtATimeState {
     pub passed: Vec<[SpaceVertex; 3]>,
     /// The plane whose turn it is.
     pub plane_idx: Option<usize>,
-    /// The triangle that is asked.
-    pub asked: Option<AskedTriangle>,
+    /// Those of the list that this plane has been asked about, the last of them now.
+    pub asked: Vec<AskedTriangle>,
     /// Which triangle of the list each of the next list comes from.
     pub origins: Vec<usize>,
     /// Its crossings, and between which corners they lie.
     pub crossings: Vec<([usize; 2], SpaceVertex, Ratio)>,
     /// Crossings with all planes so far.
     pub n_crossings: usize,
+    /// Have corners places in a texture?
+    pub has_uv: bool,
     /// Is there nothing left to do?
     pub is_done: bool,
 }
@@ -153,6 +155,7 @@ impl<L: VolumeRules> Algorithm for PlaneAtATime<L> {
         let mut left = CutTriangles {
             triangles: start(input),
             n_crossings: 0,
+            has_uv: input.has_uv(),
         };
         for plane_idx in 0..input.planes.len() {
             let Some(plane) = LastPlane::<L>::new(&input.planes, plane_idx) else {
@@ -198,6 +201,7 @@ impl<L: VolumeRules> Algorithm for PlaneAtATime<L> {
     fn start(input: &Self::Input) -> Self::State {
         PlaneAtATimeState {
             list: start(input),
+            has_uv: input.has_uv(),
             ..PlaneAtATimeState::default()
         }
     }
@@ -210,6 +214,7 @@ impl<L: VolumeRules> Algorithm for PlaneAtATime<L> {
         CutTriangles {
             triangles: state.list.clone(),
             n_crossings: state.n_crossings,
+            has_uv: state.has_uv,
         }
     }
 
@@ -287,6 +292,7 @@ impl PlaneAtATimeState {
             Event::Plane { plane_idx, .. } => {
                 self.plane_idx = Some(plane_idx);
                 self.passed.clear();
+                self.asked.clear();
                 self.origins.clear();
             }
             Event::Triangle {
@@ -294,7 +300,7 @@ impl PlaneAtATimeState {
                 distances,
                 inside,
             } => {
-                self.asked = Some(AskedTriangle {
+                self.asked.push(AskedTriangle {
                     triangle_idx,
                     distances,
                     inside,
@@ -307,13 +313,12 @@ impl PlaneAtATimeState {
             }
             Event::Piece { triangle } => {
                 self.next.push(triangle);
-                self.origins
-                    .extend(self.asked.map(|asked| asked.triangle_idx));
+                let asked = self.asked.last();
+                self.origins.extend(asked.map(|asked| asked.triangle_idx));
             }
             Event::Pass { .. } => {
                 let next = std::mem::take(&mut self.next);
                 self.passed = std::mem::replace(&mut self.list, next);
-                self.asked = None;
                 self.crossings.clear();
             }
             Event::Done { .. } => {

@@ -5,18 +5,24 @@ mod reader;
 mod segment;
 mod solve;
 mod solve_line;
+mod triangles;
 mod volume;
 
 use crate::{
-    algo::cull::{BackFace, BoxCull, PointPlanes, SphereCull},
-    algo::volume::{CohenSutherland3d, HomogeneousLine, LiangBarsky3d, PlaneLine},
+    algo::{
+        cull::{BackFace, BoxCull, PointPlanes, SphereCull},
+        volume::{
+            CohenSutherland3d, HomogeneousLine, HomogeneousTriangle, IntersectionPolygon,
+            LiangBarsky3d, PlaneAtATime, PlaneLine,
+        },
+    },
     labs::frustum::OnScene,
 };
 
 use super::Solver;
 
 /// The lab's methods that have one case each; the funnel and those that are wrong on purpose left out.
-pub(super) static SOLVERS: [Solver; 8] = [
+pub(super) static SOLVERS: [Solver; 11] = [
     Solver::of::<OnScene<PointPlanes>>(),
     Solver::of::<OnScene<SphereCull>>(),
     Solver::of::<OnScene<BoxCull>>(),
@@ -25,4 +31,7 @@ pub(super) static SOLVERS: [Solver; 8] = [
     Solver::of::<OnScene<LiangBarsky3d>>(),
     Solver::of::<OnScene<PlaneLine>>(),
     Solver::of::<OnScene<HomogeneousLine>>(),
+    Solver::of::<OnScene<PlaneAtATime>>(),
+    Solver::of::<OnScene<IntersectionPolygon>>(),
+    Solver::of::<OnScene<HomogeneousTriangle<Option<[f64; 2]>>>>(),
 ];

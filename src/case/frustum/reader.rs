@@ -2,7 +2,7 @@
 
 use crate::{
     algo::cull::Viewer,
-    case::{Code, Fields, Given, Path, Refusal, Told},
+    case::{Code, Fields, Given, Node, Path, Refusal, Told},
     geom::{AlignedBox, Plane, Sphere},
     labs::plane_symbol,
     text::{Formula, Message, Value},
@@ -34,6 +34,21 @@ impl<'a> Reader<'a> {
     pub fn told(self) -> Told {
         let given = self.given;
         Box::new(move || given.clone())
+    }
+
+    /// A field that must be there.
+    pub fn need(&self, name: &'static str) -> Result<Node<'a>, Refusal> {
+        self.fields.need(name)
+    }
+
+    /// A field that may be left out.
+    pub fn get(&self, name: &'static str) -> Option<Node<'a>> {
+        self.fields.get(name)
+    }
+
+    /// Keeps what was given.
+    pub fn tell(&mut self, given: Given) {
+        self.given.push(given);
     }
 
     /// `planes`, or those of a `frustum` in view space.

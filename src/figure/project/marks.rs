@@ -95,7 +95,7 @@ impl Seen {
         let is_outline = is_whole && edges.len() > 1;
         if is_outline {
             let corners = visible.iter().map(|ends| ends[0]).collect();
-            let outline = Mark::new(mark.role, Shape::Outline(corners));
+            let outline = quiet(Mark::new(mark.role, Shape::Outline(corners)));
             drawn.push(weighed(light(outline, OUTLINE.0, OUTLINE.1), mark.is_fine));
         } else {
             let shape = |ends: [[f64; 2]; 2]| match edges.len() {
@@ -104,7 +104,7 @@ impl Seen {
             };
             let parts = visible
                 .into_iter()
-                .map(|ends| Mark::new(mark.role, shape(ends)));
+                .map(|ends| quiet(Mark::new(mark.role, shape(ends))));
             let is_part = edges.len() > 1;
             let parts = parts.map(|part| {
                 if is_part {
@@ -187,6 +187,16 @@ impl Seen {
 fn named(mut drawn: Mark, mark: &Mark3) -> Mark {
     (drawn.label, drawn.link) = (mark.label.clone(), mark.link);
     drawn
+}
+
+/// What is discarded is dashed.
+fn quiet(drawn: Mark) -> Mark {
+    match drawn.role {
+        Role::Discarded => drawn.dashed(),
+        Role::Ink | Role::Accent | Role::Accepted | Role::Signal | Role::Soft | Role::Faint => {
+            drawn
+        }
+    }
 }
 
 /// What is fine is thin, and the quieter the less it matters.

@@ -6,6 +6,7 @@ mod fold;
 mod gauges;
 mod links;
 mod lists;
+mod multiples;
 mod number_line;
 mod on_slate;
 mod products;
@@ -68,5 +69,6 @@ fn body_of(shown: &View) -> Option<&dyn OnSlate> {
         Body::Gauges(body) => body,
         Body::Ribbon(body) => body,
         Body::Screens(body) => body,
+        Body::Multiples(body) => body,
     })
 }

@@ -185,6 +185,7 @@ fn a_ribbon_says_what_each_gate_took_and_added() {
 fn room_on_a_page(view: &View) -> Vec2 {
     match view.body {
         Body::NumberLine(_) | Body::Clippers(_) | Body::Ribbon(_) => vec2(540.0, 112.0),
+        Body::Multiples(_) => vec2(860.0, 112.0),
         Body::Plane(_)
         | Body::Space(_)
         | Body::Raster(_)
@@ -254,6 +255,7 @@ fn numbers_of_a_view_are_all_fractions_or_all_decimals() {
                             | Body::Gauges(_)
                             | Body::Ribbon(_)
                             | Body::Screens(_)
+                            | Body::Multiples(_)
                             | Body::Clippers(_) => continue,
                         };
                         let is_mixed = ['/', '.'].map(|sign| has_number(&compared, sign));

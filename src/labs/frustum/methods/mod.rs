@@ -3,8 +3,11 @@
 mod back_face;
 mod box_cull;
 mod cohen_sutherland_3d;
+mod cut_triangle;
 mod funnel;
 mod line;
 mod planes;
 mod point_planes;
 mod sphere_cull;
+
+pub use cut_triangle::WithTexture;

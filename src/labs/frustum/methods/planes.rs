@@ -27,7 +27,7 @@ pub fn plane_link(plane_idx: usize) -> Link {
 }
 
 /// `d = n·c + D = 0.9 · (−5.5) + … = −3.4`, divided by |n| where that is not 1.
-pub fn distance_formula(symbol: [&'static str; 2], plane: &Plane, at: [f64; 3], d: f64) -> Formula {
+pub fn distance_formula(symbol: [&str; 2], plane: &Plane, at: [f64; 3], d: f64) -> Formula {
     if plane.length() == 1.0 {
         return sum_formula(symbol, plane, at, d);
     }
@@ -39,7 +39,7 @@ pub fn distance_formula(symbol: [&'static str; 2], plane: &Plane, at: [f64; 3], 
 }
 
 /// `d₁ = n·P₁ + D = 1 · (−2) + 3 = 1`, not divided by |n|.
-pub fn sum_formula([d, p]: [&'static str; 2], plane: &Plane, at: [f64; 3], sum: f64) -> Formula {
+pub fn sum_formula([d, p]: [&str; 2], plane: &Plane, at: [f64; 3], sum: f64) -> Formula {
     let formula = Formula::default().sym(format!("{d} = n·{p} + D = "));
     terms(formula, plane, at).equals(sum)
 }

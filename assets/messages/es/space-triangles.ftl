@@ -1,0 +1,158 @@
+### Lo que se dice donde se cortan triángulos en el espacio: plano a plano, como un solo polígono, antes de la división.
+
+## Métodos
+
+alg-plane-at-a-time = Plano a plano
+alg-intersection-polygon = Un solo polígono, en abanico al final
+alg-textured-triangle = Un solo polígono con textura
+alg-homogeneous-triangle = Triángulo antes de la división
+alg-faulty-missed-edge = Mal: con d₀ = 0 el triángulo queda entero
+alg-faulty-on-plane = Mal: sobre el plano es fuera
+alg-faulty-kept-uv = Mal: (u, v) no se mezcla
+alg-faulty-edge-by-edge = Mal: tres aristas recortadas
+alg-faulty-all-sides = Mal: los seis lados en fila
+alg-faulty-divided-triangle = Mal: el triángulo se divide primero
+
+## Vistas
+
+tri-list-in = Lista de entrada
+tri-list-out = Lista de salida
+tri-list-given = Triángulo
+tri-list-left = Lo que queda
+tally-so-far = hasta ahora
+tally-triangles = triángulos
+tally-crossings = cortes
+tally-one-polygon = un solo polígono
+tally-one-by-one = triángulo a triángulo
+
+## Un solo polígono
+
+ip-opening = Un polígono contra { $planes } planos: su lista empieza con los { $n } vértices del triángulo.
+ip-plane = El plano { $plane } recibe una lista de { $n } vértices.
+ip-first-inside = { $vertex } está dentro del plano { $plane }: sale.
+ip-first-outside = { $vertex } está fuera del plano { $plane }: no sale.
+ip-touch = { $from } → { $to }: { $rule }. El extremo sobre el plano es el propio corte.
+ip-cross = { $from } → { $to } corta el plano { $plane } en { $cut }.
+ip-output = { $vertex } pasa a la lista de salida, que ya tiene { $n }.
+ip-pass-cuts = El plano { $plane } quita { $dropped } y pone { $cuts }: { $before } → { $after }.
+ip-pass-drops = El plano { $plane } quita { $dropped }: { $before } → { $after }.
+ip-pass-same = El plano { $plane } no corta nada: { $before } → { $after }.
+ip-pass-empty = El plano { $plane } no deja nada: { $before } → { $after }.
+ip-fan = Triángulo { $n } de { $total } del abanico: { $corners }.
+ip-done = Fin: { $vertices } vértices, un abanico de { $n } triángulos, tras { $crossings } cortes.
+ip-done-empty = Fin: { $n } triángulos. No queda nada con área ({ $vertices } vértices, { $crossings } cortes).
+code-ip-each = para cada plano (n, D):
+code-ip-distance = d ← n·V + D de cada vértice
+code-ip-inside = si d ≥ 0: sale V
+code-ip-cross = donde d cambia de signo: sale C
+code-ip-pass = lista ← lo que ha salido
+code-ip-fan = triángulos ← abanico de la lista
+words-ip-each = Pregunta a cada plano por turno; su normal apunta hacia dentro.
+words-ip-distance = La distancia con signo de cada vértice de la lista.
+words-ip-inside = Lo que está dentro sale; sobre el plano es dentro.
+words-ip-cross = Donde una arista cambia de lado sale su corte: t = d₁ / (d₁ − d₂).
+words-ip-pass = Lo que ha salido es la lista del plano siguiente.
+words-ip-fan = Un polígono convexo se divide en triángulos una sola vez, al final.
+
+## Triángulo a triángulo
+
+pat-opening = Triángulo a triángulo contra { $planes } planos: la lista empieza con { $n } triángulo.
+pat-plane =
+    { $n ->
+        [one] El plano { $plane } recibe { $n } triángulo.
+       *[other] El plano { $plane } recibe { $n } triángulos.
+    }
+pat-three = { $triangle }: { $inside } vértices dentro del plano { $plane }. Queda entero.
+pat-two = { $triangle }: { $inside } vértices dentro del plano { $plane }. Queda un cuadrilátero, dos triángulos.
+pat-one = { $triangle }: { $inside } vértice dentro del plano { $plane }. Queda un triángulo.
+pat-on = { $triangle }: { $inside } de 3 vértices dentro del plano { $plane }, { $on } de ellos sobre él.
+pat-none = { $triangle }: { $inside } vértices dentro del plano { $plane }. Se descarta.
+pat-piece = Pieza { $n } de la lista de salida: { $corners }.
+pat-pass =
+    { $after ->
+        [one] El plano { $plane } recibió { $before } y entrega { $after } triángulo.
+       *[other] El plano { $plane } recibió { $before } y entrega { $after } triángulos.
+    }
+pat-pass-empty = El plano { $plane } recibió { $before } y entrega { $after }: no queda nada.
+pat-done =
+    { $n ->
+        [one] Fin: queda { $n } triángulo, tras { $crossings } cortes.
+       *[other] Fin: quedan { $n } triángulos, tras { $crossings } cortes.
+    }
+pat-done-empty = Fin: quedan { $n } triángulos, tras { $crossings } cortes.
+code-pat-each = para cada plano (n, D):
+code-pat-triangle = para cada triángulo: contar d ≥ 0
+code-pat-three = 3: conservarlo
+code-pat-two = 2: cortar; dos triángulos
+code-pat-one = 1: cortar; un triángulo
+code-pat-none = 0: descartarlo
+code-pat-pass = lista ← lo conservado
+words-pat-each = Pregunta a cada plano por turno; su normal apunta hacia dentro.
+words-pat-triangle = ¿Cuántos vértices del triángulo están dentro?
+words-pat-three = Los tres: se conserva entero.
+words-pat-two = Dos: queda un cuadrilátero, que se parte por su primer vértice.
+words-pat-one = Uno: queda un triángulo menor.
+words-pat-none = Ninguno: se descarta.
+words-pat-pass = Lo conservado es la lista del plano siguiente.
+
+## Antes de la división
+
+ht-opening = { $n } vértices en el espacio de recorte, { $behind } de ellos con w ≤ 0: aún no se divide nada.
+ht-divide = Los { $n } vértices se dividen por su w.
+ht-codes-outside = Todos los vértices están más allá de un mismo lado: rechazado sin cortar, { $sides } lados nombrados.
+ht-codes-inside = Ningún vértice está más allá de un lado: queda entero, { $sides } lados nombrados.
+ht-codes-cut =
+    { $sides ->
+        [one] Solo se nombra { $sides } lado de seis: ese recorta.
+       *[other] Solo se nombran { $sides } lados de seis: esos recortan.
+    }
+ht-side = El lado { $side } recibe { $n } vértices: una cota, ninguna división.
+ht-inside = { $vertex } está dentro del lado { $side }.
+ht-outside = { $vertex } está fuera del lado { $side }.
+ht-cross = { $from } → { $to } corta el lado { $side } en I.
+ht-pass = El lado { $side } ha terminado: { $before } → { $n }.
+ht-done = Quedan { $n } vértices, un abanico de { $triangles } triángulos: ahora se pueden dividir.
+ht-done-empty = No queda nada con área: { $n } vértices, { $triangles } triángulos.
+code-ht-codes = seis bits por vértice: w ± x, y, z < 0
+code-ht-decide = OR = 0: conservar; AND ≠ 0: rechazar
+code-ht-each = para cada lado que nombra el OR:
+code-ht-bound = si w ± x ≥ 0: sale V
+code-ht-cross = donde cambia de signo: sale I
+code-ht-fan = abanico, y luego dividir por w
+words-ht-codes = Un bit por cada lado de −w ≤ x, y, z ≤ w que el vértice sobrepasa.
+words-ht-decide = Nada que recortar, o nada que ver.
+words-ht-each = Solo hace falta preguntar por los lados que algún vértice sobrepasa.
+words-ht-bound = La cota es una suma: sin división, y con w de cualquier signo.
+words-ht-cross = Las cuatro coordenadas se mezclan con la misma t.
+words-ht-fan = Lo que queda tiene w > 0 y se puede dividir.
+
+## ¿Qué está mal aquí?
+
+faulty-missed-edge-differs = El paso { $step } es el primero distinto: con d₀ = 0 ningún producto es negativo, y el triángulo quedó entero.
+faulty-on-plane-differs = El paso { $step } es el primero distinto: un vértice sobre el plano se tomó por exterior.
+faulty-kept-uv-differs = El paso { $step } es el primero distinto: el corte conservó el (u, v) del vértice exterior.
+faulty-edge-by-edge-differs = El paso { $step } es el primero distinto: cada arista se recorta por su cuenta, no como anillo.
+faulty-all-sides-differs = El paso { $step } es el primero distinto: se pregunta por un lado que ningún código nombra, y que no corta nada.
+faulty-divided-triangle-differs = El paso { $step } es el primero distinto: vértices con w < 0 se dividieron antes de recortar nada.
+code-faulty-missed-edge = si d₀·d₁ < 0 o d₀·d₂ < 0: cortar
+words-faulty-missed-edge = Se corta donde la primera distancia y otra difieren en signo.
+code-faulty-on-plane = si d > 0: sale V
+words-faulty-on-plane = Sale lo que está estrictamente dentro.
+code-faulty-kept-uv = sale C, uv(C) ← uv(V)
+words-faulty-kept-uv = El corte toma el (u, v) del vértice al que sustituye.
+code-faulty-edge-by-edge = para cada plano: recortar cada arista
+words-faulty-edge-by-edge = Pregunta a cada plano por turno; recorta las tres aristas como tres líneas.
+code-faulty-all-sides = para cada uno de los seis lados:
+words-faulty-all-sides = Se pregunta por los seis lados, uno tras otro.
+code-faulty-divided-triangle = (x, y, z) ← (x, y, z)/w; luego seis bits
+words-faulty-divided-triangle = Cada vértice se divide por su w antes de mirarlo.
+
+## Casos
+
+object-triangle-uv = coordenadas de textura
+case-triangles-left =
+    { $triangles ->
+        [one] Queda { $triangles } triángulo.
+       *[other] Quedan { $triangles } triángulos.
+    }
+case-triangles-none = No queda nada con área.

@@ -1,0 +1,138 @@
+### 空间三角形裁剪时所说的话：逐平面、整个多边形、透视除法之前。
+
+## 方法
+
+alg-plane-at-a-time = 逐平面裁剪
+alg-intersection-polygon = 整个多边形，最后成扇
+alg-textured-triangle = 带纹理的整个多边形
+alg-homogeneous-triangle = 除法之前的三角形
+alg-faulty-missed-edge = 错误：d₀ = 0 时三角形原样保留
+alg-faulty-on-plane = 错误：平面上算外侧
+alg-faulty-kept-uv = 错误：(u, v) 没有插值
+alg-faulty-edge-by-edge = 错误：三条边各自裁剪
+alg-faulty-all-sides = 错误：六个面挨个问
+alg-faulty-divided-triangle = 错误：先除再裁剪
+
+## 视图
+
+tri-list-in = 输入表
+tri-list-out = 输出表
+tri-list-given = 三角形
+tri-list-left = 剩下的部分
+tally-so-far = 到此为止
+tally-triangles = 三角形
+tally-crossings = 交点
+tally-one-polygon = 整个多边形
+tally-one-by-one = 逐个三角形
+
+## 整个多边形
+
+ip-opening = 一个多边形对 { $planes } 个平面：表从三角形的 { $n } 个顶点开始。
+ip-plane = { $plane }平面接到 { $n } 个顶点的表。
+ip-first-inside = { $vertex } 在{ $plane }平面内侧：输出。
+ip-first-outside = { $vertex } 在{ $plane }平面外侧：不输出。
+ip-touch = { $from } → { $to }：{ $rule }。平面上的端点就是交点。
+ip-cross = { $from } → { $to } 与{ $plane }平面交于 { $cut }。
+ip-output = { $vertex } 进入输出表，表中现有 { $n } 个。
+ip-pass-cuts = { $plane }平面去掉 { $dropped }，放入 { $cuts }：{ $before } → { $after }。
+ip-pass-drops = { $plane }平面去掉 { $dropped }：{ $before } → { $after }。
+ip-pass-same = { $plane }平面什么也没切：{ $before } → { $after }。
+ip-pass-empty = { $plane }平面之后什么也不剩：{ $before } → { $after }。
+ip-fan = 扇形的第 { $n } 个三角形，共 { $total } 个：{ $corners }。
+ip-done = 完成：{ $vertices } 个顶点，扇形 { $n } 个三角形，求交 { $crossings } 次。
+ip-done-empty = 完成：{ $n } 个三角形，没有剩下面积（{ $vertices } 个顶点，求交 { $crossings } 次）。
+code-ip-each = 对每个平面 (n, D)：
+code-ip-distance = 每个顶点 d ← n·V + D
+code-ip-inside = 若 d ≥ 0：输出 V
+code-ip-cross = d 变号处：输出 C
+code-ip-pass = 表 ← 输出的顶点
+code-ip-fan = 三角形 ← 表的扇形
+words-ip-each = 依次问每个平面；法线指向内侧。
+words-ip-distance = 表中每个顶点的有向距离。
+words-ip-inside = 内侧的输出；平面上算内侧。
+words-ip-cross = 边换侧之处输出交点：t = d₁ / (d₁ − d₂)。
+words-ip-pass = 输出的就是下一个平面的表。
+words-ip-fan = 凸多边形只在最后分成三角形一次。
+
+## 逐个三角形
+
+pat-opening = 逐个三角形对 { $planes } 个平面：表从 { $n } 个三角形开始。
+pat-plane = { $plane }平面接到 { $n } 个三角形。
+pat-three = { $triangle }：{ $inside } 个顶点在{ $plane }平面内侧，原样保留。
+pat-two = { $triangle }：{ $inside } 个顶点在{ $plane }平面内侧，剩一个四边形，分成两个三角形。
+pat-one = { $triangle }：{ $inside } 个顶点在{ $plane }平面内侧，剩一个三角形。
+pat-on = { $triangle }：3 个顶点中 { $inside } 个在{ $plane }平面内侧，其中 { $on } 个在平面上。
+pat-none = { $triangle }：{ $inside } 个顶点在{ $plane }平面内侧，丢弃。
+pat-piece = 输出表第 { $n } 块：{ $corners }。
+pat-pass = { $plane }平面接到 { $before } 个，交出 { $after } 个三角形。
+pat-pass-empty = { $plane }平面接到 { $before } 个，交出 { $after } 个：什么也不剩。
+pat-done = 完成：剩下 { $n } 个三角形，求交 { $crossings } 次。
+pat-done-empty = 完成：剩下 { $n } 个三角形，求交 { $crossings } 次。
+code-pat-each = 对每个平面 (n, D)：
+code-pat-triangle = 对每个三角形：数 d ≥ 0 的个数
+code-pat-three = 3：保留
+code-pat-two = 2：切，两个三角形
+code-pat-one = 1：切，一个三角形
+code-pat-none = 0：丢弃
+code-pat-pass = 表 ← 保留的三角形
+words-pat-each = 依次问每个平面；法线指向内侧。
+words-pat-triangle = 三角形有几个顶点在内侧？
+words-pat-three = 三个：原样保留。
+words-pat-two = 两个：剩四边形，从它的第一个顶点分开。
+words-pat-one = 一个：剩一个小三角形。
+words-pat-none = 没有：丢弃。
+words-pat-pass = 保留的就是下一个平面的表。
+
+## 除法之前
+
+ht-opening = 裁剪空间中的 { $n } 个顶点，其中 { $behind } 个 w ≤ 0：还没有做除法。
+ht-divide = { $n } 个顶点都除以各自的 w。
+ht-codes-outside = 所有顶点都越过同一个面：不切就拒绝，编码点名 { $sides } 个面。
+ht-codes-inside = 没有顶点越过任何面：原样保留，编码点名 { $sides } 个面。
+ht-codes-cut = 六个面中只点名 { $sides } 个：只有它们来裁剪。
+ht-side = { $side }面接到 { $n } 个顶点：一个界，不用除法。
+ht-inside = { $vertex } 在{ $side }面内侧。
+ht-outside = { $vertex } 在{ $side }面外侧。
+ht-cross = { $from } → { $to } 与{ $side }面交于 I。
+ht-pass = { $side }面完成：{ $before } → { $n }。
+ht-done = 剩下 { $n } 个顶点，扇形 { $triangles } 个三角形：现在可以除了。
+ht-done-empty = 没有剩下面积：{ $n } 个顶点，{ $triangles } 个三角形。
+code-ht-codes = 每个顶点六位：w ± x, y, z < 0
+code-ht-decide = OR = 0：保留；AND ≠ 0：拒绝
+code-ht-each = 对 OR 点名的每个面：
+code-ht-bound = 若 w ± x ≥ 0：输出 V
+code-ht-cross = 变号处：输出 I
+code-ht-fan = 成扇，然后除以 w
+words-ht-codes = 对 −w ≤ x, y, z ≤ w 的每个面，越过的记一位。
+words-ht-decide = 无需裁剪，或者什么也看不见。
+words-ht-each = 只需问有顶点越过的面。
+words-ht-bound = 界是一个和：不用除法，w 什么符号都行。
+words-ht-cross = 四个坐标都用同一个 t 插值。
+words-ht-fan = 剩下的部分 w > 0，可以除了。
+
+## 哪里错了？
+
+faulty-missed-edge-differs = 第 { $step } 步首次不同：d₀ = 0 时两个乘积都不为负，三角形被原样保留。
+faulty-on-plane-differs = 第 { $step } 步首次不同：平面上的顶点被当作外侧。
+faulty-kept-uv-differs = 第 { $step } 步首次不同：交点沿用了外侧顶点的 (u, v)。
+faulty-edge-by-edge-differs = 第 { $step } 步首次不同：三条边各自裁剪，而不是作为一个环。
+faulty-all-sides-differs = 第 { $step } 步首次不同：问了编码没有点名的面，它什么也没切。
+faulty-divided-triangle-differs = 第 { $step } 步首次不同：w < 0 的顶点在裁剪之前就做了除法。
+code-faulty-missed-edge = 若 d₀·d₁ < 0 或 d₀·d₂ < 0：切
+words-faulty-missed-edge = 第一个距离与另一个异号时才切。
+code-faulty-on-plane = 若 d > 0：输出 V
+words-faulty-on-plane = 严格在内侧的才输出。
+code-faulty-kept-uv = 输出 C，uv(C) ← uv(V)
+words-faulty-kept-uv = 交点沿用它所代替的顶点的 (u, v)。
+code-faulty-edge-by-edge = 对每个平面：裁剪每条边
+words-faulty-edge-by-edge = 依次问每个平面；它把三条边当作三条线段来裁剪。
+code-faulty-all-sides = 对六个面中的每一个：
+words-faulty-all-sides = 六个面挨个问。
+code-faulty-divided-triangle = (x, y, z) ← (x, y, z)/w，再算六位
+words-faulty-divided-triangle = 每个顶点先除以 w，然后才看它。
+
+## 算例
+
+object-triangle-uv = 纹理坐标
+case-triangles-left = 剩下 { $triangles } 个三角形。
+case-triangles-none = 没有剩下面积。

@@ -1,0 +1,285 @@
+//! A triangle before the divide, shown.
+
+use serde_json::{Value as Json, json};
+
+use crate::{
+    algo::volume::{ClipPolygon, ClipVertex, HomogeneousTriangle, SideCode},
+    figure::{Body, Caption, Run, Tick, View, Watch, WatchRow, WatchSection},
+    geom::VolumeSide,
+    labs::{Answer, CodeLine, Demo, Step, record, record_wrong, words::name},
+    text::{Formula, Message, Value},
+};
+
+use super::{
+    super::super::{
+        OnScene, OnSceneInput, Scene, Subject,
+        demo::FrustumDemo,
+        stage::{FaceLook, Fate, side_name},
+    },
+    LISTS_VIEW,
+    clip_space::{Event, State, Uv, Vertex, bound_symbol, point},
+    code::homogeneous,
+    homogeneous_views::{BITS_VIEW, bits, camera_marks, lists, observer_marks},
+    marks::{cut_symbol, vertex_symbol},
+    variant::{Homogeneous, UV, Variant},
+};
+
+type Input = OnSceneInput<[Vertex; 3]>;
+type Shown<L> = OnScene<HomogeneousTriangle<Uv, L>>;
+
+impl Answer for ClipPolygon<Uv> {
+    fn json(&self) -> Json {
+        let triangles: Vec<[Vertex; 3]> = self.triangles().collect();
+        let places = |piece: &[Vertex; 3]| piece.map(|v| v.at);
+        let at: Vec<_> = triangles.iter().map(places).collect();
+        let mut json = json!({ "triangles": at });
+        if self.first_given().attributes.is_some() {
+            let uv: Vec<_> = triangles
+                .iter()
+                .map(|piece| piece.map(|v| v.attributes))
+                .collect();
+            json["uv"] = json!(uv);
+        }
+        json
+    }
+}
+
+impl<L: Variant<Homogeneous>> FrustumDemo for Shown<L> {
+    const SUBJECT: Subject = Subject::Triangle;
+
+    fn input(scene: &Scene) -> Input {
+        let clip_from_world = scene.culler().clip_from_world();
+        let corners = scene.places.triangle();
+        let own = std::array::from_fn(|i| {
+            let [x, y, z] = corners[i];
+            ClipVertex {
+                at: clip_from_world.times([x, y, z, 1.0]),
+                attributes: Some(UV[i]),
+            }
+        });
+        OnSceneInput::of(scene, own)
+    }
+
+    fn record(scene: &Scene) -> Box<dyn Run> {
+        if L::DIFFERS_KEY.is_some() {
+            record_wrong::<Self, OnScene<HomogeneousTriangle<Uv>>>(Self::input(scene))
+        } else {
+            record::<Self>(Self::input(scene))
+        }
+    }
+}
+
+impl<L: Variant<Homogeneous>> Demo for Shown<L> {
+    const ID: &'static str = L::ID;
+    const NAME_KEY: &'static str = L::NAME_KEY;
+    const SOURCE: &'static str = "Blinn & Newell, 1978";
+    const CODE: &'static [CodeLine] = L::CODE;
+    const DIFFERS_KEY: Option<&'static str> = L::DIFFERS_KEY;
+
+    fn tick(event: &Event) -> Tick {
+        match event {
+            Event::Side { .. } | Event::Codes { .. } | Event::Divide { .. } => Tick::Phase,
+            Event::Cross { .. } => Tick::Cut,
+            Event::Done { n_vertices } if *n_vertices < 3 => Tick::Reject,
+            Event::Done { .. } => Tick::Accept,
+            Event::First { .. }
+            | Event::Test { .. }
+            | Event::Output { .. }
+            | Event::Pass { .. } => Tick::Test,
+        }
+    }
+
+    fn code_line(event: &Event, before: &State) -> usize {
+        match event {
+            Event::Divide { .. } | Event::Codes { .. } => homogeneous::CODES,
+            Event::Side { .. } => homogeneous::EACH,
+            Event::First { .. } | Event::Test { .. } | Event::Pass { .. } => homogeneous::BOUND,
+            Event::Cross { .. } => homogeneous::CROSS,
+            Event::Output { at } => match before.crossing {
+                Some((crossing, _)) if crossing == *at => homogeneous::CROSS,
+                Some(_) | None => homogeneous::BOUND,
+            },
+            Event::Done { n_vertices: 0 } => homogeneous::DECIDE,
+            Event::Done { .. } => homogeneous::FAN,
+        }
+    }
+
+    fn opening(input: &Input) -> Caption {
+        let behind = input.own.iter().filter(|v| v.at[3] <= 0.0).count();
+        let message = Message::new("ht-opening").with("n", 3_usize);
+        Caption::new(message.with("behind", behind))
+    }
+
+    fn caption(event: &Event, before: &State, _: &Input) -> Caption {
+        caption(event, before)
+    }
+
+    fn views(step: &Step<'_, Self>) -> Vec<View> {
+        let mut views = Vec::new();
+        if let Some(scenery) = step.input.scenery.as_deref() {
+            let marks = observer_marks(step.state, step.event, scenery);
+            views.push(scenery.observer(|_| Fate::ToCome, marks));
+            let marks = camera_marks::<L>(step.state, scenery);
+            views.push(scenery.camera(|_| Fate::ToCome, |_, _| FaceLook::Whole, marks));
+        }
+        views.push(View::new(
+            BITS_VIEW,
+            Body::Bits(bits(step.state, step.event)),
+        ));
+        views.push(View::new(
+            LISTS_VIEW,
+            Body::Lists(lists(step.state, step.event)),
+        ));
+        views
+    }
+
+    fn watch(step: &Step<'_, Self>) -> Watch {
+        let state = step.state;
+        let mut rows = Vec::new();
+        if let Some((codes, or, and)) = state.codes {
+            let code = |(i, code): (usize, &SideCode)| {
+                let symbol = format!("code({})", vertex_symbol(i));
+                WatchRow::new(name(symbol), Some(name(code.to_string())))
+            };
+            rows.extend(codes.iter().enumerate().map(code));
+            rows.push(WatchRow::new(name("OR"), Some(name(or.to_string()))));
+            rows.push(WatchRow::new(name("AND"), Some(name(and.to_string()))));
+        }
+        if let Some((_, t)) = state.crossing {
+            let (num, den) = (t.num, t.den);
+            rows.push(WatchRow::new(name("t"), Some(Value::Ratio { num, den })));
+        }
+        let list = |polygon: &ClipPolygon<Uv>, prime: &str| {
+            let row = |(i, v): (usize, &Vertex)| {
+                let symbol = format!("{}{prime}", vertex_symbol(i));
+                WatchRow::new(name(symbol), Some(Value::Formula(point(v.at))))
+            };
+            let rows = polygon.vertices().iter().enumerate().map(row);
+            WatchSection::list(rows.collect()).seen_in(LISTS_VIEW)
+        };
+        vec![
+            WatchSection::list(rows).seen_in(BITS_VIEW),
+            list(&state.input, ""),
+            list(&state.output, "′"),
+        ]
+    }
+}
+
+/// `w − x = 3 − 5 = −2 < 0`
+fn bound(side: VolumeSide, at: [f64; 4], d: f64) -> Formula {
+    let sign = if side.is_high() { " − " } else { " + " };
+    let formula = Formula::default().sym(format!("{} = ", bound_symbol(side)));
+    let formula = formula
+        .num(at[3])
+        .sym(sign)
+        .operand(at[side.axis()])
+        .equals(d);
+    formula.sym(if d < 0.0 { " < 0" } else { " ≥ 0" })
+}
+
+fn caption(event: &Event, before: &State) -> Caption {
+    let side = before.side;
+    let with_side = |key: &'static str| match side {
+        Some(side) => Message::new(key).with("side", side_name(side)),
+        None => Message::new(key),
+    };
+    match *event {
+        Event::Divide { triangle } => {
+            let message = Message::new("ht-divide").with("n", triangle.len());
+            let formulas = triangle.iter().enumerate().map(|(i, v)| {
+                let symbol = format!("{}/w = ", vertex_symbol(i));
+                Formula::default()
+                    .sym(symbol)
+                    .place([v.at[0], v.at[1], v.at[2]])
+            });
+            formulas.fold(Caption::new(message), Caption::so)
+        }
+        Event::Codes { or, and, .. } => {
+            let key = match (and.is_inside(), or.is_inside()) {
+                (false, _) => "ht-codes-outside",
+                (true, true) => "ht-codes-inside",
+                (true, false) => "ht-codes-cut",
+            };
+            let sides = SideCode::WRITTEN
+                .into_iter()
+                .filter(|&side| or.has(side))
+                .count();
+            let caption = Caption::new(Message::new(key).with("sides", sides));
+            caption
+                .so(Formula::default().sym(format!("OR = {or}")))
+                .so(Formula::default().sym(format!("AND = {and}")))
+        }
+        Event::Side { side } => {
+            let message = Message::new("ht-side").with("side", side_name(side));
+            let message = message.with("n", before.input.vertices().len());
+            let inside = format!("{} ≥ 0", bound_symbol(side));
+            Caption::new(message).so(Formula::default().sym(inside))
+        }
+        Event::First {
+            at,
+            distance,
+            inside,
+        } => {
+            let key = if inside { "ht-inside" } else { "ht-outside" };
+            let caption = Caption::new(with_side(key).with("vertex", name(vertex_symbol(0))));
+            match side {
+                Some(side) => caption.so(bound(side, at.at, distance)),
+                None => caption,
+            }
+        }
+        Event::Test {
+            idx,
+            ends,
+            distances,
+            rule,
+        } => {
+            let key = if rule.ends_inside() {
+                "ht-inside"
+            } else {
+                "ht-outside"
+            };
+            let caption = Caption::new(with_side(key).with("vertex", name(vertex_symbol(idx[1]))));
+            match side {
+                Some(side) => caption.so(bound(side, ends[1].at, distances[1])),
+                None => caption,
+            }
+        }
+        Event::Cross { at, t } => {
+            let idx = before.test.map_or([0; 2], |(idx, ..)| idx);
+            let message = with_side("ht-cross")
+                .with("from", name(vertex_symbol(idx[0])))
+                .with("to", name(vertex_symbol(idx[1])));
+            let parameter = Formula::default().sym("t").equals(t.num / t.den);
+            let place = Formula::default().sym("I = ");
+            let place = Formula([place.0, point(at.at).0].concat());
+            Caption::new(message).so(parameter).so(place)
+        }
+        Event::Output { at } => {
+            let symbol = match (before.crossing, before.test) {
+                (Some((crossing, _)), _) if crossing == at => cut_symbol(0),
+                (_, Some((idx, ..))) => vertex_symbol(idx[1]),
+                (_, None) => vertex_symbol(0),
+            };
+            let symbol = if before.crossing.is_some_and(|(crossing, _)| crossing == at) {
+                "I".to_owned()
+            } else {
+                symbol
+            };
+            let message = Message::new("ip-output").with("vertex", name(symbol));
+            Caption::new(message.with("n", before.output.vertices().len() + 1))
+        }
+        Event::Pass { n_vertices, .. } => {
+            let message = with_side("ht-pass").with("n", n_vertices);
+            Caption::new(message.with("before", before.input.vertices().len()))
+        }
+        Event::Done { n_vertices } => {
+            let key = if n_vertices < 3 {
+                "ht-done-empty"
+            } else {
+                "ht-done"
+            };
+            let message = Message::new(key).with("n", n_vertices);
+            Caption::new(message.with("triangles", n_vertices.saturating_sub(2)))
+        }
+    }
+}

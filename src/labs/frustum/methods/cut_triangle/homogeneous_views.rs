@@ -1,0 +1,266 @@
+//! Codes, lists and pictures of a triangle before the divide.
+
+use crate::{
+    algo::volume::{ClipPolygon, SideCode, side_distances},
+    figure::{BitRow, Bits, ItemMarker, ListColumn, ListRow, Lists, Mark3, Role, Shape3},
+    geom::{Camera, Sight},
+    labs::words::name,
+    text::Value,
+};
+
+use super::{
+    super::super::stage::{Scenery, side_name},
+    clip_space::{Event, State, Uv, Vertex, bound_symbol, point},
+    marks::{plane_mark, vertex_link, vertex_symbol},
+    variant::{Homogeneous, Variant},
+};
+
+/// The view of the outcodes.
+pub const BITS_VIEW: &str = "codes";
+
+/// The corners' codes over each other, and what they come to: AND where it rejects, else OR.
+pub fn bits(state: &State, event: Option<Event>) -> Bits {
+    let is_now = matches!(event, Some(Event::Codes { .. }));
+    let role = if is_now { Role::Signal } else { Role::Ink };
+    let digits = |code: SideCode| SideCode::WRITTEN.map(|side| code.has(side)).to_vec();
+    let row = |i: usize| BitRow {
+        name: name(vertex_symbol(i)),
+        bits: state
+            .codes
+            .map_or_else(Vec::new, |(codes, ..)| digits(codes[i])),
+        role,
+        link: Some(vertex_link(i)),
+    };
+    let result = state.codes.map(|(_, or, and)| {
+        let (symbol, code) = if and.is_inside() {
+            ("OR", or)
+        } else {
+            ("AND", and)
+        };
+        BitRow {
+            name: name(symbol),
+            bits: digits(code),
+            role,
+            link: None,
+        }
+    });
+    let deciding = |(_, _, and): ([SideCode; 3], SideCode, SideCode)| {
+        let written = SideCode::WRITTEN;
+        match state.side {
+            Some(side) => written.iter().position(|&other| other == side),
+            None => written.iter().position(|&side| and.has(side)),
+        }
+    };
+    Bits {
+        columns: SideCode::WRITTEN.map(side_name).to_vec(),
+        rows: (0..3).map(row).collect(),
+        result,
+        deciding: state.codes.and_then(deciding),
+        note: None,
+    }
+}
+
+/// The list in with the bound that is asked, and the list out.
+pub fn lists(state: &State, event: Option<Event>) -> Lists {
+    let has_passed = matches!(event, Some(Event::Pass { .. }));
+    let current = state.test.map(|(idx, ..)| idx);
+    let bounds = bounds(state);
+    let entry = |(i, v): (usize, &Vertex)| {
+        let d = bounds.get(i).copied().flatten();
+        let mut entry = ListRow::new(name(vertex_symbol(i)));
+        entry.role = match d {
+            _ if current.is_some_and(|idx| idx.contains(&i)) => Role::Signal,
+            Some(d) if d < 0.0 => Role::Discarded,
+            Some(_) | None => Role::Ink,
+        };
+        entry.marker = d.map(|d| {
+            if d < 0.0 {
+                ItemMarker::Ring
+            } else {
+                ItemMarker::Dot
+            }
+        });
+        entry.details = vec![Some(Value::Formula(point(v.at)))];
+        if state.side.is_some() && !has_passed {
+            entry.details.push(d.map(Value::Number));
+        }
+        entry.link = Some(vertex_link(i));
+        entry
+    };
+    let mut columns = vec![name("(x, y, z, w)")];
+    if let Some(side) = state.side.filter(|_| !has_passed) {
+        columns.push(name(bound_symbol(side)));
+    }
+    let list = |title, polygon: &ClipPolygon<Uv>| {
+        let entries = polygon.vertices().iter().enumerate().map(entry).collect();
+        ListColumn {
+            columns: columns.clone(),
+            is_ring: true,
+            focus: current.map(|idx| idx[1]),
+            ..ListColumn::new(Value::Term(title), entries)
+        }
+    };
+    let title = if state.is_done {
+        "tri-list-left"
+    } else {
+        "tri-list-in"
+    };
+    let mut lists = vec![list(title, &state.input)];
+    if state.side.is_some() && !has_passed {
+        let out = |(i, v): (usize, &Vertex)| {
+            let from = state.input.vertices().iter().position(|other| other == v);
+            let is_new = matches!(event, Some(Event::Output { .. }))
+                && i + 1 == state.output.vertices().len();
+            let mut entry = ListRow::new(name(from.map_or_else(|| "I".to_owned(), vertex_symbol)));
+            entry.role = if is_new || from.is_none() {
+                Role::Signal
+            } else {
+                Role::Accent
+            };
+            entry.marker = Some(ItemMarker::Dot);
+            entry
+        };
+        let entries = state
+            .output
+            .vertices()
+            .iter()
+            .enumerate()
+            .map(out)
+            .collect();
+        lists.push(ListColumn::new(Value::Term("tri-list-out"), entries));
+    }
+    Lists {
+        lists,
+        links: Vec::new(),
+        legend: Vec::new(),
+    }
+}
+
+/// What the side at work has been asked of each vertex: the first, and those up to the last one tested.
+fn bounds(state: &State) -> Vec<Option<f64>> {
+    let Some((side, (idx, ..))) = state.side.zip(state.test) else {
+        return Vec::new();
+    };
+    let n_known = if idx[1] == 0 { usize::MAX } else { idx[1] + 1 };
+    let bound = |(i, v): (usize, &Vertex)| {
+        let [d, _] = side_distances::<f64>(side, &[v.at; 2]);
+        (i < n_known).then_some(d)
+    };
+    state
+        .input
+        .vertices()
+        .iter()
+        .enumerate()
+        .map(bound)
+        .collect()
+}
+
+/// Where in the world a vertex is, by its share of the triangle's corners.
+fn in_world(v: &Vertex, scenery: &Scenery) -> [f64; 3] {
+    let [a, b, c] = scenery.scene().places.triangle();
+    let [s, t] = v.attributes.unwrap_or_default();
+    std::array::from_fn(|i| a[i] + s * (b[i] - a[i]) + t * (c[i] - a[i]))
+}
+
+fn ring(polygon: &ClipPolygon<Uv>, scenery: &Scenery) -> Vec<[f64; 3]> {
+    polygon
+        .vertices()
+        .iter()
+        .map(|v| in_world(v, scenery))
+        .collect()
+}
+
+/// The triangle, what is left of it, and the side at work.
+pub fn observer_marks(state: &State, event: Option<Event>, scenery: &Scenery) -> Vec<Mark3> {
+    let corners = scenery.scene().places.triangle();
+    let mut marks = vec![Mark3::new(
+        Role::Discarded,
+        Shape3::Outline(corners.to_vec()),
+    )];
+    if let Some(side) = state.side {
+        marks.extend(plane_mark(scenery, side as usize));
+    }
+    let list = ring(&state.input, scenery);
+    let role = if state.is_done {
+        Role::Accepted
+    } else {
+        Role::Accent
+    };
+    if !list.is_empty() {
+        marks.push(Mark3::new(role, Shape3::Wash(list.clone())));
+        marks.push(Mark3::new(role, Shape3::Outline(list)));
+    }
+    let bounds = bounds(state);
+    for (i, v) in state.input.vertices().iter().enumerate() {
+        let at = in_world(v, scenery);
+        let shape = match bounds.get(i).copied().flatten() {
+            Some(d) if d < 0.0 => Shape3::Ring(at),
+            Some(_) | None => Shape3::Dot(at),
+        };
+        let mark = Mark3::new(role, shape).labelled(name(vertex_symbol(i)));
+        marks.push(mark.linked(vertex_link(i)));
+    }
+    if let (Some((crossing, _)), Some(Event::Cross { .. } | Event::Output { .. })) =
+        (state.crossing, event)
+    {
+        let at = in_world(&crossing, scenery);
+        marks.push(
+            Mark3::new(Role::Signal, Shape3::Dot(at))
+                .labelled(name("I"))
+                .strong(),
+        );
+    }
+    marks
+}
+
+/// What the camera sees: the list as it stands. What has been divided first is drawn where it lands on the screen, beside the right
+/// outline.
+pub fn camera_marks<L: Variant<Homogeneous>>(state: &State, scenery: &Scenery) -> Vec<Mark3> {
+    if !L::DIVIDES_FIRST {
+        let list = ring(&state.input, scenery);
+        let role = if state.is_done {
+            Role::Accepted
+        } else {
+            Role::Accent
+        };
+        return area(list, role);
+    }
+    let corners = scenery.scene().places.triangle();
+    let right = Mark3::new(Role::Accent, Shape3::Outline(corners.to_vec()));
+    let camera = scenery.scene().culler();
+    let landed = state
+        .input
+        .vertices()
+        .iter()
+        .map(|v| on_screen(camera, v.at));
+    let mut marks = area(landed.collect(), Role::Signal);
+    marks.push(right);
+    marks
+}
+
+fn area(outline: Vec<[f64; 3]>, role: Role) -> Vec<Mark3> {
+    if outline.is_empty() {
+        return Vec::new();
+    }
+    vec![
+        Mark3::new(role, Shape3::Wash(outline.clone())),
+        Mark3::new(role, Shape3::Outline(outline)),
+    ]
+}
+
+/// The place in the world, well before the camera, that is seen where a point of clip space lands once divided.
+fn on_screen(camera: &Camera, [x, y, _, w]: [f64; 4]) -> [f64; 3] {
+    let volume = camera.volume();
+    let depth = volume.near().midpoint(volume.far());
+    let spread = match volume.sight() {
+        Sight::Perspective => depth,
+        Sight::Parallel => 1.0,
+    };
+    let [half_width, half_height] = volume.half_size();
+    let w = if w == 0.0 { 1.0 } else { w };
+    camera.world_from_view([
+        x / w * half_width * spread,
+        y / w * half_height * spread,
+        -depth,
+    ])
+}

@@ -1,0 +1,27 @@
+//! A triangle cut by planes, shown: triangle by triangle, as one polygon, and before the divide.
+
+mod captions;
+mod clip_space;
+mod code;
+mod faulty;
+mod homogeneous;
+mod homogeneous_views;
+mod list_view;
+mod marks;
+mod one_by_one;
+mod one_polygon;
+mod pieces_view;
+mod small;
+mod stages;
+mod tally;
+mod texture;
+mod variant;
+
+pub use variant::WithTexture;
+
+/// The view of lists in and out.
+const LISTS_VIEW: &str = "lists";
+/// The view of both methods' totals.
+const TALLY_VIEW: &str = "tally";
+/// The view of small drawings, one a plane.
+const PLANES_VIEW: &str = "planes";

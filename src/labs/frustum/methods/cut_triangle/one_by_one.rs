@@ -1,0 +1,221 @@
+//! A triangle against planes, triangle by triangle, shown.
+
+use crate::{
+    algo::{
+        ring::Right,
+        volume::{
+            PlaneAtATime, PlaneAtATimeEvent as Event, PlaneAtATimeState as State, SpaceVertex,
+            TrianglePlanes,
+        },
+    },
+    figure::{Body, Caption, Mark3, Role, Run, Shape3, Tick, View, Watch, WatchRow, WatchSection},
+    labs::{CodeLine, Demo, Step, record, record_wrong, words::name},
+    text::{Message, Value},
+};
+
+use super::{
+    super::{
+        super::{
+            OnScene, OnSceneInput, Scene, Subject,
+            demo::FrustumDemo,
+            stage::{Fate, Scenery},
+        },
+        planes::place,
+    },
+    LISTS_VIEW, PLANES_VIEW, TALLY_VIEW,
+    captions::{one_by_one_caption, triangle_symbol},
+    code::one_by_one,
+    marks::{cut, cut_edge, given, kept, lost, places, plane_mark, vertex},
+    pieces_view::{pieces, triangle_link},
+    small::{Progress, small},
+    stages::{of_polygon, of_triangles},
+    tally::{has_room_for_totals, tally},
+    variant::{self, OneByOne, Variant},
+};
+
+/// Of more triangles only the one that is asked has its name in the picture.
+const MOST_NAMED: usize = 4;
+
+type Input = OnSceneInput<TrianglePlanes>;
+type Shown<L> = OnScene<PlaneAtATime<L>>;
+
+impl<L: Variant<OneByOne>> FrustumDemo for Shown<L> {
+    const SUBJECT: Subject = Subject::Triangle;
+
+    fn input(scene: &Scene) -> Input {
+        OnSceneInput::of(scene, variant::input(scene, L::IS_TEXTURED))
+    }
+
+    fn record(scene: &Scene) -> Box<dyn Run> {
+        if L::DIFFERS_KEY.is_some() {
+            record_wrong::<Self, OnScene<PlaneAtATime>>(Self::input(scene))
+        } else {
+            record::<Self>(Self::input(scene))
+        }
+    }
+}
+
+impl<L: Variant<OneByOne>> Demo for Shown<L> {
+    const ID: &'static str = L::ID;
+    const NAME_KEY: &'static str = L::NAME_KEY;
+    const SOURCE: &'static str = "Eberly, 2006";
+    const CODE: &'static [CodeLine] = L::CODE;
+    const DIFFERS_KEY: Option<&'static str> = L::DIFFERS_KEY;
+
+    fn tick(event: &Event) -> Tick {
+        match event {
+            Event::Plane { .. } => Tick::Phase,
+            Event::Cross { .. } => Tick::Cut,
+            Event::Done { n_triangles: 0 } => Tick::Reject,
+            Event::Done { .. } => Tick::Accept,
+            Event::Triangle { .. } | Event::Piece { .. } | Event::Pass { .. } => Tick::Test,
+        }
+    }
+
+    fn code_line(event: &Event, before: &State) -> usize {
+        let of = |inside: [bool; 3]| match inside.iter().filter(|&&inside| inside).count() {
+            0 => one_by_one::NONE,
+            1 => one_by_one::ONE,
+            2 => one_by_one::TWO,
+            3.. => one_by_one::THREE,
+        };
+        match event {
+            Event::Plane { .. } => one_by_one::EACH,
+            Event::Triangle { inside, .. } => of(*inside),
+            Event::Cross { .. } | Event::Piece { .. } => {
+                let asked = before.asked.last();
+                asked.map_or(one_by_one::EACH, |asked| of(asked.inside))
+            }
+            Event::Pass { .. } | Event::Done { .. } => one_by_one::PASS,
+        }
+    }
+
+    fn opening(input: &Input) -> Caption {
+        let message = Message::new("pat-opening").with("planes", input.own.planes.len());
+        Caption::new(message.with("n", 1_usize))
+    }
+
+    fn caption(event: &Event, before: &State, input: &Input) -> Caption {
+        one_by_one_caption(event, before, input)
+    }
+
+    fn views(step: &Step<'_, Self>) -> Vec<View> {
+        let Input { own, scenery } = step.input;
+        let own_stages = of_triangles::<L>(own);
+        let progress = progress(step, own);
+        let mut views = Vec::new();
+        if let Some(scenery) = scenery.as_deref() {
+            views.push(scenery.observer(|_| Fate::ToCome, marks(step, scenery)));
+        }
+        views.push(View::new(
+            LISTS_VIEW,
+            Body::Lists(pieces(step.state, step.event)),
+        ));
+        if has_room_for_totals(scenery.as_deref()) {
+            let table = tally([&of_polygon::<Right>(own), &own_stages], progress.n_done, 1);
+            views.push(View::new(TALLY_VIEW, Body::Table(table)));
+        }
+        if let Some(scenery) = scenery.as_deref() {
+            let row = small(&own.triangle, &own.planes, &own_stages, progress, scenery);
+            views.push(View::new(PLANES_VIEW, Body::Multiples(row)));
+        }
+        views
+    }
+
+    fn watch(step: &Step<'_, Self>) -> Watch {
+        let (own, state) = (&step.input.own, step.state);
+        let mut rows = Vec::new();
+        if let Some(plane) = state.plane_idx.and_then(|i| own.planes.get(i)) {
+            rows.push(WatchRow::new(name("n"), Some(place(plane.normal()))));
+            rows.push(WatchRow::new(name("D"), Some(plane.d().into())));
+        }
+        if let Some((_, _, t)) = state.crossings.last() {
+            let (num, den) = (t.num, t.den);
+            rows.push(WatchRow::new(name("t"), Some(Value::Ratio { num, den })));
+        }
+        let list = |list: &[[SpaceVertex; 3]], prime: &str| {
+            let row = |(i, triangle): (usize, &[SpaceVertex; 3])| {
+                let symbol = format!("{}{prime}", triangle_symbol(i));
+                let corners = triangle.iter().map(|v| Some(place(v.at)));
+                WatchRow::table(name(symbol), corners.collect())
+            };
+            let rows = list.iter().enumerate().map(row).collect();
+            WatchSection::table(vec!["V₀", "V₁", "V₂"], rows).seen_in(LISTS_VIEW)
+        };
+        let mut sections = vec![WatchSection::list(rows)];
+        sections.push(list(&state.list, ""));
+        if !state.next.is_empty() {
+            sections.push(list(&state.next, "′"));
+        }
+        sections
+    }
+}
+
+fn progress<L: Variant<OneByOne>>(step: &Step<'_, Shown<L>>, own: &TrianglePlanes) -> Progress {
+    let at_work = step.state.plane_idx;
+    let has_passed = matches!(step.event, Some(Event::Pass { .. }));
+    let is_done = step.state.is_done;
+    let n_done = match at_work {
+        Some(idx) => idx + usize::from(has_passed),
+        None if is_done => own.planes.len(),
+        None => 0,
+    };
+    Progress {
+        plane_idx: at_work,
+        n_done,
+        is_done,
+    }
+}
+
+fn marks<L: Variant<OneByOne>>(step: &Step<'_, Shown<L>>, scenery: &Scenery) -> Vec<Mark3> {
+    let (own, state) = (&step.input.own, step.state);
+    let mut marks = vec![given(&own.triangle)];
+    let has_passed = matches!(step.event, Some(Event::Pass { .. }));
+    let plane = state.plane_idx.and_then(|i| own.planes.get(i));
+    let list = if has_passed {
+        &state.passed
+    } else {
+        &state.list
+    };
+    if let Some((plane_idx, plane)) = state.plane_idx.zip(plane) {
+        marks.extend(plane_mark(scenery, plane_idx));
+        marks.extend(list.iter().filter_map(|triangle| lost(triangle, plane)));
+    }
+    let asked = state
+        .asked
+        .last()
+        .filter(|_| plane.is_some() && !has_passed);
+    let shown = if has_passed { &state.list } else { list };
+    for (i, triangle) in shown.iter().enumerate() {
+        let is_asked = asked.is_some_and(|asked| asked.triangle_idx == i);
+        if plane.is_none() || has_passed || is_asked {
+            marks.extend(kept(triangle, Role::Accent));
+        } else {
+            marks.push(Mark3::new(Role::Accent, Shape3::Outline(places(triangle))).fine());
+        }
+        if shown.len() > MOST_NAMED && !is_asked {
+            continue;
+        }
+        let label = Mark3::new(Role::Ink, Shape3::Label(middle(triangle)));
+        let symbol = name(triangle_symbol(i));
+        marks.push(label.labelled(symbol).linked(triangle_link(i)));
+    }
+    if let Some(asked) = asked {
+        let triangle = &state.list[asked.triangle_idx];
+        for (i, v) in triangle.iter().enumerate() {
+            marks.push(vertex(i, v.at, Some(asked.inside[i])));
+        }
+        let new = state.origins.iter().zip(&state.next);
+        let new = new.filter(|(origin, _)| **origin == asked.triangle_idx);
+        marks
+            .extend(new.map(|(_, piece)| Mark3::new(Role::Accent, Shape3::Outline(places(piece)))));
+        let cuts: Vec<[f64; 3]> = state.crossings.iter().map(|(_, at, _)| at.at).collect();
+        marks.extend(cut_edge(&cuts));
+        marks.extend(cuts.iter().enumerate().map(|(i, &at)| cut(i, at)));
+    }
+    marks
+}
+
+fn middle(triangle: &[SpaceVertex; 3]) -> [f64; 3] {
+    std::array::from_fn(|i| triangle.iter().map(|v| v.at[i]).sum::<f64>() / 3.0)
+}

@@ -1,0 +1,288 @@
+//! A triangle against planes as one polygon, shown.
+
+use serde_json::{Value as Json, json};
+
+use crate::{
+    algo::{
+        ring::Right,
+        volume::{
+            CutTriangles, IntersectionPolygon, IntersectionPolygonEvent as Event,
+            IntersectionPolygonState as State, SpaceVertex, TrianglePlanes,
+        },
+    },
+    figure::{Body, Caption, Mark3, Role, Run, Shape3, Tick, View, Watch, WatchRow, WatchSection},
+    labs::{Answer, CodeLine, Demo, Step, record, record_wrong, words::name},
+    text::{Message, Value},
+};
+
+use super::{
+    super::{
+        super::{
+            OnScene, OnSceneInput, Scene, Subject,
+            demo::FrustumDemo,
+            stage::{FaceLook, Fate, Scenery},
+        },
+        planes::place,
+    },
+    LISTS_VIEW, PLANES_VIEW, TALLY_VIEW,
+    captions::polygon_caption,
+    code::polygon,
+    list_view::lists,
+    marks::{
+        cut, cut_edge, cut_symbol, distance_mark, given, kept, lost, places, plane_mark, vertex,
+        vertex_symbol, with_texel,
+    },
+    small::{Progress, small},
+    stages::{of_polygon, of_triangles},
+    tally::{has_room_for_totals, tally},
+    texture::checkered,
+    variant::{self, OnePolygon, Variant},
+};
+
+type Input = OnSceneInput<TrianglePlanes>;
+type Shown<L> = OnScene<IntersectionPolygon<L>>;
+
+impl Answer for CutTriangles {
+    fn json(&self) -> Json {
+        let places =
+            |piece: &[_; 3]| -> Json { json!(piece.each_ref().map(|v: &SpaceVertex| v.at)) };
+        let triangles: Vec<Json> = self.triangles.iter().map(places).collect();
+        let mut json = json!({ "triangles": triangles });
+        let uv = self.triangles.iter().map(|piece| piece.map(|v| v.uv));
+        let uv: Vec<_> = uv.collect();
+        if self.has_uv {
+            json["uv"] = json!(uv);
+        }
+        json
+    }
+}
+
+impl<L: Variant<OnePolygon>> FrustumDemo for Shown<L> {
+    const SUBJECT: Subject = Subject::Triangle;
+
+    fn input(scene: &Scene) -> Input {
+        OnSceneInput::of(scene, variant::input(scene, L::IS_TEXTURED))
+    }
+
+    fn record(scene: &Scene) -> Box<dyn Run> {
+        if L::DIFFERS_KEY.is_some() {
+            record_wrong::<Self, OnScene<IntersectionPolygon>>(Self::input(scene))
+        } else {
+            record::<Self>(Self::input(scene))
+        }
+    }
+}
+
+impl<L: Variant<OnePolygon>> Demo for Shown<L> {
+    const ID: &'static str = L::ID;
+    const NAME_KEY: &'static str = L::NAME_KEY;
+    const SOURCE: &'static str = "Sutherland & Hodgman, 1974";
+    const CODE: &'static [CodeLine] = L::CODE;
+    const DIFFERS_KEY: Option<&'static str> = L::DIFFERS_KEY;
+
+    fn tick(event: &Event) -> Tick {
+        match event {
+            Event::Plane { .. } => Tick::Phase,
+            Event::Cross { .. } => Tick::Cut,
+            Event::Done { n_triangles: 0 } => Tick::Reject,
+            Event::Done { .. } => Tick::Accept,
+            Event::First { .. }
+            | Event::Test { .. }
+            | Event::Output { .. }
+            | Event::Pass { .. }
+            | Event::Fan { .. } => Tick::Test,
+        }
+    }
+
+    fn code_line(event: &Event, before: &State) -> usize {
+        match event {
+            Event::Plane { .. } => polygon::EACH,
+            Event::First { .. } => polygon::INSIDE,
+            Event::Test { .. } => polygon::DISTANCE,
+            Event::Cross { .. } => polygon::CROSS,
+            Event::Output { at } => match before.crossing {
+                Some((crossing, _)) if crossing == *at => polygon::CROSS,
+                Some(_) | None => polygon::INSIDE,
+            },
+            Event::Pass { .. } => polygon::PASS,
+            Event::Fan { .. } | Event::Done { .. } => polygon::FAN,
+        }
+    }
+
+    fn opening(input: &Input) -> Caption {
+        let message = Message::new("ip-opening").with("planes", input.own.planes.len());
+        Caption::new(message.with("n", 3_usize))
+    }
+
+    fn caption(event: &Event, before: &State, input: &Input) -> Caption {
+        polygon_caption(event, before, input)
+    }
+
+    fn views(step: &Step<'_, Self>) -> Vec<View> {
+        let Input { own, scenery } = step.input;
+        let own_stages = of_polygon::<L>(own);
+        let other = of_triangles::<Right>(own);
+        let progress = progress(step, own);
+        let mut views = Vec::new();
+        if let Some(scenery) = scenery.as_deref() {
+            views.push(scenery.observer(|_| Fate::ToCome, marks(step, scenery)));
+            if L::IS_TEXTURED {
+                let seen = checkered(&fan(step), Role::Accent);
+                views.push(scenery.camera(|_| Fate::ToCome, |_, _| FaceLook::Whole, seen));
+            }
+        }
+        views.push(View::new(
+            LISTS_VIEW,
+            Body::Lists(lists(own, step.state, step.event)),
+        ));
+        if !L::IS_TEXTURED && has_room_for_totals(scenery.as_deref()) {
+            let table = tally([&own_stages, &other], progress.n_done, 0);
+            views.push(View::new(TALLY_VIEW, Body::Table(table)));
+        }
+        if let Some(scenery) = scenery.as_deref().filter(|_| !L::IS_TEXTURED) {
+            let row = small(&own.triangle, &own.planes, &own_stages, progress, scenery);
+            views.push(View::new(PLANES_VIEW, Body::Multiples(row)));
+        }
+        views
+    }
+
+    fn watch(step: &Step<'_, Self>) -> Watch {
+        let (own, state) = (&step.input.own, step.state);
+        let mut rows = Vec::new();
+        if let Some(plane) = state.plane_idx.and_then(|i| own.planes.get(i)) {
+            rows.push(WatchRow::new(name("n"), Some(place(plane.normal()))));
+            rows.push(WatchRow::new(name("D"), Some(plane.d().into())));
+        }
+        if let Some((_, t)) = state.crossing {
+            let (num, den) = (t.num, t.den);
+            rows.push(WatchRow::new(name("t"), Some(Value::Ratio { num, den })));
+        }
+        let list = |ring: &[SpaceVertex], prime: &str| {
+            let row = |(i, v): (usize, &SpaceVertex)| {
+                let symbol = format!("{}{prime}", vertex_symbol(i));
+                WatchRow::new(name(symbol), Some(place(v.at)))
+            };
+            WatchSection::list(ring.iter().enumerate().map(row).collect()).seen_in(LISTS_VIEW)
+        };
+        vec![
+            WatchSection::list(rows),
+            list(&state.input, ""),
+            list(&state.output, "′"),
+        ]
+    }
+}
+
+/// Where a run is.
+fn progress<L: Variant<OnePolygon>>(step: &Step<'_, Shown<L>>, own: &TrianglePlanes) -> Progress {
+    let at_work = step.state.plane_idx;
+    let is_over = matches!(step.event, Some(Event::Fan { .. } | Event::Done { .. }));
+    let has_passed = matches!(step.event, Some(Event::Pass { .. }));
+    let n_done = match at_work {
+        Some(idx) => idx + usize::from(has_passed),
+        None if is_over => own.planes.len(),
+        None => 0,
+    };
+    Progress {
+        plane_idx: at_work,
+        n_done,
+        is_done: is_over,
+    }
+}
+
+/// The polygon as it stands, as triangles with a texture: what has been put out of it, once it is done with.
+fn fan<L: Variant<OnePolygon>>(step: &Step<'_, Shown<L>>) -> Vec<[SpaceVertex; 3]> {
+    let ring = &step.state.input;
+    (2..ring.len())
+        .map(|i| [ring[0], ring[i - 1], ring[i]])
+        .collect()
+}
+
+fn marks<L: Variant<OnePolygon>>(step: &Step<'_, Shown<L>>, scenery: &Scenery) -> Vec<Mark3> {
+    let (own, state) = (&step.input.own, step.state);
+    let mut marks = vec![given(&own.triangle)];
+    let has_passed = matches!(step.event, Some(Event::Pass { .. }));
+    let list = if has_passed {
+        &state.passed
+    } else {
+        &state.input
+    };
+    let textured = own.triangle[0].uv.is_some();
+    if let Some(plane_idx) = state.plane_idx {
+        let plane = &own.planes[plane_idx];
+        marks.extend(plane_mark(scenery, plane_idx));
+        marks.extend(lost(list, plane));
+        if has_passed {
+            marks.extend(kept(&state.input, Role::Accent));
+        } else {
+            marks.push(Mark3::new(Role::Accent, Shape3::Outline(places(list))));
+        }
+        match step.event {
+            Some(Event::First { at, distance, .. }) => {
+                marks.extend(distance_mark(plane, at.at, distance));
+            }
+            Some(Event::Test {
+                ends, distances, ..
+            }) => {
+                marks.extend(distance_mark(plane, ends[1].at, distances[1]));
+            }
+            Some(
+                Event::Plane { .. }
+                | Event::Cross { .. }
+                | Event::Output { .. }
+                | Event::Pass { .. }
+                | Event::Fan { .. }
+                | Event::Done { .. },
+            )
+            | None => {}
+        }
+    } else {
+        let right = right_result::<L>(step);
+        let role = if right.is_some() {
+            Role::Signal
+        } else {
+            Role::Accent
+        };
+        if textured {
+            marks.push(Mark3::new(role, Shape3::Outline(places(list))));
+        } else {
+            marks.extend(kept(list, role));
+        }
+        let outline = |ring: Vec<_>| Mark3::new(Role::Accent, Shape3::Outline(places(&ring)));
+        marks.extend(right.map(outline));
+    }
+    if textured {
+        marks.extend(checkered(&fan(step), Role::Accent));
+    }
+    for triangle in &state.triangles {
+        marks.push(Mark3::new(Role::Accent, Shape3::Outline(places(triangle))).fine());
+    }
+    let cuts: Vec<[f64; 3]> = state.crossings.iter().map(|(_, at, _)| at.at).collect();
+    if state.plane_idx.is_some() {
+        marks.extend(cut_edge(&cuts));
+        marks.extend(
+            state
+                .crossings
+                .iter()
+                .enumerate()
+                .map(|(i, (_, at, _))| with_texel(cut(i, at.at), &cut_symbol(i), at.uv)),
+        );
+    }
+    for (i, v) in list.iter().enumerate() {
+        let inside = match state.plane_idx {
+            Some(_) => state.sides.get(i).map(|&(_, inside)| inside),
+            None => Some(true),
+        };
+        marks.push(with_texel(vertex(i, v.at, inside), &vertex_symbol(i), v.uv));
+    }
+    marks
+}
+
+/// Once a wrong run is over: the polygon that the right rules leave, where it is another.
+fn right_result<L: Variant<OnePolygon>>(step: &Step<'_, Shown<L>>) -> Option<Vec<SpaceVertex>> {
+    if L::DIFFERS_KEY.is_none() || !step.state.is_done {
+        return None;
+    }
+    let right = of_polygon::<Right>(&step.input.own);
+    let ring = right.last()?.after.first()?.clone();
+    (places(&ring) != places(&step.state.input)).then_some(ring)
+}

@@ -1,0 +1,132 @@
+//! The list of triangles in, with the distances of their corners from the plane at work, and the list out.
+
+use crate::{
+    algo::volume::{AskedTriangle, PlaneAtATimeEvent as Event, PlaneAtATimeState as State},
+    figure::{ItemMarker, Link, ListColumn, ListLink, ListRow, Lists, Role},
+    labs::words::{name, subscript},
+    text::Value,
+};
+
+use super::captions::triangle_symbol;
+
+/// What marks and rows about a triangle of the list have in common.
+pub const fn triangle_link(idx: usize) -> Link {
+    Link::nth("triangle", idx)
+}
+
+/// `T₂′`: in the list out.
+fn out_symbol(idx: usize) -> String {
+    format!("{}′", triangle_symbol(idx))
+}
+
+/// Both lists at a step; at the end what is left.
+pub fn pieces(state: &State, event: Option<Event>) -> Lists {
+    let has_passed = matches!(event, Some(Event::Pass { .. }));
+    let (n_in, n_out) = if has_passed {
+        (state.passed.len(), state.list.len())
+    } else {
+        (state.list.len(), state.next.len())
+    };
+    if state.is_done {
+        return Lists {
+            lists: vec![left(n_in)],
+            links: Vec::new(),
+            legend: Vec::new(),
+        };
+    }
+    let current = state.asked.last().filter(|_| !has_passed);
+    let current = current.map(|asked| asked.triangle_idx);
+    let entry = |i: usize| {
+        let asked = state.asked.iter().find(|asked| asked.triangle_idx == i);
+        let mut entry = ListRow::new(name(triangle_symbol(i)));
+        entry.role = match asked {
+            _ if current == Some(i) => Role::Signal,
+            Some(asked) if asked.inside.contains(&true) => Role::Ink,
+            Some(_) => Role::Discarded,
+            None => Role::Soft,
+        };
+        entry.marker = asked.map(marker);
+        entry.details = (0..3)
+            .map(|corner| asked.map(|asked| Value::Number(asked.distances[corner])))
+            .collect();
+        entry.link = Some(triangle_link(i));
+        entry
+    };
+    let reach = ListColumn::reach(n_in, current);
+    let columns = (0..3).map(|i| name(format!("d{}", subscript(i))));
+    let in_list = ListColumn {
+        columns: columns.collect(),
+        n_before: reach.start,
+        n_after: n_in - reach.end,
+        focus: current.map(|current| current - reach.start),
+        ..ListColumn::new(
+            Value::Term("tri-list-in"),
+            reach.clone().map(entry).collect(),
+        )
+    };
+    let out_reach = ListColumn::reach(n_out, n_out.checked_sub(1));
+    let out = |i: usize| {
+        let is_new = matches!(event, Some(Event::Piece { .. })) && i + 1 == n_out;
+        let mut entry = ListRow::new(name(out_symbol(i)));
+        entry.role = if is_new { Role::Signal } else { Role::Accent };
+        entry.marker = Some(ItemMarker::Dot);
+        entry
+    };
+    let links = state.origins.iter().enumerate().filter_map(|(i, &origin)| {
+        let from = origin
+            .checked_sub(reach.start)
+            .filter(|_| reach.contains(&origin))?;
+        let to = i
+            .checked_sub(out_reach.start)
+            .filter(|_| out_reach.contains(&i))?;
+        let is_new = matches!(event, Some(Event::Piece { .. })) && i + 1 == n_out;
+        Some(ListLink {
+            from: [0, from],
+            to: [1, to],
+            role: if is_new { Role::Signal } else { Role::Soft },
+        })
+    });
+    let links = if state.plane_idx.is_some() {
+        links.collect()
+    } else {
+        Vec::new()
+    };
+    let out_list = ListColumn {
+        n_before: out_reach.start,
+        n_after: n_out - out_reach.end,
+        focus: n_out.checked_sub(1).map(|last| last - out_reach.start),
+        ..ListColumn::new(
+            Value::Term("tri-list-out"),
+            out_reach.clone().map(out).collect(),
+        )
+    };
+    Lists {
+        lists: vec![in_list, out_list],
+        links,
+        legend: Vec::new(),
+    }
+}
+
+/// Whole, in part, or not at all inside.
+fn marker(asked: &AskedTriangle) -> ItemMarker {
+    match asked.inside.iter().filter(|&&inside| inside).count() {
+        3 => ItemMarker::Dot,
+        0 => ItemMarker::Ring,
+        1 | 2 | 4.. => ItemMarker::Cross,
+    }
+}
+
+fn left(n: usize) -> ListColumn {
+    let reach = ListColumn::reach(n, None);
+    let entry = |i: usize| {
+        let mut entry = ListRow::new(name(triangle_symbol(i)));
+        entry.role = Role::Accepted;
+        entry.marker = Some(ItemMarker::Dot);
+        entry.link = Some(triangle_link(i));
+        entry
+    };
+    ListColumn {
+        n_after: n - reach.end,
+        ..ListColumn::new(Value::Term("tri-list-left"), reach.map(entry).collect())
+    }
+}

@@ -1,0 +1,144 @@
+//! Small drawings in a row, at one scale; this step's has a frame.
+//!
+//! ```text
+//!   near    3 → 4     far     4 → 5     left    5 → 5   ┌ right   5 → 6 ┐
+//!      ┌────────╲        ┌─────┐           ┌─────┐      │     ┌─────┐   │
+//!       ╲        ╲        ╲     ╲          │     ╲      │     │     │   │
+//!        ╲────────╲        ╲─────╲         └──────╲     │      ╲────┘   │
+//!                                                       └───────────────┘
+//! ```
+
+use egui::{Align2, Painter, Rect, StrokeKind, vec2};
+
+use crate::{
+    figure::{Multiples, SmallDrawing},
+    paint::{Around, Viewport, stage},
+    widgets::Look,
+};
+
+use super::{
+    links::Links,
+    on_slate::OnSlate,
+    slate::{Face, Slate},
+};
+
+const TITLE_PTS: f32 = 12.5;
+const NOTE_PTS: f32 = 11.5;
+/// White space within a frame, and between two.
+const PAD: f32 = 7.0;
+const GAP: f32 = 8.0;
+/// Between a drawing's outline and its frame.
+const MARGIN: f32 = 5.0;
+/// A drawing is at least so high.
+const LEAST_DRAWING: f32 = 34.0;
+
+impl OnSlate for Multiples {
+    fn slate<'a>(&self, painter: &'a Painter, look: Look<'a>, rect: Rect) -> Slate<'a> {
+        let n = self.drawings.len().max(1) as f32;
+        Slate::new(painter, look).fitted_in(rect.size(), |slate| {
+            let widths = self.drawings.iter().map(|drawing| {
+                let [title, note] = heading_widths(slate, drawing);
+                title + note
+            });
+            let widest = widths.fold(0.0, f32::max) + slate.pts(3.0 * PAD);
+            let high = heading_height(slate) + slate.pts(2.0 * PAD + LEAST_DRAWING);
+            vec2(n * (widest + slate.pts(GAP)), high)
+        })
+    }
+
+    fn draw(&self, slate: &mut Slate<'_>, rect: Rect, links: &mut Links) {
+        let n = self.drawings.len().max(1) as f32;
+        let gap = slate.pts(GAP);
+        let width = (rect.width() - (n - 1.0) * gap) / n;
+        for (i, drawing) in self.drawings.iter().enumerate() {
+            let left = rect.left() + i as f32 * (width + gap);
+            let place = Rect::from_x_y_ranges(left..=left + width, rect.y_range());
+            let is_lit = links.touch(place, drawing.link);
+            self.draw_one(slate, drawing, place, is_lit);
+        }
+    }
+
+    fn spoken(&self, look: Look<'_>) -> String {
+        let drawing = |drawing: &SmallDrawing| {
+            let arrow = if drawing.is_current { "→ " } else { "" };
+            let title = look.catalog.value(&drawing.title);
+            let note = drawing.note.as_ref().map(|note| look.catalog.value(note));
+            format!("{arrow}{title}: {}", note.unwrap_or_default())
+        };
+        let drawings: Vec<String> = self.drawings.iter().map(drawing).collect();
+        drawings.join("; ")
+    }
+}
+
+impl Multiples {
+    /// All of the bounds, with room for markers on their border.
+    fn viewport(&self, rect: Rect, margin: f32) -> Viewport {
+        let [min, max] = self.bounds;
+        let room = rect.shrink(margin).size().max(vec2(1.0, 1.0));
+        let fits = |i: usize| {
+            let side = f64::from([room.x, room.y][i]);
+            side / (max[i] - min[i]).max(f64::MIN_POSITIVE)
+        };
+        Viewport {
+            rect,
+            centre: [0, 1].map(|i| min[i].midpoint(max[i])),
+            scale: fits(0).min(fits(1)).clamp(f64::MIN_POSITIVE, 1e12),
+        }
+    }
+
+    fn draw_one(&self, slate: &mut Slate<'_>, drawing: &SmallDrawing, place: Rect, is_lit: bool) {
+        let theme = slate.theme();
+        let frame = match (drawing.is_current, is_lit) {
+            (true, _) => Some(slate.stroke(1.75, theme.signal)),
+            (false, true) => Some(slate.stroke(1.5, theme.accent)),
+            (false, false) => None,
+        };
+        if let Some(stroke) = frame {
+            let corner = slate.pts(4.0);
+            slate
+                .painter
+                .rect_stroke(place, corner, stroke, StrokeKind::Inside);
+        }
+        let inner = place.shrink(slate.pts(PAD));
+        let (face, title, note) = match (drawing.is_current, drawing.is_to_come) {
+            (true, _) => (Face::Strong, theme.signal_text, theme.ink),
+            (false, true) => (Face::Plain, theme.soft, theme.soft),
+            (false, false) => (Face::Plain, theme.ink, theme.ink),
+        };
+        let title = slate.value(&drawing.title, (face, TITLE_PTS, title));
+        slate.put(&title, inner.left_top(), Align2::LEFT_TOP);
+        if let Some(value) = &drawing.note {
+            let note = slate.value(value, (Face::Mono, NOTE_PTS, note));
+            slate.put(&note, inner.right_top(), Align2::RIGHT_TOP);
+        }
+        let top = inner.top() + heading_height(slate);
+        let room = inner.with_min_y(top.min(inner.bottom() - 1.0));
+        let viewport = self.viewport(room, slate.pts(MARGIN));
+        let around = Around {
+            before: &[],
+            covered: &[],
+        };
+        let catalog = slate.look.catalog;
+        stage(
+            slate.painter,
+            &viewport,
+            theme,
+            catalog,
+            &drawing.marks,
+            None,
+            around,
+        );
+    }
+}
+
+fn heading_widths(slate: &Slate<'_>, drawing: &SmallDrawing) -> [f32; 2] {
+    let ink = slate.theme().ink;
+    let title = slate.value(&drawing.title, (Face::Strong, TITLE_PTS, ink));
+    let note = drawing.note.as_ref();
+    let note = note.map(|note| slate.value(note, (Face::Mono, NOTE_PTS, ink)).size().x);
+    [title.size().x, note.unwrap_or(0.0)]
+}
+
+fn heading_height(slate: &Slate<'_>) -> f32 {
+    slate.pts(1.3 * TITLE_PTS)
+}
