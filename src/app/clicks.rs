@@ -1,11 +1,11 @@
 //! What was done to a stage, as commands.
 
-use egui::{Pos2, Ui};
+use egui::{Key, Pos2, Ui};
 
 use crate::{
     figure::{Lens, Link, ViewId},
     geom::Orbit,
-    labs::{Click, Edit, Handle, Lock},
+    labs::{Click, Edit, Handle, Lock, Motion},
     paint::Viewport,
     panels::moved_to,
     widgets::{CanvasShown, Gesture, PanZoom, place_at},
@@ -47,7 +47,11 @@ pub fn ask(
             commands.push(Command::Select(handle));
         }
         let from = model.scene.document().position(handle);
-        let to = from.map(|from| moved_to(&lens, handle.kind().motion, from, moved.to));
+        let motion = held_axis(ui, lens).unwrap_or(handle.kind().motion);
+        let to = from.map(|from| {
+            let to = moved_to(&lens, motion, from, moved.to);
+            lens.deeper(to, moved.deeper)
+        });
         commands.extend(to.map(|to| Command::Edit(Edit::Drag(handle, to), Some(gesture))));
     }
     if shown.released {
@@ -77,6 +81,18 @@ pub fn ask(
     let change = document.click(&click);
     commands.extend(change.map(|change| Command::Edit(Edit::Own(change), None)));
     commands.push(Command::Ask(document.asked(&click)));
+}
+
+/// In space X, Y or Z held: along that axis only.
+fn held_axis(ui: &Ui, lens: Lens) -> Option<Motion> {
+    const AXES: [(Key, [f64; 3]); 3] = [
+        (Key::X, [1.0, 0.0, 0.0]),
+        (Key::Y, [0.0, 1.0, 0.0]),
+        (Key::Z, [0.0, 0.0, 1.0]),
+    ];
+    let mut axes = AXES.into_iter().filter(|_| lens != Lens::Plane);
+    let held = axes.find(|&(key, _)| ui.input(|input| input.key_down(key)));
+    held.map(|(_, axis)| Motion::Axis(axis))
 }
 
 /// A plain click at a place on the screen.

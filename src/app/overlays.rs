@@ -130,6 +130,8 @@ fn help(ctx: &Context, look: Look<'_>, commands: &mut Vec<Command>) {
                         for (keys, help) in [
                             ("Tab", "help-tab"),
                             ("↑ ↓ ← →", "help-nudge"),
+                            (".  ,", "help-deeper"),
+                            ("X  Y  Z", "help-axis"),
                             ("Shift  Alt", "help-alt"),
                             ("Enter", "help-verdict"),
                         ] {

@@ -49,6 +49,19 @@ impl Lens {
             .into()
     }
 
+    /// A world point moved away from the eye, on its sight line, as far as `by` is on the drawing at its depth; on the plane,
+    /// which is not seen from anywhere, it stays.
+    #[must_use]
+    pub fn deeper(&self, at: [f64; 3], by: f64) -> [f64; 3] {
+        let Some(optics) = Optics::of(self).filter(|_| by != 0.0) else {
+            return at;
+        };
+        let view = optics.view_from_world(at.into());
+        let away = -optics.toward_eye(view).normalize_or_zero();
+        let moved = view + away * (by * optics.half_height_at(view.z));
+        optics.world_from_view(moved).into()
+    }
+
     /// Width over height of what is seen, where that is settled.
     #[must_use]
     pub fn aspect(&self) -> Option<f64> {

@@ -65,6 +65,8 @@ pub struct Moved {
     pub spot: usize,
     /// In the world.
     pub to: [f64; 2],
+    /// Away from the eye, in the world's units; on the plane nothing is.
+    pub deeper: f64,
     /// By what.
     pub by: Gesture,
 }
@@ -160,6 +162,7 @@ impl Handles<'_> {
         (to != spot.at).then_some(Moved {
             spot: grip.spot,
             to,
+            deeper: 0.0,
             by: Gesture::Drag,
         })
     }
@@ -184,11 +187,12 @@ impl Handles<'_> {
             });
             if response.has_focus() {
                 keep_arrows(ui, id);
-                let [dx, dy] = nudge(ui, self.grid);
-                if [dx, dy] != [0.0; 2] && !spot.locked {
+                let [dx, dy, deeper] = nudge(ui, self.grid);
+                if [dx, dy, deeper] != [0.0; 3] && !spot.locked {
                     moved = Some(Moved {
                         spot: i,
                         to: [spot.at[0] + dx, spot.at[1] + dy],
+                        deeper,
                         by: Gesture::Nudge,
                     });
                 }
@@ -326,9 +330,10 @@ fn keep_arrows(ui: &Ui, id: Id) {
     ui.memory_mut(|memory| memory.set_focus_lock_filter(id, arrows));
 }
 
-/// The way that the pressed arrows go together; the presses are consumed.
-fn nudge(ui: &Ui, grid: f64) -> [f64; 2] {
-    let mut by = [0.0; 2];
+/// The way that the pressed arrows go together, and full stop and comma, away from the eye and back; the presses are
+/// consumed.
+fn nudge(ui: &Ui, grid: f64) -> [f64; 3] {
+    let mut by = [0.0; 3];
     ui.input_mut(|input| {
         input.events.retain(|event| {
             let Event::Key {
@@ -341,10 +346,12 @@ fn nudge(ui: &Ui, grid: f64) -> [f64; 2] {
                 return true;
             };
             let direction = match key {
-                Key::ArrowLeft => [-1.0, 0.0],
-                Key::ArrowRight => [1.0, 0.0],
-                Key::ArrowDown => [0.0, -1.0],
-                Key::ArrowUp => [0.0, 1.0],
+                Key::ArrowLeft => [-1.0, 0.0, 0.0],
+                Key::ArrowRight => [1.0, 0.0, 0.0],
+                Key::ArrowDown => [0.0, -1.0, 0.0],
+                Key::ArrowUp => [0.0, 1.0, 0.0],
+                Key::Period => [0.0, 0.0, 1.0],
+                Key::Comma => [0.0, 0.0, -1.0],
                 _ => return true,
             };
             if modifiers.command {
@@ -355,8 +362,9 @@ fn nudge(ui: &Ui, grid: f64) -> [f64; 2] {
                 (true, false) => LEAP,
                 (false, false) => 1.0,
             };
-            by[0] += direction[0] * factor * grid;
-            by[1] += direction[1] * factor * grid;
+            for (by, direction) in by.iter_mut().zip(direction) {
+                *by += direction * factor * grid;
+            }
             false
         });
     });

@@ -3,6 +3,7 @@
 mod asking;
 mod course;
 mod crowds;
+mod depth;
 mod files;
 mod frames;
 mod frustum_menu;
