@@ -51,7 +51,7 @@ pub(super) fn distance<R: Real>(plane: &Plane, p: [f64; 3]) -> R {
 /// numbers less than 2¹⁰²².
 #[cold]
 fn small_sum<R: Real>(plane: &Plane, p: [f64; 3]) -> R {
-    const SMALL: f64 = 3.7291703656001034e-155;
+    const SMALL: f64 = 3.729_170_365_600_103_4e-155;
     let [n, p] = [plane.normal(), p].map(|v| v.map(|x| R::new(SMALL * x)));
     n[0] * p[0] + n[1] * p[1] + n[2] * p[2] + R::new(SMALL * (SMALL * plane.d()))
 }

@@ -20,7 +20,7 @@ use super::{
     clip_space::{Event, State, Uv, Vertex, bound_symbol, point},
     code::homogeneous,
     homogeneous_views::{BITS_VIEW, bits, camera_marks, lists, observer_marks},
-    marks::{cut_symbol, vertex_symbol},
+    marks::vertex_symbol,
     variant::{Homogeneous, UV, Variant},
 };
 
@@ -184,31 +184,8 @@ fn caption(event: &Event, before: &State) -> Caption {
         None => Message::new(key),
     };
     match *event {
-        Event::Divide { triangle } => {
-            let message = Message::new("ht-divide").with("n", triangle.len());
-            let formulas = triangle.iter().enumerate().map(|(i, v)| {
-                let symbol = format!("{}/w = ", vertex_symbol(i));
-                Formula::default()
-                    .sym(symbol)
-                    .place([v.at[0], v.at[1], v.at[2]])
-            });
-            formulas.fold(Caption::new(message), Caption::so)
-        }
-        Event::Codes { or, and, .. } => {
-            let key = match (and.is_inside(), or.is_inside()) {
-                (false, _) => "ht-codes-outside",
-                (true, true) => "ht-codes-inside",
-                (true, false) => "ht-codes-cut",
-            };
-            let sides = SideCode::WRITTEN
-                .into_iter()
-                .filter(|&side| or.has(side))
-                .count();
-            let caption = Caption::new(Message::new(key).with("sides", sides));
-            caption
-                .so(Formula::default().sym(format!("OR = {or}")))
-                .so(Formula::default().sym(format!("AND = {and}")))
-        }
+        Event::Divide { triangle } => divided_caption(&triangle),
+        Event::Codes { or, and, .. } => codes_caption(or, and),
         Event::Side { side } => {
             let message = Message::new("ht-side").with("side", side_name(side));
             let message = message.with("n", before.input.vertices().len());
@@ -254,20 +231,7 @@ fn caption(event: &Event, before: &State) -> Caption {
             let place = Formula([place.0, point(at.at).0].concat());
             Caption::new(message).so(parameter).so(place)
         }
-        Event::Output { at } => {
-            let symbol = match (before.crossing, before.test) {
-                (Some((crossing, _)), _) if crossing == at => cut_symbol(0),
-                (_, Some((idx, ..))) => vertex_symbol(idx[1]),
-                (_, None) => vertex_symbol(0),
-            };
-            let symbol = if before.crossing.is_some_and(|(crossing, _)| crossing == at) {
-                "I".to_owned()
-            } else {
-                symbol
-            };
-            let message = Message::new("ip-output").with("vertex", name(symbol));
-            Caption::new(message.with("n", before.output.vertices().len() + 1))
-        }
+        Event::Output { at } => output_caption(before, at),
         Event::Pass { n_vertices, .. } => {
             let message = with_side("ht-pass").with("n", n_vertices);
             Caption::new(message.with("before", before.input.vertices().len()))
@@ -282,4 +246,41 @@ fn caption(event: &Event, before: &State) -> Caption {
             Caption::new(message.with("triangles", n_vertices.saturating_sub(2)))
         }
     }
+}
+
+fn divided_caption(triangle: &[Vertex; 3]) -> Caption {
+    let message = Message::new("ht-divide").with("n", triangle.len());
+    let formulas = triangle.iter().enumerate().map(|(i, v)| {
+        let symbol = format!("{}/w = ", vertex_symbol(i));
+        Formula::default()
+            .sym(symbol)
+            .place([v.at[0], v.at[1], v.at[2]])
+    });
+    formulas.fold(Caption::new(message), Caption::so)
+}
+
+fn codes_caption(or: SideCode, and: SideCode) -> Caption {
+    let key = match (and.is_inside(), or.is_inside()) {
+        (false, _) => "ht-codes-outside",
+        (true, true) => "ht-codes-inside",
+        (true, false) => "ht-codes-cut",
+    };
+    let sides = SideCode::WRITTEN
+        .into_iter()
+        .filter(|&side| or.has(side))
+        .count();
+    let caption = Caption::new(Message::new(key).with("sides", sides));
+    caption
+        .so(Formula::default().sym(format!("OR = {or}")))
+        .so(Formula::default().sym(format!("AND = {and}")))
+}
+
+fn output_caption(before: &State, at: Vertex) -> Caption {
+    let symbol = match (before.crossing, before.test) {
+        (Some((crossing, _)), _) if crossing == at => "I".to_owned(),
+        (_, Some((idx, ..))) => vertex_symbol(idx[1]),
+        (_, None) => vertex_symbol(0),
+    };
+    let message = Message::new("ip-output").with("vertex", name(symbol));
+    Caption::new(message.with("n", before.output.vertices().len() + 1))
 }
