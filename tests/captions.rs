@@ -165,6 +165,18 @@ fn said_in(body: &Body, catalog: &Catalog) -> Vec<String> {
             let notes = table.notes.iter().map(|note| catalog.message(&note.text));
             header.chain(values.map(value)).chain(notes).collect()
         }
+        Body::Matrix(product) => {
+            let names = product.notes.iter().chain(&product.into);
+            let names = names.chain([&product.name, &product.from]).map(value);
+            let sums = product.rows.iter().filter_map(|row| row.sum.as_ref());
+            let sums = sums.chain(&product.operator);
+            names.chain(sums.map(|sum| catalog.formula(sum))).collect()
+        }
+        Body::Spaces(row) => {
+            let cells = row.cells.iter();
+            let cells = cells.flat_map(|cell| [&cell.name].into_iter().chain(&cell.place));
+            cells.chain(&row.arrows).map(value).collect()
+        }
         Body::Lists(lists) => {
             let entries = lists.lists.iter().flat_map(|list| &list.entries);
             let values = entries.flat_map(|entry| {

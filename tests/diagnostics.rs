@@ -123,7 +123,8 @@ fn scenes() -> Vec<Diagnostic> {
         Frustum::NoObjects
         | Frustum::TooManyObjects(_)
         | Frustum::NoSuchObject { .. }
-        | Frustum::NoSuchFace { .. } => error.into(),
+        | Frustum::NoSuchFace { .. }
+        | Frustum::NoSuchVertex { .. } => error.into(),
     };
     vec![
         frustum(Frustum::NoObjects),
@@ -135,6 +136,10 @@ fn scenes() -> Vec<Diagnostic> {
         frustum(Frustum::NoSuchFace {
             face: 12,
             n_faces: 12,
+        }),
+        frustum(Frustum::NoSuchVertex {
+            vertex: 8,
+            n_vertices: 8,
         }),
         lines(Lines::NoSegments),
         lines(Lines::TooManySegments(7)),

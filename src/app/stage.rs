@@ -8,7 +8,7 @@ use egui::{
 };
 
 use crate::{
-    figure::{Caption, ColumnLayout, Frame, Layout, Lens, Mark, Role, Sheet, ViewId},
+    figure::{Caption, ColumnLayout, Frame, Layout, Lens, Mark, Role, Seer, Sheet, ViewId},
     labs::{Edit, Handle, Lock, MethodCard, Sketch},
     paint::{Typeset, Viewport},
     panels::{Reach, spots},
@@ -256,9 +256,14 @@ impl Column<'_> {
         let lit = state.lit;
         let id = Id::unique(("stage", self.index));
         let is_flat = drawing.1 == Lens::Plane;
-        let spots = self.spots(model, ui, state, id, (&viewport, drawing.1));
         let is_drawing = state.sketch.is_some();
         let space = frame.space();
+        let is_world = !space.is_some_and(|space| matches!(space.seer, Seer::Apart(_)));
+        let spots = if is_world {
+            self.spots(model, ui, state, id, (&viewport, drawing.1))
+        } else {
+            Vec::new()
+        };
         let seen = space.map(|space| projected(ui.ctx(), id, space, &drawing.1));
         let marks = match &seen {
             Some(seen) => Cow::Borrowed(&seen[..]),

@@ -26,7 +26,9 @@ pub struct StageState {
     /// Views that were panned or zoomed, the same for two methods side by side; others fit `bounds`.
     moved: BTreeMap<ViewId, PanZoom>,
     /// Eyes that were turned; others stand where their view has them.
-    turned: BTreeMap<ViewId, Orbit>,
+    turned: Vec<Turned>,
+    /// Where the views that were drawn last have their eyes.
+    homes: BTreeMap<ViewId, Orbit>,
     /// What was to be seen when the scene was opened: dragging a handle does not move the view.
     bounds: [[f64; 2]; 2],
     /// What stands out.
@@ -72,6 +74,13 @@ pub struct StageState {
     layers: Vec<Layers>,
 }
 
+/// An eye that was turned away from where its view has it. A view that shows one space after the other has one for each.
+struct Turned {
+    id: ViewId,
+    home: Orbit,
+    now: Orbit,
+}
+
 /// The marks of one column, kept until something changes: a large scene is not clipped again every frame.
 struct Layers {
     under: (u64, &'static str, bool),
@@ -106,9 +115,7 @@ impl StageState {
     pub fn look(&mut self, ctx: &Context, scene: &Scene, command: &Command) {
         match *command {
             Command::View(id, pan_zoom) => self.move_to(id, pan_zoom),
-            Command::Turn(id, eye) => {
-                self.turned.insert(id, eye);
-            }
+            Command::Turn(id, eye) => self.turn(id, eye),
             Command::FitView => self.fit(scene),
             Command::Zoom(factor) => {
                 let pointer = ctx.input(|input| input.pointer.hover_pos());
@@ -116,7 +123,7 @@ impl StageState {
                     |(_, seen): &(_, &Viewport)| pointer.is_some_and(|at| seen.rect.contains(at));
                 let pointed = self.seen.iter().find(under);
                 if let Some((id, Lens::Eye(eye))) = self.drawn {
-                    self.turned.insert(id, eye.zoomed(factor));
+                    self.turn(id, eye.zoomed(factor));
                 } else if let Some((&id, seen)) = pointed.or_else(|| self.seen.iter().next()) {
                     let around = pointer.filter(|_| pointed.is_some());
                     let around = around.unwrap_or_else(|| seen.rect.center());
@@ -126,6 +133,22 @@ impl StageState {
             }
             _ => {}
         }
+    }
+
+    fn turn(&mut self, id: ViewId, now: Orbit) {
+        let Some(&home) = self.homes.get(&id) else {
+            return;
+        };
+        self.turned.retain(|it| (it.id, it.home) != (id, home));
+        self.turned.push(Turned { id, home, now });
+    }
+
+    /// Where the eye of a view was turned to, from where the view has it.
+    fn turned(&self, id: ViewId) -> Option<Orbit> {
+        let home = *self.homes.get(&id)?;
+        let mut turned = self.turned.iter();
+        let found = turned.find(|it| (it.id, it.home) == (id, home));
+        found.map(|it| it.now)
     }
 
     /// As far as the scene stays to be found again.
@@ -150,7 +173,7 @@ impl StageState {
 
     /// Is a view moved away from the whole scene?
     pub fn is_moved(&self, id: ViewId) -> bool {
-        self.moved.contains_key(&id) || self.turned.contains_key(&id)
+        self.moved.contains_key(&id) || self.turned(id).is_some()
     }
 
     /// Shows all of a scene, if it does not lie well in what was to be seen.
@@ -185,9 +208,11 @@ impl StageState {
                 id,
                 body: Body::Space(space),
             }) => {
-                let turned = self.turned.get(id).copied();
                 let lens = match space.seer {
-                    Seer::Eye(eye) => Lens::Eye(turned.unwrap_or(eye)),
+                    Seer::Eye(eye) | Seer::Apart(eye) => {
+                        self.homes.insert(*id, eye);
+                        Lens::Eye(self.turned(*id).unwrap_or(eye))
+                    }
                     Seer::Camera(camera) => Lens::Camera(camera),
                 };
                 (*id, lens)

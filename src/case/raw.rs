@@ -18,6 +18,9 @@ use super::{Code, Path, Refusal, refusal::short};
 /// Objects and lists inside each other in an `id`: as many as `serde_json` reads by itself.
 const MAX_DEPTH: usize = 128;
 
+/// Below it every whole `f64` is the number that was written.
+const TWO_TO_53: f64 = 9_007_199_254_740_992.0;
+
 /// A value and its place.
 #[derive(Clone, Copy, Debug)]
 pub struct Node<'a> {
@@ -60,6 +63,33 @@ impl<'a> Node<'a> {
             *number = Node { path, raw }.number()?;
         }
         Ok(numbers)
+    }
+
+    /// A list of exactly `N` whole numbers.
+    ///
+    /// # Errors
+    /// `wrong-type`, `wrong-length`, `not-finite`, or `too-large` beyond an `i64`
+    pub fn wholes<const N: usize>(&self) -> Result<[i64; N], Refusal> {
+        let rounded: [f64; N] = self.numbers()?;
+        let elements = self.elements("json-numbers")?;
+        let mut wholes = [0; N];
+        for (i, (whole, raw)) in wholes.iter_mut().zip(elements).enumerate() {
+            let path = Path::Index(&self.path, i);
+            *whole = match (raw.get().parse(), rounded[i]) {
+                (Ok(exact), _) => exact,
+                (Err(_), x) if x.fract() != 0.0 => {
+                    return Err(Node { path, raw }.wrong_type("json-whole"));
+                }
+                // Written as 3.0 or 3e0.
+                (Err(_), x) if x.abs() < TWO_TO_53 => x as i64,
+                (Err(_), _) => {
+                    let problem = Message::new("case-whole-too-large");
+                    let problem = problem.with("number", short(raw.get()));
+                    return Err(Refusal::at(Code::TooLarge, &path, problem));
+                }
+            };
+        }
+        Ok(wholes)
     }
 
     /// A list of exactly `R` points with `N` coordinates each.

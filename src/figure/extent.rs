@@ -24,6 +24,8 @@ pub enum Stand {
     Under,
     /// A strip under all the rest, over the whole width: a row.
     Across,
+    /// The same over all the rest.
+    Over,
     /// Beside the drawing, from the same height.
     Beside,
     /// A small picture in the lower right corner of the drawing, whose natural width over height it keeps.
@@ -68,6 +70,12 @@ impl View {
             Body::Multiples(multiples) => {
                 let n = multiples.drawings.len() as f32;
                 (Stand::Across, [5.0 * n, 6.5], [f32::MAX, 10.0])
+            }
+            Body::Spaces(_) => (Stand::Over, [30.0, 7.4], [f32::MAX, 9.0]),
+            Body::Matrix(product) => {
+                let rows = product.rows.len() as f32;
+                let least = [17.0, 4.5 + 1.8 * rows];
+                (Stand::Beside, least, [34.0, 6.0 + 3.4 * rows])
             }
             Body::Raster(raster) => {
                 let [columns, rows] = raster.size.map(|n| n as f32);

@@ -76,7 +76,9 @@ impl Frame {
             | Body::Gauges(_)
             | Body::Ribbon(_)
             | Body::Screens(_)
-            | Body::Multiples(_) => None,
+            | Body::Multiples(_)
+            | Body::Matrix(_)
+            | Body::Spaces(_) => None,
         })
     }
 

@@ -208,6 +208,9 @@ impl Sheet {
         let others = needs[..first].iter().chain(&needs[first + 1..]);
         let (insets, others): (Vec<&Need>, Vec<&Need>) =
             others.partition(|need| need.stand == Stand::Inset);
+        let (over, others): (Vec<&Need>, Vec<&Need>) = others
+            .into_iter()
+            .partition(|need| need.stand == Stand::Over);
         let (mut across, others): (Vec<&Need>, Vec<&Need>) = others
             .into_iter()
             .partition(|need| need.stand == Stand::Across);
@@ -219,7 +222,8 @@ impl Sheet {
             Way::Under | Way::Low => under.append(&mut beside),
             Way::Narrow => across.splice(..0, under.drain(..)).for_each(drop),
         }
-        let across = self.across(way, &mut stage, drawing, across);
+        let over = self.across(way, &mut stage, drawing, over, Slot::take_top);
+        let across = self.across(way, &mut stage, drawing, across, Slot::take_bottom);
         let [width, height] = stage.size();
         let (em, least_width) = match way {
             Way::Beside => {
@@ -275,6 +279,7 @@ impl Sheet {
             *last = f32::MAX;
         }
         slots.extend(self.stack(side, &beside, &heights));
+        slots.extend(over);
         slots.extend(across);
         slots.extend(self.insets(drawn, &insets));
         slots
@@ -301,13 +306,14 @@ impl Sheet {
         GAP[1] * READABLE.min(self.em)
     }
 
-    /// Cuts the strips that go under all the rest off the bottom of a column.
+    /// Cuts the strips that go over or under all the rest off a column.
     fn across(
         &self,
         way: Way,
         stage: &mut Slot,
         drawing: &Need,
         mut needs: Vec<&Need>,
+        take: fn(&mut Slot, f32) -> Slot,
     ) -> Vec<(ViewId, Slot)> {
         let [width, height] = stage.size();
         needs.retain(|need| need.least[0] * READABLE <= width - 2.0 * self.inset);
@@ -320,10 +326,15 @@ impl Sheet {
         }
         let gap = self.gap();
         let taken: f32 = heights.iter().map(|height| height + gap).sum();
-        let mut strips = stage.take_bottom(taken + self.inset);
+        let mut strips = take(stage, taken + self.inset);
         strips.min[0] += self.inset;
         strips.max[0] -= self.inset;
-        strips.take_top(gap);
+        // On the side that the other views are on.
+        if strips.max[1] > stage.min[1] {
+            strips.take_top(gap);
+        } else {
+            strips.take_top(self.inset);
+        }
         self.stack(strips, &needs, &heights)
     }
 

@@ -20,7 +20,7 @@ pub enum Lens {
 impl From<Seer> for Lens {
     fn from(seer: Seer) -> Self {
         match seer {
-            Seer::Eye(eye) => Self::Eye(eye),
+            Seer::Eye(eye) | Seer::Apart(eye) => Self::Eye(eye),
             Seer::Camera(camera) => Self::Camera(camera),
         }
     }

@@ -15,6 +15,29 @@ pub struct Raster {
     pub pixels: Vec<Pixel>,
     /// The pixel that this step is about, by column and row.
     pub current: Option<[usize; 2]>,
+    /// What is drawn over the pixels.
+    pub over: Vec<RasterMark>,
+}
+
+/// Something drawn over the pixels of a [`Raster`], at places counted in pixels from its top left corner: the middle of the
+/// first pixel is (½, ½).
+#[derive(Clone, PartialEq, Debug)]
+pub struct RasterMark {
+    /// Its meaning.
+    pub role: Role,
+    /// Where and what.
+    pub shape: RasterShape,
+}
+
+/// What is drawn over pixels.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum RasterShape {
+    /// From place to place.
+    Line([[f64; 2]; 2]),
+    /// A point.
+    Dot([f64; 2]),
+    /// A place that is asked about.
+    Cross([f64; 2]),
 }
 
 /// What is stored at a pixel.
@@ -63,6 +86,7 @@ mod tests {
             size: [3, 2],
             pixels: pixels.collect(),
             current: None,
+            over: Vec::new(),
         };
         let shade = |at| raster.at(at).map(|pixel| pixel.shade);
         assert_eq!(shade([2, 0]), Some(2.0));

@@ -33,6 +33,8 @@ pub enum Seer {
     Eye(Orbit),
     /// The camera that the scene is about: its whole picture, in a frame.
     Camera(Camera),
+    /// An eye in another space than the world: nothing of the scene can be taken hold of there.
+    Apart(Orbit),
 }
 
 /// A face of a solid: convex and flat.

@@ -4,7 +4,8 @@
 use crate::text::{Formula, Value};
 
 use super::{
-    Bits, Gauges, Link, Lists, Mark, Multiples, Products, Raster, Ribbon, Screens, Space, Table,
+    Bits, Gauges, Link, Lists, Mark, MatrixProduct, Multiples, Products, Raster, Ribbon, Screens,
+    Space, SpaceRow, Table,
 };
 
 /// A name that a view keeps from step to step, and from one method to the one beside it: pan, zoom and orbit are
@@ -73,6 +74,10 @@ pub enum Body {
     Screens(Screens),
     /// Small drawings of the plane in a row.
     Multiples(Multiples),
+    /// A matrix times a vector, row by row.
+    Matrix(MatrixProduct),
+    /// Small pictures of several spaces in a row.
+    Spaces(SpaceRow),
 }
 
 /// What a crossing does to the interval on a [`NumberLine`].

@@ -51,6 +51,7 @@ catalogues!(
     "frustum",
     "space-lines",
     "space-triangles",
+    "pipeline",
     "lesson",
     "cli",
     "errors"

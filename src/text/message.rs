@@ -124,6 +124,8 @@ pub enum Token {
     Point([f64; 2]),
     /// Numbers after each other, set apart as the language does beside its decimal separator.
     List(Vec<f64>),
+    /// Nothing to be seen: what is not whole in this formula is a decimal, as in the matrix that it is about.
+    Decimals,
     /// A key into the catalogue: a word, translated.
     Term(&'static str),
     /// [`Token::Equals`] for a quotient: `= 1/4`, or `≈ 0.4115` where it has no short fraction.
@@ -146,6 +148,12 @@ pub enum Token {
 }
 
 impl Formula {
+    /// An empty one whose numbers will be decimals, also where they have short fractions.
+    #[must_use]
+    pub fn decimals() -> Self {
+        Self(vec![Token::Decimals])
+    }
+
     /// Appends a symbol, shown as it is.
     #[must_use]
     pub fn sym(self, symbol: impl Into<Cow<'static, str>>) -> Self {

@@ -116,6 +116,8 @@ fn collect(formula: &Formula, numbers: &mut Vec<Quantity>) {
     for token in &formula.0 {
         match token {
             Token::Sym(_) | Token::Term(_) => {}
+            // A number that has no fraction.
+            Token::Decimals => numbers.push(Quantity::Number(std::f64::consts::PI)),
             Token::Number(x)
             | Token::Operand(x)
             | Token::Dividend(x)
@@ -159,6 +161,7 @@ impl Writer<'_> {
     fn token(self, token: &Token) -> Vec<Piece> {
         match token {
             Token::Sym(symbol) => Piece::words(symbol),
+            Token::Decimals => Vec::new(),
             Token::Number(x) => self.number(Quantity::Number(*x)),
             Token::Operand(x) => self.parenthesised(*x, *x < 0.0),
             Token::Dividend(x) => self.parenthesised(*x, self.is_fraction(*x)),
@@ -343,6 +346,12 @@ mod tests {
             .sym(" > 1/3")
             .equals_ratio(1.0, 3.0);
         assert_eq!(catalog.formula(&third), "0.3827 > 1/3 ≈ 0.3333");
+        let of_matrix = Formula::decimals()
+            .num(0.75)
+            .sym(" · ")
+            .num(0.5)
+            .equals(0.375);
+        assert_eq!(catalog.formula(&of_matrix), "0.75 · 0.5 = 0.375");
     }
 
     #[test]

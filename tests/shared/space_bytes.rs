@@ -32,7 +32,7 @@ pub fn digest() -> u64 {
 fn add_space(hash: &mut u64, space: &Space) {
     const SIZE: [u32; 2] = [320, 200];
     let lens = match space.seer {
-        Seer::Eye(orbit) => Lens::Eye(orbit),
+        Seer::Eye(orbit) | Seer::Apart(orbit) => Lens::Eye(orbit),
         Seer::Camera(camera) => Lens::Camera(camera),
     };
     let mesh = SolidMesh::of(&space.facets);

@@ -1,7 +1,14 @@
 //! Bresenham's pixels against the pixel that is exactly nearest.
 
 use clipscope::{
-    algo::pipeline::{Bresenham, BresenhamEvent, BresenhamInput},
+    algo::{
+        pipeline::{
+            Bresenham, BresenhamEvent, BresenhamInput, DrawnSegment, LineToPixels,
+            LineToPixelsEvent, LineToPixelsInput,
+        },
+        surface::Viewport,
+    },
+    geom::{Camera, ViewVolume},
     trace::{Algorithm, Counted, Counts, laws, silent},
 };
 use proptest::prelude::*;
@@ -92,4 +99,60 @@ fn no_product_and_no_quotient() {
     assert_eq!((counts.mul, counts.div), (0, 0));
     // Each step adds 2b, and each of the four diagonal ones takes 2a off.
     assert_eq!((counts.add, counts.cmp), (3 + 8 + 4, 8));
+}
+
+/// Of a segment in the world, as far as it is visible.
+fn drawn(ends: [[f64; 3]; 2], size: [u32; 2]) -> LineToPixelsInput {
+    let volume = ViewVolume::perspective(70.0, 1.5, 0.5, 20.0).expect("a volume");
+    let camera = Camera::new([1.0, 2.0, 6.0], [0.0; 3], [0.0, 1.0, 0.0], volume);
+    LineToPixelsInput::Segment(DrawnSegment {
+        ends,
+        camera: camera.expect("a camera"),
+        viewport: Viewport::new(size, Viewport::ANSWER_BITS).expect("a picture"),
+    })
+}
+
+proptest! {
+    /// Every pixel is on the picture, and the line's image passes within one pixel of its middle.
+    #[test]
+    fn pixels_of_a_segment_in_space(
+        p1 in prop::array::uniform3(-9.0..9.0_f64),
+        p2 in prop::array::uniform3(-9.0..9.0_f64),
+        size in prop::array::uniform2(1..60_u32),
+    ) {
+        let input = drawn([p1, p2], size);
+        laws::check::<LineToPixels>(&input);
+        let found = silent::<LineToPixels>(&input);
+        let mut screen = None;
+        LineToPixels::run::<f64>(&input, |event| {
+            if let LineToPixelsEvent::Divide { screen: ends } = event {
+                screen = Some(ends);
+            }
+        });
+        prop_assert_eq!(screen.is_some(), !found.is_empty());
+        let Some([a, b]) = screen else {
+            return Ok(());
+        };
+        let along = [b[0] - a[0], b[1] - a[1]];
+        let squared = along[0] * along[0] + along[1] * along[1];
+        for at in &found {
+            prop_assert!((0..2).all(|i| (0..i64::from(size[i])).contains(&at[i])), "{at:?}");
+            let middle = at.map(|x| x as f64 + 0.5);
+            let from = [middle[0] - a[0], middle[1] - a[1]];
+            let t = if squared > 0.0 {
+                ((from[0] * along[0] + from[1] * along[1]) / squared).clamp(0.0, 1.0)
+            } else {
+                0.0
+            };
+            let off = (0..2).map(|i| (from[i] - t * along[i]).abs()).fold(0.0, f64::max);
+            prop_assert!(off <= 1.0 + 1e-9, "{at:?} is {off} from the line {a:?} {b:?}");
+        }
+    }
+}
+
+#[test]
+fn a_segment_behind_the_eye_has_no_pixels() {
+    let behind = drawn([[0.0, 2.0, 8.0], [3.0, 2.0, 9.0]], [24, 16]);
+    laws::check::<LineToPixels>(&behind);
+    assert!(silent::<LineToPixels>(&behind).is_empty());
 }

@@ -37,6 +37,7 @@ error-no-objects = A scene needs at least one object.
 error-too-many-objects = A scene takes up to { $limit } objects; these are { $count }.
 error-no-such-object = There is no object { $focus }: the scene has { $count }.
 error-no-such-face = There is no face { $face }: the object has { $count }.
+error-no-such-vertex = There is no vertex { $vertex }: the object has { $count }.
 error-no-segments = There is no segment.
 error-too-many-segments = There are too many segments: { $count }, where { $limit } are the most.
 error-no-such-focus =

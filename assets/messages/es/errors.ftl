@@ -37,6 +37,7 @@ error-no-objects = Una escena necesita al menos un objeto.
 error-too-many-objects = Una escena admite hasta { $limit } objetos; estos son { $count }.
 error-no-such-object = No hay objeto { $focus }: la escena tiene { $count }.
 error-no-such-face = No hay cara { $face }: el objeto tiene { $count }.
+error-no-such-vertex = No hay vértice { $vertex }: el objeto tiene { $count }.
 error-no-segments = No hay ningún segmento.
 error-too-many-segments = Hay demasiados segmentos: { $count }; se admiten { $limit } como máximo.
 error-no-such-focus =

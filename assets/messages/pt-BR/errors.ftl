@@ -37,6 +37,7 @@ error-no-objects = Uma cena precisa de pelo menos um objeto.
 error-too-many-objects = Uma cena aceita até { $limit } objetos; estes são { $count }.
 error-no-such-object = Não há objeto { $focus }: a cena tem { $count }.
 error-no-such-face = Não há face { $face }: o objeto tem { $count }.
+error-no-such-vertex = Não há vértice { $vertex }: o objeto tem { $count }.
 error-no-segments = Não há nenhum segmento.
 error-too-many-segments = Há segmentos demais: { $count }; são aceitos no máximo { $limit }.
 error-no-such-focus =

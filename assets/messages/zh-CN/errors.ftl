@@ -37,6 +37,7 @@ error-no-objects = 场景至少需要一个物体。
 error-too-many-objects = 场景最多容纳 { $limit } 个物体；这里有 { $count } 个。
 error-no-such-object = 没有物体 { $focus }：场景中有 { $count } 个。
 error-no-such-face = 没有面 { $face }：该物体有 { $count } 个面。
+error-no-such-vertex = 没有顶点 { $vertex }：该物体有 { $count } 个顶点。
 error-no-segments = 没有线段。
 error-too-many-segments = 线段太多：有 { $count } 条，最多可有 { $limit } 条。
 error-no-such-focus = 没有第 { $focus } 条线段：共有 { $count } 条，从 0 数起。

@@ -1,6 +1,7 @@
 //! The frustum lab's cases: a point, a sphere or a box against planes, a triangle against whoever looks at it, a segment
 //! in a box, against planes or in clip space.
 
+mod pipeline;
 mod reader;
 mod segment;
 mod solve;
@@ -11,6 +12,7 @@ mod volume;
 use crate::{
     algo::{
         cull::{BackFace, BoxCull, PointPlanes, SphereCull},
+        pipeline::{LineToPixels, ViewingPipeline},
         volume::{
             CohenSutherland3d, HomogeneousLine, HomogeneousTriangle, IntersectionPolygon,
             LiangBarsky3d, PlaneAtATime, PlaneLine,
@@ -22,7 +24,7 @@ use crate::{
 use super::Solver;
 
 /// The lab's methods that have one case each; the funnel and those that are wrong on purpose left out.
-pub(super) static SOLVERS: [Solver; 11] = [
+pub(super) static SOLVERS: [Solver; 13] = [
     Solver::of::<OnScene<PointPlanes>>(),
     Solver::of::<OnScene<SphereCull>>(),
     Solver::of::<OnScene<BoxCull>>(),
@@ -34,4 +36,6 @@ pub(super) static SOLVERS: [Solver; 11] = [
     Solver::of::<OnScene<PlaneAtATime>>(),
     Solver::of::<OnScene<IntersectionPolygon>>(),
     Solver::of::<OnScene<HomogeneousTriangle<Option<[f64; 2]>>>>(),
+    Solver::of::<OnScene<ViewingPipeline>>(),
+    Solver::of::<OnScene<LineToPixels>>(),
 ];

@@ -7,7 +7,8 @@ use crate::{
     text::{Formula, Value},
 };
 
-const FIELDS: [Field; 5] = [
+/// Of a view volume.
+pub const VOLUME_FIELDS: [Field; 5] = [
     Field::choice("fov_y_deg"),
     Field::choice("height"),
     Field::required("aspect"),
@@ -17,7 +18,16 @@ const FIELDS: [Field; 5] = [
 
 /// The volume, and what is told of it.
 pub fn read_volume(node: &Node<'_>, detail: Detail) -> Result<(ViewVolume, Given), Refusal> {
-    let fields = Fields::of(node, "object-view-volume", &FIELDS, detail)?;
+    let fields = Fields::of(node, "object-view-volume", &VOLUME_FIELDS, detail)?;
+    let (volume, told) = read_volume_of(&fields, &node.path)?;
+    Ok((volume, Given::new("object-view-volume", told.into_iter())))
+}
+
+/// The same from the fields of an object that has others too.
+pub fn read_volume_of(
+    fields: &Fields<'_>,
+    place: &Path<'_>,
+) -> Result<(ViewVolume, Vec<Value>), Refusal> {
     let mut told = Vec::new();
     let mut number = |name| {
         let x = fields.need(name)?.number()?;
@@ -34,13 +44,13 @@ pub fn read_volume(node: &Node<'_>, detail: Detail) -> Result<(ViewVolume, Given
         ViewVolume::perspective
     };
     match make(opening, aspect, near, far) {
-        Ok(volume) => Ok((volume, Given::new("object-view-volume", told.into_iter()))),
-        Err(error) => Err(refused(&node.path, error)),
+        Ok(volume) => Ok((volume, told)),
+        Err(error) => Err(refused(place, error)),
     }
 }
 
-/// At the field of the volume that is to blame.
-fn refused(volume: &Path<'_>, error: SpaceError) -> Refusal {
+/// At the field of the volume, or of the camera, that is to blame.
+pub fn refused(volume: &Path<'_>, error: SpaceError) -> Refusal {
     match error.camera_field() {
         Some(field) => Refusal::space(&Path::Member(volume, field), error),
         None => Refusal::space(volume, error),

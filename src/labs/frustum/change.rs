@@ -27,6 +27,8 @@ pub enum FrustumChange {
     Focus(usize),
     /// Looks at another face of the object in focus.
     Face(usize),
+    /// Looks at another vertex of the object in focus.
+    Vertex(usize),
     /// Sets a number of the camera's.
     Camera(CameraNumber, f64),
     /// Goes on culling with the camera as it is now, while the camera itself flies on; or culls with the camera again.
@@ -55,6 +57,7 @@ impl ChangeOf for FrustumChange {
         match self {
             &Self::Focus(object_idx) => scene.set_focus(object_idx)?,
             &Self::Face(face_idx) => scene.set_face(face_idx)?,
+            &Self::Vertex(vertex_idx) => scene.set_vertex(vertex_idx)?,
             &Self::Camera(number, value) => set_number(scene, number, value)?,
             &Self::Freeze(is_frozen) => scene.frozen = is_frozen.then_some(scene.camera),
             &Self::Parallel(is_parallel) => set_parallel(scene, is_parallel)?,

@@ -11,7 +11,7 @@ use crate::{
 use super::{
     FrustumChange, LAB, Method, Scene, Subject,
     change::beside,
-    stage::{face_link, object_link},
+    stage::{face_link, object_link, vertex_link},
     verdict::verdict,
 };
 
@@ -105,14 +105,18 @@ impl Document for Scene {
         let clicked = click.link?;
         let mut objects = 0..self.objects().len();
         let mut faces = 0..self.focused().model().mesh().faces().len();
+        let mut vertices = 0..self.focused().model().mesh().positions().len();
         let change = if let Some(object_idx) = objects.find(|&i| clicked == object_link(i)) {
             FrustumChange::Focus(object_idx)
+        } else if let Some(vertex_idx) = vertices.find(|&i| clicked == vertex_link(i)) {
+            FrustumChange::Vertex(vertex_idx)
         } else {
             FrustumChange::Face(faces.find(|&i| clicked == face_link(i))?)
         };
         let there = [
             FrustumChange::Focus(self.focus()),
             FrustumChange::Face(self.face()),
+            FrustumChange::Vertex(self.vertex()),
         ];
         let is_there = there.contains(&change);
         (!is_there).then(|| -> Own { Arc::new(change) })

@@ -12,6 +12,7 @@ mod object;
 mod on_scene;
 mod registry;
 mod scene;
+mod screen;
 mod stage;
 mod street;
 mod subject;

@@ -6,6 +6,7 @@ use crate::{
             BackFace, BoxCull, Funnel, PointPlanes, SphereCull,
             faulty::{AroundOrigin, Clockwise, ConstantView, FaultyFunnel, OneAngle, TurnsSign},
         },
+        pipeline::{LineToPixels, ViewingPipeline},
         volume::{
             CohenSutherland3d, HomogeneousLine, HomogeneousTriangle, IntersectionPolygon,
             LiangBarsky3d, PlaneAtATime, PlaneLine,
@@ -36,7 +37,7 @@ const fn info<A: FrustumDemo>() -> MethodInfo<Scene> {
 }
 
 /// Every method, in the order in which they are taught; the mistakes last.
-pub static METHODS: [MethodInfo<Scene>; 25] = [
+pub static METHODS: [MethodInfo<Scene>; 27] = [
     info::<OnScene<PointPlanes>>(),
     info::<OnScene<SphereCull>>(),
     info::<OnScene<BoxCull>>(),
@@ -50,6 +51,8 @@ pub static METHODS: [MethodInfo<Scene>; 25] = [
     info::<OnScene<IntersectionPolygon>>(),
     info::<OnScene<IntersectionPolygon<WithTexture>>>(),
     info::<OnScene<HomogeneousTriangle<Option<[f64; 2]>>>>(),
+    info::<OnScene<ViewingPipeline>>(),
+    info::<OnScene<LineToPixels>>(),
     info::<OnScene<FaultyFunnel<OneAngle>>>(),
     info::<OnScene<FaultyFunnel<TurnsSign>>>(),
     info::<OnScene<FaultyFunnel<AroundOrigin>>>(),

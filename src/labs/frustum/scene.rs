@@ -15,7 +15,7 @@ pub const MAX_OBJECTS: usize = 10_000;
 /// One of the lab's methods.
 pub type Method = crate::labs::Method<MethodInfo<Scene>>;
 
-/// Always valid: at least one object, the focus is one of them, and the face is one of that object's.
+/// Always valid: at least one object, the focus is one of them, face and vertex are that object's.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Scene {
     /// What is stepped.
@@ -33,6 +33,7 @@ pub struct Scene {
     objects: Vec<Object>,
     focus: usize,
     face: usize,
+    vertex: usize,
 }
 
 /// Why a scene is refused.
@@ -56,6 +57,13 @@ pub enum SceneError {
         /// Faces that it has.
         n_faces: usize,
     },
+    /// The object in focus has no such vertex.
+    NoSuchVertex {
+        /// As given.
+        vertex: usize,
+        /// Vertices that it has.
+        n_vertices: usize,
+    },
 }
 
 impl From<SceneError> for Diagnostic {
@@ -73,6 +81,11 @@ impl From<SceneError> for Diagnostic {
             SceneError::NoSuchFace { face, n_faces } => {
                 let message = Message::new("error-no-such-face").with("face", face.to_string());
                 Self::new(message.with("count", n_faces))
+            }
+            SceneError::NoSuchVertex { vertex, n_vertices } => {
+                let message =
+                    Message::new("error-no-such-vertex").with("vertex", vertex.to_string());
+                Self::new(message.with("count", n_vertices))
             }
         }
     }
@@ -106,6 +119,7 @@ impl Scene {
             objects,
             focus: 0,
             face: 0,
+            vertex: 0,
         })
     }
 
@@ -162,13 +176,19 @@ impl Scene {
         self.face
     }
 
+    /// Index of a vertex of the object that is looked at.
+    #[must_use]
+    pub const fn vertex(&self) -> usize {
+        self.vertex
+    }
+
     /// Whose view volume culls.
     #[must_use]
     pub fn culler(&self) -> &Camera {
         self.frozen.as_ref().unwrap_or(&self.camera).camera()
     }
 
-    /// Looks at another object, at its first face.
+    /// Looks at another object, at its first face and vertex.
     ///
     /// # Errors
     /// [`SceneError::NoSuchObject`]
@@ -177,8 +197,12 @@ impl Scene {
         if focus >= n_objects {
             return Err(SceneError::NoSuchObject { focus, n_objects });
         }
-        (self.focus, self.face) = (focus, 0);
+        self.look_at(focus);
         Ok(())
+    }
+
+    const fn look_at(&mut self, focus: usize) {
+        (self.focus, self.face, self.vertex) = (focus, 0, 0);
     }
 
     /// Looks at another face of the object in focus.
@@ -194,13 +218,26 @@ impl Scene {
         Ok(())
     }
 
+    /// Looks at another vertex of the object in focus.
+    ///
+    /// # Errors
+    /// [`SceneError::NoSuchVertex`]
+    pub fn set_vertex(&mut self, vertex: usize) -> Result<(), SceneError> {
+        let n_vertices = self.focused().model().mesh().positions().len();
+        if vertex >= n_vertices {
+            return Err(SceneError::NoSuchVertex { vertex, n_vertices });
+        }
+        self.vertex = vertex;
+        Ok(())
+    }
+
     /// Replaces an object; an index that is none is ignored.
     pub fn set_object(&mut self, object_idx: usize, object: Object) {
         if let Some(old) = self.objects.get_mut(object_idx) {
             let is_same = old.model() == object.model();
             *old = object;
             if object_idx == self.focus && !is_same {
-                self.face = 0;
+                self.look_at(object_idx);
             }
         }
     }
@@ -214,7 +251,7 @@ impl Scene {
             return Err(SceneError::TooManyObjects(self.objects.len() + 1));
         }
         self.objects.push(object);
-        (self.focus, self.face) = (self.objects.len() - 1, 0);
+        self.look_at(self.objects.len() - 1);
         Ok(())
     }
 
@@ -222,7 +259,7 @@ impl Scene {
     pub fn remove_object(&mut self, object_idx: usize) {
         if self.objects.len() > 1 && object_idx < self.objects.len() {
             self.objects.remove(object_idx);
-            (self.focus, self.face) = (self.focus.min(self.objects.len() - 1), 0);
+            self.look_at(self.focus.min(self.objects.len() - 1));
         }
     }
 
@@ -232,7 +269,8 @@ impl Scene {
     /// [`SceneError`] where there is none, or too many.
     pub fn set_objects(&mut self, objects: Vec<Object>) -> Result<(), SceneError> {
         check(&objects)?;
-        (self.objects, self.focus, self.face) = (objects, 0, 0);
+        self.objects = objects;
+        self.look_at(0);
         Ok(())
     }
 }

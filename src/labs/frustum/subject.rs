@@ -9,6 +9,8 @@ pub enum Subject {
     Object,
     /// A face of the object in focus.
     Face,
+    /// A vertex of the object in focus.
+    Vertex,
     /// The scene's point.
     Point,
     /// The scene's segment; objects are left out of the picture.
@@ -24,7 +26,7 @@ impl Subject {
     #[must_use]
     pub const fn shows_objects(self) -> bool {
         match self {
-            Self::Object | Self::Face | Self::Point => true,
+            Self::Object | Self::Face | Self::Vertex | Self::Point => true,
             Self::Segment | Self::BoxedSegment | Self::Triangle => false,
         }
     }
@@ -33,7 +35,12 @@ impl Subject {
     #[must_use]
     pub const fn shows_camera(self) -> bool {
         match self {
-            Self::Object | Self::Face | Self::Point | Self::Segment | Self::Triangle => true,
+            Self::Object
+            | Self::Face
+            | Self::Vertex
+            | Self::Point
+            | Self::Segment
+            | Self::Triangle => true,
             Self::BoxedSegment => false,
         }
     }

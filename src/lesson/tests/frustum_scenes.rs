@@ -298,7 +298,7 @@ prop_compose! {
         point in place(),
         corners in [place(), place(), place()],
         is_frozen in any::<bool>(),
-        picks in [any::<prop::sample::Index>(), any::<prop::sample::Index>()],
+        picks in [any::<prop::sample::Index>(), any::<prop::sample::Index>(), any::<prop::sample::Index>()],
     ) -> Option<Scene> {
         let known: Vec<Method> = Method::all().collect();
         let [method, compare] = methods.map(|index| *index.get(&known));
@@ -316,6 +316,8 @@ prop_compose! {
         scene.set_focus(picks[0].index(scene.objects().len())).ok()?;
         let n_faces = scene.focused().model().mesh().faces().len();
         scene.set_face(picks[1].index(n_faces)).ok()?;
+        let n_vertices = scene.focused().model().mesh().positions().len();
+        scene.set_vertex(picks[2].index(n_vertices)).ok()?;
         Some(scene)
     }
 }

@@ -60,9 +60,10 @@ const fn solid_key(solid: Solid) -> &'static str {
     }
 }
 
-/// Which object is looked at, and which face of it: people count from 1.
+/// Which object is looked at, which face of it and which vertex: people count from 1.
 fn focus(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
-    let n_faces = scene.focused().model().mesh().faces().len();
+    let mesh = scene.focused().model().mesh();
+    let (n_faces, n_vertices) = (mesh.faces().len(), mesh.positions().len());
     let mut number = |key, index: usize, count: usize| {
         let mut number = index + 1;
         ui.horizontal(|ui| {
@@ -74,8 +75,11 @@ fn focus(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
     };
     let object = number("object-focus", scene.focus(), scene.objects().len());
     let face = number("object-face", scene.face(), n_faces);
+    let vertex = number("object-vertex", scene.vertex(), n_vertices);
     let object = object.map(|idx| tuned(FrustumChange::Focus(idx), FIRST_NUMBER));
-    object.or(face.map(|idx| tuned(FrustumChange::Face(idx), FIRST_NUMBER + 1)))
+    object
+        .or(face.map(|idx| tuned(FrustumChange::Face(idx), FIRST_NUMBER + 1)))
+        .or(vertex.map(|idx| tuned(FrustumChange::Vertex(idx), FIRST_NUMBER + 6)))
 }
 
 /// How the object in focus is turned, and how large it is.

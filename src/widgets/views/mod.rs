@@ -6,6 +6,7 @@ mod fold;
 mod gauges;
 mod links;
 mod lists;
+mod matrix;
 mod multiples;
 mod number_line;
 mod on_slate;
@@ -15,6 +16,7 @@ mod ribbon;
 mod screens;
 mod slate;
 mod space;
+mod space_row;
 mod table;
 #[cfg(test)]
 mod tests;
@@ -70,5 +72,7 @@ fn body_of(shown: &View) -> Option<&dyn OnSlate> {
         Body::Ribbon(body) => body,
         Body::Screens(body) => body,
         Body::Multiples(body) => body,
+        Body::Matrix(body) => body,
+        Body::Spaces(body) => body,
     })
 }

@@ -3,7 +3,7 @@
 use egui::{Align2, Color32, Painter, Pos2, Rect, Stroke, StrokeKind, Vec2, vec2};
 
 use crate::{
-    figure::{Pixel, Raster, Role},
+    figure::{Pixel, Raster, RasterMark, RasterShape, Role},
     paint::Theme,
     widgets::Look,
 };
@@ -11,7 +11,7 @@ use crate::{
 use super::{
     links::Links,
     on_slate::OnSlate,
-    slate::{Face, Slate},
+    slate::{Face, Slate, colour},
 };
 
 /// Pixels are at most this wide, in points before any scale.
@@ -45,6 +45,9 @@ impl OnSlate for Raster {
         }
         if let Some(current) = self.current {
             ring(slate, square(origin, width, current));
+        }
+        for mark in &self.over {
+            draw_over(slate, (origin.round(), width), mark);
         }
     }
 
@@ -103,6 +106,35 @@ fn tone(theme: &Theme, role: Role, shade: f64) -> Color32 {
     };
     let strength = 0.1 + (DARKEST - 0.1) * shade.clamp(0.0, 1.0) as f32;
     colour.gamma_multiply(strength)
+}
+
+/// Over the pixels, with a casing that is seen on any tone.
+fn draw_over(slate: &Slate<'_>, (origin, width): (Pos2, f32), mark: &RasterMark) {
+    let theme = slate.theme();
+    let ink = colour(theme, mark.role);
+    let place = |[x, y]: [f64; 2]| origin + vec2(x as f32, y as f32) * width;
+    let line = |ends: [Pos2; 2], wide: f32| {
+        let casing = theme.stroke(wide + 2.0, theme.background);
+        slate.painter.line_segment(ends, casing);
+        slate.painter.line_segment(ends, theme.stroke(wide, ink));
+    };
+    match mark.shape {
+        RasterShape::Line(ends) => {
+            let wide = if mark.role == Role::Soft { 1.25 } else { 2.0 };
+            line(ends.map(place), wide);
+        }
+        RasterShape::Dot(at) => {
+            let rim = theme.stroke(1.5, theme.background);
+            slate.painter.circle(place(at), slate.pts(4.0), ink, rim);
+        }
+        RasterShape::Cross(at) => {
+            let at = place(at);
+            let arm = slate.pts(4.5);
+            for diagonal in [vec2(arm, arm), vec2(arm, -arm)] {
+                line([at - diagonal, at + diagonal], 2.0);
+            }
+        }
+    }
 }
 
 /// A gap in the background's colour inside the signal's line: seen on any tone.

@@ -186,6 +186,7 @@ fn room_on_a_page(view: &View) -> Vec2 {
     match view.body {
         Body::NumberLine(_) | Body::Clippers(_) | Body::Ribbon(_) => vec2(540.0, 112.0),
         Body::Multiples(_) => vec2(860.0, 112.0),
+        Body::Spaces(_) => vec2(864.0, 134.0),
         Body::Plane(_)
         | Body::Space(_)
         | Body::Raster(_)
@@ -193,6 +194,7 @@ fn room_on_a_page(view: &View) -> Vec2 {
         | Body::Table(_)
         | Body::Lists(_)
         | Body::Gauges(_)
+        | Body::Matrix(_)
         | Body::Products(_)
         | Body::Screens(_) => vec2(390.0, 380.0),
     }
@@ -247,6 +249,8 @@ fn numbers_of_a_view_are_all_fractions_or_all_decimals() {
                             Body::Table(table) => table.spoken(look),
                             Body::Products(products) => products.spoken(look),
                             Body::NumberLine(line) => line.spoken(look),
+                            Body::Matrix(product) => product.spoken(look),
+                            Body::Spaces(row) => row.spoken(look),
                             Body::Plane(_)
                             | Body::Space(_)
                             | Body::Raster(_)

@@ -198,6 +198,7 @@ fn raster(state: &State, current: Option<usize>) -> Raster {
         size: [4, 2],
         pixels: (0..8).map(pixel).collect(),
         current: current.map(|idx| [idx % 4, idx / 4]),
+        over: Vec::new(),
     }
 }
 

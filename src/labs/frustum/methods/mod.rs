@@ -2,6 +2,7 @@
 
 mod back_face;
 mod box_cull;
+mod bresenham;
 mod cohen_sutherland_3d;
 mod cut_triangle;
 mod funnel;
@@ -9,5 +10,6 @@ mod line;
 mod planes;
 mod point_planes;
 mod sphere_cull;
+mod viewing_pipeline;
 
 pub use cut_triangle::WithTexture;

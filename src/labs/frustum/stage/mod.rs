@@ -3,10 +3,12 @@
 mod cube;
 mod ground;
 mod solids;
+mod spaces;
 mod views;
 mod volume;
 
 pub use cube::{cube_view, face_at_work};
 pub use solids::{FaceLook, Fate, Solids};
-pub use views::{Scenery, face_link, object_link};
+pub use spaces::{Followed, PictureSpace, SpacePictures};
+pub use views::{Scenery, face_link, object_link, vertex_link};
 pub use volume::{plane_at_work, side_link, side_name};

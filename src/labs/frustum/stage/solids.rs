@@ -64,6 +64,11 @@ impl Solids {
         (self.facets.into(), self.edges.into())
     }
 
+    /// As lists that can still be changed.
+    pub fn into_lists(self) -> (Vec<Facet>, Vec<Edge3>) {
+        (self.facets, self.edges)
+    }
+
     /// One more object, with a look for each of its faces where they differ.
     pub fn object(
         &mut self,
@@ -233,7 +238,7 @@ fn cuts<'a>(polygon: &'a [[f64; 3]], plane: &'a Plane) -> impl Iterator<Item = [
 }
 
 /// Of a segment what is inside of all planes, and what is not: one part, and up to two.
-fn parts_of_segment(ends: [[f64; 3]; 2], planes: &[Plane; 6]) -> [Vec<[[f64; 3]; 2]>; 2] {
+pub fn parts_of_segment(ends: [[f64; 3]; 2], planes: &[Plane; 6]) -> [Vec<[[f64; 3]; 2]>; 2] {
     let [a, b] = ends.map(DVec3::from);
     let bounds = planes.map(|plane| (DVec3::from(plane.normal()), -plane.d()));
     let kept: Vec<[f64; 2]> = inside([a, b], bounds).into_iter().collect();

@@ -63,19 +63,33 @@ impl Scenery {
         look: impl Fn(usize, usize) -> FaceLook,
         own: Vec<Mark3>,
     ) -> View {
-        let (facets, edges) = self.solids(&fate, &look, true);
+        let mut marks = self.numbers();
+        marks.extend(own);
+        View::new(OBSERVER_VIEW, Body::Space(self.seen(&fate, &look, marks)))
+    }
+
+    /// What the observer sees, objects without their numbers.
+    pub fn observed(&self, fate: impl Fn(usize) -> Fate, own: Vec<Mark3>) -> Space {
+        self.seen(&fate, &|_, _| FaceLook::Whole, own)
+    }
+
+    fn seen(
+        &self,
+        fate: &impl Fn(usize) -> Fate,
+        look: &impl Fn(usize, usize) -> FaceLook,
+        own: Vec<Mark3>,
+    ) -> Space {
+        let (facets, edges) = self.solids(fate, look, true);
         let mut marks = ground(&self.scene);
         marks.extend(volume(self.scene.culler()));
-        marks.extend(self.numbers());
         marks.extend(own);
-        let space = Space {
+        Space {
             title: Some(Value::Term("view-observer")),
             seer: Seer::Eye(self.scene.eye),
             facets,
             edges,
             marks,
-        };
-        View::new(OBSERVER_VIEW, Body::Space(space))
+        }
     }
 
     /// What the camera sees of all that is not culled; where another one culls, its volume too, and what that cut off.
@@ -173,6 +187,11 @@ impl Scenery {
 /// What facets and gauges about a face of the object in focus have in common.
 pub const fn face_link(face_idx: usize) -> Link {
     Link::nth("face", face_idx)
+}
+
+/// What marks of a vertex of the object in focus have in common.
+pub const fn vertex_link(vertex_idx: usize) -> Link {
+    Link::nth("vertex", vertex_idx)
 }
 
 /// What facets, marks and rows about an object have in common.

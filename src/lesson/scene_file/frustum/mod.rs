@@ -31,9 +31,9 @@ use camera::{camera, camera_to_toml, eye, eye_to_toml, watching};
 use model::{is_whole, n_faces_inline, object, object_to_toml};
 
 /// The fields of a scene.
-const FIELDS: [&str; 12] = [
+const FIELDS: [&str; 13] = [
     "method", "compare", "camera", "frozen", "eye", "point", "segment", "triangle", "objects",
-    "street", "focus", "face",
+    "street", "focus", "face", "vertex",
 ];
 
 /// The spelling of this lab's scenes.
@@ -96,7 +96,8 @@ fn scene(fields: &TomlFields<'_>, room: &mut usize, sink: &mut Sink<'_>) -> Opti
         let item = fields.get(name)?;
         Some((item, whole(item, 0..most as u64, sink)? as usize))
     };
-    let (focus, face) = (index("focus", MAX_OBJECTS), index("face", MAX_FACES));
+    let focus = index("focus", MAX_OBJECTS);
+    let [face, vertex] = ["face", "vertex"].map(|name| index(name, MAX_PARTS));
     let scene = Scene::new(method?, camera?, eye?, objects?);
     let mut scene = refused_at(fields.span(), scene, sink)?;
     (scene.compare, scene.frozen, scene.places) = (compare, frozen, places?);
@@ -105,6 +106,9 @@ fn scene(fields: &TomlFields<'_>, room: &mut usize, sink: &mut Sink<'_>) -> Opti
     }
     if let Some((item, face)) = face {
         refused_at(item.span(), scene.set_face(face), sink);
+    }
+    if let Some((item, vertex)) = vertex {
+        refused_at(item.span(), scene.set_vertex(vertex), sink);
     }
     (sink.n_errors() == n_errors).then_some(scene)
 }
@@ -149,8 +153,8 @@ fn rows<const N: usize>(
     made.ok()
 }
 
-/// More faces than any mesh has.
-const MAX_FACES: usize = u32::MAX as usize;
+/// More faces and vertices than any mesh has.
+const MAX_PARTS: usize = u32::MAX as usize;
 
 /// What the scene refuses is told at this place.
 fn refused_at<T>(
@@ -250,6 +254,9 @@ fn to_toml(scene: &Scene) -> String {
     }
     if scene.face() > 0 && is_whole(scene.focused()) {
         let _ = writeln!(text, "face = {}", scene.face());
+    }
+    if scene.vertex() > 0 && is_whole(scene.focused()) {
+        let _ = writeln!(text, "vertex = {}", scene.vertex());
     }
     text.push_str("objects = [\n");
     for object in scene.objects() {

@@ -1,0 +1,115 @@
+### What the frustum lab says of one vertex on its way through all spaces.
+
+alg-viewing-pipeline = Viewing pipeline
+
+## Spaces
+
+space-model = model
+space-world = world
+space-view = view
+space-clip = clip
+space-ndc = NDC
+space-screen = screen
+space-model-title = Model space
+space-world-title = World space
+space-view-title = View space: the camera is the origin
+space-clip-title = Clip space, over x, y and w
+space-clip-parallel-title = Clip space, over x, y and z
+space-ndc-title = NDC: divided by w
+space-screen-title = Screen, in pixels
+object-vertex = Vertex
+pipeline-note-world = size, turn and place of the object
+pipeline-note-view = camera at { $at }
+pipeline-note-clip = { $angle }°, { $aspect } : 1, near { $near }, far { $far }
+pipeline-note-clip-parallel = height { $height }, { $aspect } : 1, near { $near }, far { $far }
+
+## Pseudocode
+
+code-pipeline-world = world ← world_from_model · (P, 1)
+code-pipeline-view = view ← view_from_world · (world, 1)
+code-pipeline-clip = clip ← clip_from_view · (view, 1)
+code-pipeline-test = inside if −w ≤ x, y, z ≤ w
+code-pipeline-divide = if w > 0: ndc ← (x, y, z) / w
+code-pipeline-screen = screen ← ((x + 1)/2 · columns, (1 − y)/2 · rows)
+code-pipeline-behind = else: no place on the screen
+words-pipeline-world = The object’s own matrix puts the vertex into the world.
+words-pipeline-view = The camera’s matrix says where that is, as seen from the camera.
+words-pipeline-clip = The projection scales x and y, and copies the depth into w.
+words-pipeline-test = Clipping asks this, before anything is divided.
+words-pipeline-divide = Dividing by the depth makes far things small.
+words-pipeline-screen = From −1 … 1 to pixels, counted from the top left.
+words-pipeline-behind = What is not before the eye has no image.
+
+## Steps
+
+pipeline-opening = One vertex, as its modeller put it: where on the screen will it be?
+pipeline-world-row = Row { $row } of the object’s matrix: scaled, turned and moved to its place in the world.
+pipeline-view-right = Row 1 measures along the camera’s right: P is { $value } to the right.
+pipeline-view-left = Row 1 measures along the camera’s right: P is { $value } to the left.
+pipeline-view-above = Row 2 measures along the camera’s up: P is { $value } above its axis.
+pipeline-view-under = Row 2 measures along the camera’s up: P is { $value } under its axis.
+pipeline-view-back = Row 3 measures backwards: P is { $value } behind the camera.
+pipeline-view-ahead = Row 3 measures backwards: P is { $value } ahead, and so z is negative.
+pipeline-clip-x = Row 1 scales x, so that left and right stand at x = ±w.
+pipeline-clip-y = Row 2 scales y, so that bottom and top stand at y = ±w.
+pipeline-clip-z = Row 3 puts near at z = −w and far at z = w.
+pipeline-clip-w = Row 4 copies the depth into w: { $value }, by which will be divided.
+pipeline-clip-w-parallel = Row 4 leaves w at 1: with parallel sight lines nothing is to be divided.
+pipeline-inside = Inside: x, y and z lie between −w and w.
+pipeline-outside = Outside: clipping takes P away.
+pipeline-divide = Divide by w = { $w }: what is inside lies between −1 and 1.
+pipeline-screen = From −1 … 1 to { $columns } × { $rows } pixels, rows counted from the top.
+pipeline-behind = P is not before the eye: there is nothing to divide by, and no place on the screen.
+
+## Cases
+
+object-model-matrix = model matrix
+object-camera = camera
+object-picture = picture
+json-whole = a whole number
+case-whole-too-large = { $number } is larger than any pixel’s number.
+case-picture-side = A side of a picture is 1 to { $max } pixels, found { $found }.
+case-pipeline-inside = Inside, and on the screen at { $screen }.
+case-pipeline-outside = Outside; without clipping it would be on the screen at { $screen }.
+case-pipeline-behind = Not before the eye: no place on the screen.
+object-from = from
+object-to = to
+case-too-many-pixels = The line has { $found } pixels: at most { $max } are taken.
+case-pixels =
+    { $count ->
+        [one] One pixel.
+       *[other] { $count } pixels.
+    }
+
+## A line to its pixels
+
+alg-bresenham = Line to pixels (Bresenham)
+raster-line = Screen, { $columns } × { $rows } pixels
+raster-line-error = Screen, { $columns } × { $rows } pixels: e = { $e }
+code-drawn-project = clip ← clip_from_world · (P, 1), for both ends
+code-drawn-clip = clip the line to −w ≤ x, y, z ≤ w
+code-drawn-divide = S ← viewport(x / w, y / w)
+code-drawn-begin = a, b ← longer, shorter of |Δx|, |Δy|; e ← 2b − a
+code-drawn-put = put the pixel; until the last one:
+code-drawn-diagonal = if e > 0: one across; e ← e − 2a
+code-drawn-straight = one along; e ← e + 2b
+words-drawn-project = Project: both ends go to clip space, nothing is divided yet.
+words-drawn-clip = Clip: what the camera cannot see is cut off.
+words-drawn-divide = Divide by w, and count in pixels.
+words-drawn-begin = Each end goes to its pixel; e says on which side of the first midpoint the line runs.
+words-drawn-put = Pixel by pixel along the longer axis.
+words-drawn-diagonal = The line runs beyond the midpoint: also one along the shorter axis.
+words-drawn-straight = One along the longer axis.
+drawn-line-opening = Which pixels does the line have?
+drawn-line-project = { $end } goes to clip space: its depth { $w } becomes w.
+drawn-line-project-behind = { $end } goes to clip space. It is not before the eye: w = { $w } must not divide.
+drawn-line-clip-whole = All of it is inside: nothing is cut.
+drawn-line-clip-cut = Clipped before anything is divided: what is left has w > 0.
+drawn-line-reject = Nothing of it is inside: no pixel.
+drawn-line-divide = Divided by w and scaled, both ends are places on the screen.
+drawn-line-round = Each end goes to the pixel it lies in; the line now runs from middle to middle.
+drawn-line-first = { $at } is the first pixel. e tells on which side of the next midpoint the line runs.
+drawn-line-straight = e = { $e } < 0: the line runs before the midpoint. One straight on, to { $at }.
+drawn-line-diagonal = e = { $e } > 0: the line runs beyond the midpoint. One diagonally, to { $at }.
+drawn-line-tie-straight = e = 0: exactly between two pixels, and the smaller coordinate is taken: { $at }.
+drawn-line-tie-diagonal = e = 0: exactly between two pixels, and the smaller coordinate is taken: { $at }, diagonally.

@@ -1,0 +1,115 @@
+### O que o laboratório do volume de visão diz de um vértice a caminho por todos os espaços.
+
+alg-viewing-pipeline = Pipeline de visualização
+
+## Espaços
+
+space-model = modelo
+space-world = mundo
+space-view = visão
+space-clip = recorte
+space-ndc = NDC
+space-screen = tela
+space-model-title = Espaço do modelo
+space-world-title = Espaço do mundo
+space-view-title = Espaço de visão: a câmera é a origem
+space-clip-title = Espaço de recorte, sobre x, y e w
+space-clip-parallel-title = Espaço de recorte, sobre x, y e z
+space-ndc-title = NDC: dividido por w
+space-screen-title = Tela, em pixels
+object-vertex = Vértice
+pipeline-note-world = tamanho, giro e lugar do objeto
+pipeline-note-view = câmera em { $at }
+pipeline-note-clip = { $angle }°, { $aspect } : 1, perto { $near }, longe { $far }
+pipeline-note-clip-parallel = altura { $height }, { $aspect } : 1, perto { $near }, longe { $far }
+
+## Pseudocódigo
+
+code-pipeline-world = world ← world_from_model · (P, 1)
+code-pipeline-view = view ← view_from_world · (world, 1)
+code-pipeline-clip = clip ← clip_from_view · (view, 1)
+code-pipeline-test = dentro se −w ≤ x, y, z ≤ w
+code-pipeline-divide = se w > 0: ndc ← (x, y, z) / w
+code-pipeline-screen = screen ← ((x + 1)/2 · colunas, (1 − y)/2 · linhas)
+code-pipeline-behind = senão: sem lugar na tela
+words-pipeline-world = A matriz do objeto põe o vértice no mundo.
+words-pipeline-view = A matriz da câmera diz onde ele está, visto dela.
+words-pipeline-clip = A projeção escala x e y, e copia a profundidade em w.
+words-pipeline-test = O recorte pergunta isto antes de dividir qualquer coisa.
+words-pipeline-divide = Dividir pela profundidade torna pequeno o que está longe.
+words-pipeline-screen = De −1 … 1 a pixels, contados do canto superior esquerdo.
+words-pipeline-behind = O que não está diante do olho não tem imagem.
+
+## Passos
+
+pipeline-opening = Um vértice, como quem o modelou o pôs: onde ficará na tela?
+pipeline-world-row = Linha { $row } da matriz do objeto: escalado, girado e levado ao seu lugar no mundo.
+pipeline-view-right = A linha 1 mede para a direita da câmera: P está { $value } à direita.
+pipeline-view-left = A linha 1 mede para a direita da câmera: P está { $value } à esquerda.
+pipeline-view-above = A linha 2 mede para cima da câmera: P está { $value } acima do seu eixo.
+pipeline-view-under = A linha 2 mede para cima da câmera: P está { $value } abaixo do seu eixo.
+pipeline-view-back = A linha 3 mede para trás: P está { $value } atrás da câmera.
+pipeline-view-ahead = A linha 3 mede para trás: P está { $value } à frente, e por isso z é negativo.
+pipeline-clip-x = A linha 1 escala x: esquerda e direita ficam em x = ±w.
+pipeline-clip-y = A linha 2 escala y: embaixo e em cima ficam em y = ±w.
+pipeline-clip-z = A linha 3 põe o plano próximo em z = −w e o distante em z = w.
+pipeline-clip-w = A linha 4 copia a profundidade em w: { $value }, pelo qual se dividirá.
+pipeline-clip-w-parallel = A linha 4 deixa w em 1: com linhas de visão paralelas não há nada a dividir.
+pipeline-inside = Dentro: x, y e z estão entre −w e w.
+pipeline-outside = Fora: o recorte tira P.
+pipeline-divide = Dividir por w = { $w }: o que está dentro fica entre −1 e 1.
+pipeline-screen = De −1 … 1 a { $columns } × { $rows } pixels, com as linhas contadas de cima.
+pipeline-behind = P não está diante do olho: não há por que dividir, nem lugar na tela.
+
+## Casos
+
+object-model-matrix = matriz do modelo
+object-camera = câmera
+object-picture = imagem
+json-whole = um número inteiro
+case-whole-too-large = { $number } é maior que o número de qualquer pixel.
+case-picture-side = Um lado da imagem tem de 1 a { $max } pixels, e há { $found }.
+case-pipeline-inside = Dentro, e na tela em { $screen }.
+case-pipeline-outside = Fora; sem recorte estaria na tela em { $screen }.
+case-pipeline-behind = Não está diante do olho: não tem lugar na tela.
+object-from = de
+object-to = até
+case-too-many-pixels = A linha tem { $found } pixels: são aceitos no máximo { $max }.
+case-pixels =
+    { $count ->
+        [one] Um pixel.
+       *[other] { $count } pixels.
+    }
+
+## De uma linha a seus pixels
+
+alg-bresenham = Da linha aos pixels (Bresenham)
+raster-line = Tela, { $columns } × { $rows } pixels
+raster-line-error = Tela, { $columns } × { $rows } pixels: e = { $e }
+code-drawn-project = clip ← clip_from_world · (P, 1), para as duas pontas
+code-drawn-clip = recortar a linha a −w ≤ x, y, z ≤ w
+code-drawn-divide = S ← viewport(x / w, y / w)
+code-drawn-begin = a, b ← o maior e o menor de |Δx|, |Δy|; e ← 2b − a
+code-drawn-put = pôr o pixel; até o último:
+code-drawn-diagonal = se e > 0: um de lado; e ← e − 2a
+code-drawn-straight = um adiante; e ← e + 2b
+words-drawn-project = Projetar: as duas pontas vão ao espaço de recorte, nada é dividido ainda.
+words-drawn-clip = Recortar: tira-se o que a câmera não pode ver.
+words-drawn-divide = Dividir por w, e contar em pixels.
+words-drawn-begin = Cada ponta vai ao seu pixel; e diz de que lado do primeiro ponto médio a linha passa.
+words-drawn-put = Pixel por pixel ao longo do eixo maior.
+words-drawn-diagonal = A linha passa além do ponto médio: também um pelo eixo menor.
+words-drawn-straight = Um pelo eixo maior.
+drawn-line-opening = Que pixels a linha tem?
+drawn-line-project = { $end } vai ao espaço de recorte: sua profundidade { $w } passa a ser w.
+drawn-line-project-behind = { $end } vai ao espaço de recorte. Não está diante do olho: w = { $w } não deve dividir.
+drawn-line-clip-whole = Toda ela está dentro: nada é cortado.
+drawn-line-clip-cut = Recortada antes de dividir: o que sobra tem w > 0.
+drawn-line-reject = Nada dela está dentro: nenhum pixel.
+drawn-line-divide = Divididas por w e escaladas, as duas pontas são lugares na tela.
+drawn-line-round = Cada ponta vai ao pixel em que está; a linha passa agora de centro a centro.
+drawn-line-first = { $at } é o primeiro pixel. e diz de que lado do próximo ponto médio a linha passa.
+drawn-line-straight = e = { $e } < 0: a linha não chega ao ponto médio. Um reto, a { $at }.
+drawn-line-diagonal = e = { $e } > 0: a linha passa além do ponto médio. Um na diagonal, a { $at }.
+drawn-line-tie-straight = e = 0: exatamente entre dois pixels, e toma-se a coordenada menor: { $at }.
+drawn-line-tie-diagonal = e = 0: exatamente entre dois pixels, e toma-se a coordenada menor: { $at }, na diagonal.

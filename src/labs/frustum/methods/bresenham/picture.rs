@@ -1,0 +1,194 @@
+//! The segment in the view volume, and the pixels of the screen.
+
+use glam::DVec3;
+
+use crate::{
+    algo::{
+        parameter::End,
+        pipeline::{DrawnSegment, LineToPixelsEvent as Event, LineToPixelsState as State},
+    },
+    figure::{Mark3, Pixel, Raster, RasterMark, RasterShape, Role, Shape3},
+    geom::Sight,
+    labs::words::name,
+    text::{Message, Value},
+};
+
+/// How dark a pixel of the line is, and one that an end lies in.
+const PUT: f64 = 0.9;
+const END: f64 = 0.4;
+
+/// What is seen in space.
+pub fn marks(drawn: &DrawnSegment, state: &State, event: Option<Event>) -> Vec<Mark3> {
+    let ends = drawn.ends;
+    let mut marks: Vec<Mark3> = ["P₁", "P₂"]
+        .into_iter()
+        .zip(ends)
+        .map(|(symbol, at)| Mark3::new(Role::Ink, Shape3::Dot(at)).labelled(name(symbol)))
+        .collect();
+    let Some(kept) = kept(drawn, state) else {
+        let role = if state.is_rejected {
+            Role::Discarded
+        } else {
+            Role::Ink
+        };
+        marks.push(Mark3::new(role, Shape3::Segment(ends)));
+        if let Some(Event::Project { end, .. }) = event {
+            marks.extend(projected(drawn, end));
+        }
+        return marks;
+    };
+    for (cut, end) in [(kept[0], ends[0]), (kept[1], ends[1])] {
+        if cut != end {
+            marks.push(Mark3::new(Role::Discarded, Shape3::Segment([end, cut])));
+            let is_now = matches!(event, Some(Event::Clip { .. }));
+            let role = if is_now { Role::Signal } else { Role::Accent };
+            marks.push(Mark3::new(role, Shape3::Dot(cut)));
+        }
+    }
+    marks.push(Mark3::new(Role::Accent, Shape3::Segment(kept)));
+    if state.screen.is_some() {
+        let images = kept.map(|at| image(drawn, at));
+        let is_now = matches!(event, Some(Event::Divide { .. }));
+        let role = if is_now { Role::Signal } else { Role::Ink };
+        if let [Some(a), Some(b)] = images {
+            marks.push(Mark3::new(role, Shape3::Segment([a, b])));
+        }
+        for (at, image) in kept.into_iter().zip(images) {
+            let from = match drawn.camera.volume().sight() {
+                Sight::Perspective => Some(drawn.camera.position()),
+                Sight::Parallel => image,
+            };
+            let lines = from.filter(|_| is_now);
+            let lines = lines.map(|from| Mark3::new(role, Shape3::Segment([from, at])).fine());
+            marks.extend(lines);
+        }
+    }
+    marks
+}
+
+/// From the eye to an end, and its image.
+fn projected(drawn: &DrawnSegment, end: End) -> Vec<Mark3> {
+    let at = drawn.ends[end.idx()];
+    let image = image(drawn, at);
+    let from = match drawn.camera.volume().sight() {
+        Sight::Perspective => drawn.camera.position(),
+        Sight::Parallel => image.unwrap_or(at),
+    };
+    let sight = Mark3::new(Role::Signal, Shape3::Segment([from, at])).fine();
+    let image = image.map(|at| Mark3::new(Role::Signal, Shape3::Dot(at)));
+    std::iter::once(sight).chain(image).collect()
+}
+
+/// Where on the near plane a place is seen, if it is before the eye.
+fn image(drawn: &DrawnSegment, at: [f64; 3]) -> Option<[f64; 3]> {
+    let camera = &drawn.camera;
+    let near = camera.volume().near();
+    let [x, y, z] = camera.view_from_world().point(at);
+    let part = match camera.volume().sight() {
+        Sight::Perspective => near / -z,
+        Sight::Parallel => 1.0,
+    };
+    let is_before = camera.volume().sight() == Sight::Parallel || z < 0.0;
+    is_before.then(|| camera.world_from_view([x * part, y * part, -near]))
+}
+
+/// The ends of what is left, in the world: they lie on the segment as they do in clip space.
+fn kept(drawn: &DrawnSegment, state: &State) -> Option<[[f64; 3]; 2]> {
+    let [Some(from), Some(to)] = state.projected else {
+        return None;
+    };
+    let along = |at: [f64; 4]| {
+        let length = |i: usize| (to[i] - from[i]).abs();
+        let widest = (0..4).max_by(|&a, &b| length(a).total_cmp(&length(b)));
+        let i = widest.unwrap_or_default();
+        (at[i] - from[i]) / (to[i] - from[i])
+    };
+    let [p1, p2] = drawn.ends.map(DVec3::from);
+    let world = |(at, end): ([f64; 4], [f64; 4])| {
+        if at == end && end == from {
+            return p1.into();
+        }
+        if at == end {
+            return p2.into();
+        }
+        p1.lerp(p2, along(at)).into()
+    };
+    let [a, b] = state.clipped?;
+    Some([(a, from), (b, to)].map(world))
+}
+
+/// The screen in large pixels.
+pub fn raster(drawn: &DrawnSegment, state: &State, event: Option<Event>) -> Raster {
+    let [columns, rows] = drawn.viewport.size().map(|side| side as usize);
+    let mut pixels = vec![Pixel::EMPTY; columns * rows];
+    let mut fill = |[x, y]: [i64; 2], shade: f64| {
+        let idx = y as usize * columns + x as usize;
+        if let Some(pixel) = pixels.get_mut(idx) {
+            pixel.role = Some(Role::Accent);
+            pixel.shade = shade;
+        }
+    };
+    for &at in state.rounded.iter().flatten() {
+        fill(at, END);
+    }
+    for &at in state.pixels.iter() {
+        fill(at, PUT);
+    }
+    let current = match event {
+        Some(Event::Pixel { at, .. }) => Some(at.map(|x| x as usize)),
+        None
+        | Some(
+            Event::Project { .. }
+            | Event::Clip { .. }
+            | Event::Reject
+            | Event::Divide { .. }
+            | Event::Round { .. },
+        ) => None,
+    };
+    let title = match state.error {
+        Some(error) => Message::new("raster-line-error").with("e", error as f64),
+        None => Message::new("raster-line"),
+    };
+    Raster {
+        title: Value::Message(title.with("columns", columns).with("rows", rows)),
+        size: [columns, rows],
+        pixels,
+        current,
+        over: over(state, event),
+    }
+}
+
+/// The line itself, and the midpoint that has decided.
+fn over(state: &State, event: Option<Event>) -> Vec<RasterMark> {
+    let mut over = Vec::new();
+    let mark = |role, shape| RasterMark { role, shape };
+    if let Some(ends) = state.screen {
+        let is_now = matches!(event, Some(Event::Divide { .. }));
+        let role = if is_now { Role::Signal } else { Role::Soft };
+        over.push(mark(role, RasterShape::Line(ends)));
+        if state.pixels.is_empty() {
+            over.extend(ends.map(|at| mark(role, RasterShape::Dot(at))));
+        }
+    }
+    let Some(ends) = state.rounded else {
+        return over;
+    };
+    let centre = |at: [i64; 2]| at.map(|x| x as f64 + 0.5);
+    over.push(mark(Role::Ink, RasterShape::Line(ends.map(centre))));
+    if state.pixels.is_empty() {
+        over.extend(ends.map(|at| mark(Role::Signal, RasterShape::Dot(centre(at)))));
+    }
+    let n_before = state.pixels.len().saturating_sub(2);
+    if let (Some(&at), Some(&before)) = (state.pixels.last(), state.pixels.get(n_before))
+        && at != before
+    {
+        let [from, to] = ends;
+        let delta = [to[0] - from[0], to[1] - from[1]];
+        let major = usize::from(delta[1].abs() > delta[0].abs());
+        let mut midpoint = centre(before);
+        midpoint[major] = centre(at)[major];
+        midpoint[1 - major] += 0.5 * delta[1 - major].signum() as f64;
+        over.push(mark(Role::Signal, RasterShape::Cross(midpoint)));
+    }
+    over
+}

@@ -1,0 +1,92 @@
+//! The spaces, and what their pictures say of the vertex that is followed.
+
+use crate::algo::pipeline::PipelineSpace;
+
+/// A space of the viewing pipeline.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum PictureSpace {
+    /// The object's own.
+    Model,
+    /// Where all objects stand.
+    World,
+    /// The camera's.
+    View,
+    /// Before the divide.
+    Clip,
+    /// After it.
+    Ndc,
+    /// In pixels.
+    Screen,
+}
+
+impl PictureSpace {
+    /// In the order in which a vertex goes through them.
+    pub const ALL: [Self; 6] = [
+        Self::Model,
+        Self::World,
+        Self::View,
+        Self::Clip,
+        Self::Ndc,
+        Self::Screen,
+    ];
+
+    /// Catalogue key of its name.
+    pub const fn name_key(self) -> &'static str {
+        match self {
+            Self::Model => "space-model",
+            Self::World => "space-world",
+            Self::View => "space-view",
+            Self::Clip => "space-clip",
+            Self::Ndc => "space-ndc",
+            Self::Screen => "space-screen",
+        }
+    }
+
+    /// Catalogue key of the title of its large picture.
+    pub const fn title_key(self, is_parallel: bool) -> &'static str {
+        match self {
+            Self::Model => "space-model-title",
+            Self::World => "space-world-title",
+            Self::View => "space-view-title",
+            Self::Clip if is_parallel => "space-clip-parallel-title",
+            Self::Clip => "space-clip-title",
+            Self::Ndc => "space-ndc-title",
+            Self::Screen => "space-screen-title",
+        }
+    }
+
+    /// So many coordinates a vertex has in it.
+    pub const fn n_coordinates(self) -> usize {
+        match self {
+            Self::Clip => 4,
+            Self::Screen => 2,
+            Self::Model | Self::World | Self::View | Self::Ndc => 3,
+        }
+    }
+
+    /// The space that a matrix leads into.
+    pub const fn reached(into: PipelineSpace) -> Self {
+        match into {
+            PipelineSpace::World => Self::World,
+            PipelineSpace::View => Self::View,
+            PipelineSpace::Clip => Self::Clip,
+        }
+    }
+}
+
+/// What the picture of a space says of the vertex.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub struct Followed {
+    /// Where it is.
+    pub at: [f64; 4],
+    /// So many of its coordinates are known.
+    pub n_known: usize,
+    /// The coordinate that this step has found.
+    pub current: Option<usize>,
+    /// It is compared with −w and w.
+    pub is_tested: bool,
+    /// It has come here at this step.
+    pub arrives: bool,
+    /// The picture is large: axes are named, and other vertices can be chosen.
+    pub is_large: bool,
+}
