@@ -5,7 +5,7 @@
 )]
 
 use clipscope::{
-    figure::{Body, Run},
+    figure::{Body, Products, Run},
     geom::{Polygon, Segment, Window},
     labs::{
         Change, LABS, MethodCard, Scene, frustum,
@@ -187,23 +187,7 @@ fn said_in(body: &Body, catalog: &Catalog) -> Vec<String> {
             let titles = titles.flat_map(|list| std::iter::once(&list.title).chain(&list.columns));
             titles.chain(values).map(value).collect()
         }
-        Body::Products(products) => {
-            let mut said = Vec::new();
-            for product in &products.products {
-                said.push(value(&product.onto.name));
-                said.push(value(&product.of.name));
-                said.push(catalog.message(&product.decision));
-                said.push(catalog.formula(&product.arithmetic));
-            }
-            if let Some(measured) = &products.measured {
-                said.push(catalog.message(&measured.title));
-                let ends = measured.ends.iter().map(|(name, _)| name);
-                let spans = measured.spans.iter().map(|(_, text, _)| text);
-                let names = std::iter::once(&measured.zero).chain(ends).chain(spans);
-                said.extend(names.map(value));
-            }
-            said
-        }
+        Body::Products(products) => said_in_products(products, catalog),
         Body::NumberLine(line) => line.ticks.iter().map(|tick| value(&tick.name)).collect(),
         Body::Gauges(gauges) => {
             let names = gauges.rows.iter().map(|row| value(&row.name));
@@ -240,6 +224,25 @@ fn said_in(body: &Body, catalog: &Catalog) -> Vec<String> {
             names.map(value).collect()
         }
     }
+}
+
+fn said_in_products(products: &Products, catalog: &Catalog) -> Vec<String> {
+    let value = |value: &Value| catalog.value(value);
+    let mut said = Vec::new();
+    for product in &products.products {
+        said.push(value(&product.onto.name));
+        said.push(value(&product.of.name));
+        said.push(catalog.message(&product.decision));
+        said.push(catalog.formula(&product.arithmetic));
+    }
+    if let Some(measured) = &products.measured {
+        said.push(catalog.message(&measured.title));
+        let ends = measured.ends.iter().map(|(name, _)| name);
+        let spans = measured.spans.iter().map(|(_, text, _)| text);
+        let names = std::iter::once(&measured.zero).chain(ends).chain(spans);
+        said.extend(names.map(value));
+    }
+    said
 }
 
 fn record(scene: &Scene) -> Vec<(&'static MethodCard, Box<dyn Run>)> {

@@ -520,7 +520,7 @@ fn a_triangle_is_cut_by_planes_in_both_ways() {
 fn a_triangle_is_cut_before_the_divide() {
     let fields = r#""triangle":[[0,0,0,1],[4,0,0,1],[0,2,0,-1]],"uv":[[0,0],[1,0],[0,1]]"#;
     let found = output("homogeneous-triangle", fields);
-    for vertex in found["triangles"].as_array().expect("triangles").iter() {
+    for vertex in found["triangles"].as_array().expect("triangles") {
         for at in vertex.as_array().expect("three corners") {
             assert!(at[3].as_f64().expect("w") > 0.0, "{found}");
         }

@@ -17,9 +17,9 @@ fn viewport(size: [u32; 2]) -> Viewport {
     Viewport::new(size, Viewport::ANSWER_BITS).expect("a picture")
 }
 
-fn through(input: ViewingPipelineInput) -> ViewingPipelineOutput {
-    laws::check::<ViewingPipeline>(&input);
-    silent::<ViewingPipeline>(&input)
+fn through(input: &ViewingPipelineInput) -> ViewingPipelineOutput {
+    laws::check::<ViewingPipeline>(input);
+    silent::<ViewingPipeline>(input)
 }
 
 /// Exactly this number, in parts.
@@ -81,7 +81,7 @@ proptest! {
             camera: Camera::new(from, to, upwards, volume).expect("a camera"),
             viewport: viewport(size),
         };
-        let output = through(input);
+        let output = through(&input);
 
         // In parts of 1/4096: a product of quarters and eighths is 128 of them.
         let world: [i128; 3] = std::array::from_fn(|i| {
@@ -132,7 +132,7 @@ proptest! {
             return Ok(());
         };
         let viewport = viewport([640, 480]);
-        let output = through(ViewingPipelineInput {
+        let output = through(&ViewingPipelineInput {
             point,
             world_from_model: Matrix::IDENTITY,
             camera,
@@ -197,7 +197,7 @@ fn matrices_written_by_hand() {
         input.matrix(PipelineSpace::Clip).rows().as_flattened(),
         by_hand.as_flattened(),
     );
-    let output = through(input);
+    let output = through(&input);
     // 1.6 − 1.2 + 1, 1 − 1, −1.2 − 1.6 + 0.5.
     close(&output.world, &[1.4, 0.0, -2.3]);
     let z = (3.0 * 1.4 - 12.0 * 2.3) / 13.0 - 13.0;
@@ -216,7 +216,7 @@ fn a_singular_model_puts_every_vertex_in_one_place() {
     let mut rows = [[0.0; 4]; 4];
     rows[3][3] = 1.0;
     for point in [[0.0; 3], [7.0, -2.0, 1e300]] {
-        let output = through(ViewingPipelineInput {
+        let output = through(&ViewingPipelineInput {
             point,
             world_from_model: Matrix::affine(rows).expect("affine"),
             camera: camera.expect("a camera"),

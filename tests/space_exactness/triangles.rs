@@ -336,10 +336,12 @@ where
     left.iter().map(|piece| piece.map(|v| v.at)).collect()
 }
 
+type Corners = [[f64; 3]; 3];
+
 #[test]
 fn three_two_one_and_no_vertices_inside() {
     let above = [[0, 1, 0, 0]];
-    let cases: [([[f64; 3]; 3], &[[[f64; 3]; 3]]); 6] = [
+    let cases: [(Corners, &[Corners]); 6] = [
         (
             [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]],
             &[[[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]]],

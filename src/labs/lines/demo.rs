@@ -39,6 +39,7 @@ pub trait LineDemo: Demo + Algorithm<Output = Visible> {
     fn settles(event: &Self::Event, input: &Self::Input) -> Settles;
 
     /// The borders by which the segment's line comes in and goes out, where it comes in only after it has gone out.
+    #[must_use]
     fn between(_: &Self::State) -> Option<[Value; 2]> {
         None
     }

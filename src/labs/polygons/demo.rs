@@ -28,21 +28,25 @@ pub trait PolygonDemo: Demo {
     fn input(scene: &Scene) -> Result<Self::Input, UnfitScene>;
 
     /// The clip edge that an event brings up.
+    #[must_use]
     fn border(_: &Self::Event) -> Option<usize> {
         None
     }
 
     /// What an event says of a vertex of the subject that lies there: does it stay, as far as it has been asked?
+    #[must_use]
     fn tells(_: &Self::Event, _at: Point) -> Option<bool> {
         None
     }
 
     /// Where an event finds an intersection.
+    #[must_use]
     fn crossing(_: &Self::Event) -> Option<Point> {
         None
     }
 
     /// The outline of the piece that an event finishes; the state is that after it.
+    #[must_use]
     fn piece(_: &Self::Event, _: &Self::State) -> Option<Vec<Point>> {
         None
     }

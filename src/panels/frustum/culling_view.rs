@@ -149,7 +149,7 @@ fn lines(ui: &mut Ui, look: Look<'_>, costs: &CullingCosts, height: f32) {
             let (color, line_style) = style(culling);
             let known = costs.sweep().iter().zip(SWEEP);
             let points: Vec<[f64; 2]> = known
-                .map(|(costs, count)| [(count as f64).log10(), (1e3 * costs[i].secs()).log10()])
+                .map(|(costs, count)| [count as f64, 1e3 * costs[i].secs()].map(libm::log10))
                 .collect();
             let last = points.last().copied();
             let line = Line::new(look.say(culling.name_key()), points);

@@ -102,7 +102,7 @@ impl Solids {
                     .filter(|_| role != Role::Discarded),
             };
             match fate {
-                Fate::Cut => self.cut_face(whole, planes),
+                Fate::Cut => self.cut_face(&whole, planes),
                 Fate::ToCome | Fate::Kept | Fate::Culled => self.facets.push(whole),
             }
         }
@@ -159,7 +159,7 @@ impl Solids {
     }
 
     /// The part inside all planes, and what each plane cuts off.
-    fn cut_face(&mut self, whole: Facet, planes: &[Plane; 6]) {
+    fn cut_face(&mut self, whole: &Facet, planes: &[Plane; 6]) {
         let first = self.facets.len();
         let mut left = whole.corners.clone();
         for plane in planes {
