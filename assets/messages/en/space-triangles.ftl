@@ -19,7 +19,6 @@ tri-list-in = List in
 tri-list-out = List out
 tri-list-given = Triangle
 tri-list-left = What is left
-tally-so-far = so far
 tally-triangles = triangles
 tally-crossings = crossings
 tally-one-polygon = one polygon

@@ -19,7 +19,6 @@ tri-list-in = Lista de entrada
 tri-list-out = Lista de salida
 tri-list-given = Triángulo
 tri-list-left = Lo que queda
-tally-so-far = hasta ahora
 tally-triangles = triángulos
 tally-crossings = cortes
 tally-one-polygon = un solo polígono

@@ -19,7 +19,6 @@ tri-list-in = Lista de entrada
 tri-list-out = Lista de saída
 tri-list-given = Triângulo
 tri-list-left = O que sobra
-tally-so-far = até aqui
 tally-triangles = triângulos
 tally-crossings = cortes
 tally-one-polygon = um só polígono

@@ -19,7 +19,6 @@ tri-list-in = 输入表
 tri-list-out = 输出表
 tri-list-given = 三角形
 tri-list-left = 剩下的部分
-tally-so-far = 到此为止
 tally-triangles = 三角形
 tally-crossings = 交点
 tally-one-polygon = 整个多边形

@@ -21,7 +21,7 @@
 //! let bounds = AlignedBox::new([-1.0, -1.0, -1.0, 1.0, 1.0, 1.0])?;
 //! let ends = [[-2.0, -1.0, 0.0], [2.0, 1.0, 4.0]];
 //! let visible = silent::<LiangBarsky3d>(&LineInput { bounds, ends });
-//! assert_eq!(visible, None, "it leaves by far at u = 1/4, where it comes in by left");
+//! assert_eq!(visible, Some([[-1.0, -0.5, 1.0]; 2]), "it comes in by left at u = 1/4, and leaves there by far");
 //! # Ok::<(), clipscope::geom::SpaceError>(())
 //! ```
 

@@ -8,8 +8,8 @@ use crate::{
     text::{Catalog, Lang},
 };
 
-/// What works on a scene and not on a case.
-const WITHOUT_CASES: [&str; 1] = ["funnel"];
+/// What works on a scene and not on a case: of a texture, `intersection-polygon` has the coordinates.
+const WITHOUT_CASES: [&str; 2] = ["funnel", "textured-triangle"];
 
 #[test]
 fn every_lab_has_a_format_solvers_a_panel_and_words() {

@@ -21,7 +21,5 @@ pub use variant::WithTexture;
 
 /// The view of lists in and out.
 const LISTS_VIEW: &str = "lists";
-/// The view of both methods' totals.
-const TALLY_VIEW: &str = "tally";
 /// The view of small drawings, one a plane.
 const PLANES_VIEW: &str = "planes";

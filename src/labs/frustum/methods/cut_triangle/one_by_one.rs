@@ -22,14 +22,14 @@ use super::{
         },
         planes::place,
     },
-    LISTS_VIEW, PLANES_VIEW, TALLY_VIEW,
+    LISTS_VIEW, PLANES_VIEW,
     captions::{one_by_one_caption, triangle_symbol},
     code::one_by_one,
     marks::{cut, cut_edge, given, kept, lost, places, plane_mark, vertex},
     pieces_view::{pieces, triangle_link},
     small::{Progress, small},
     stages::{of_polygon, of_triangles},
-    tally::{has_room_for_totals, tally},
+    tally::{is_alone, tally},
     variant::{self, OneByOne, Variant},
 };
 
@@ -111,11 +111,8 @@ impl<L: Variant<OneByOne>> Demo for Shown<L> {
             LISTS_VIEW,
             Body::Lists(pieces(step.state, step.event)),
         ));
-        if has_room_for_totals(scenery.as_deref()) {
-            let table = tally([&of_polygon::<Right>(own), &own_stages], progress.n_done, 1);
-            views.push(View::new(TALLY_VIEW, Body::Table(table)));
-        }
-        if let Some(scenery) = scenery.as_deref() {
+        let is_alone = is_alone(scenery.as_deref());
+        if let Some(scenery) = scenery.as_deref().filter(|_| is_alone) {
             let row = small(&own.triangle, &own.planes, &own_stages, progress, scenery);
             views.push(View::new(PLANES_VIEW, Body::Multiples(row)));
         }
@@ -147,6 +144,8 @@ impl<L: Variant<OneByOne>> Demo for Shown<L> {
         if !state.next.is_empty() {
             sections.push(list(&state.next, "′"));
         }
+        let stages = [&of_polygon::<Right>(own)[..], &of_triangles::<L>(own)];
+        sections.push(tally(stages, progress(step, own).n_done));
         sections
     }
 }
@@ -189,9 +188,11 @@ fn marks<L: Variant<OneByOne>>(step: &Step<'_, Shown<L>>, scenery: &Scenery) -> 
     for (i, triangle) in shown.iter().enumerate() {
         let is_asked = asked.is_some_and(|asked| asked.triangle_idx == i);
         if plane.is_none() || has_passed || is_asked {
-            marks.extend(kept(triangle, Role::Accent));
+            let kept = kept(triangle, Role::Accent).into_iter();
+            marks.extend(kept.map(|mark| mark.linked(triangle_link(i))));
         } else {
-            marks.push(Mark3::new(Role::Accent, Shape3::Outline(places(triangle))).fine());
+            let outline = Mark3::new(Role::Accent, Shape3::Outline(places(triangle)));
+            marks.push(outline.fine().linked(triangle_link(i)));
         }
         if shown.len() > MOST_NAMED && !is_asked {
             continue;

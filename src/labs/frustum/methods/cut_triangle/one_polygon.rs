@@ -24,7 +24,7 @@ use super::{
         },
         planes::place,
     },
-    LISTS_VIEW, PLANES_VIEW, TALLY_VIEW,
+    LISTS_VIEW, PLANES_VIEW,
     captions::polygon_caption,
     code::polygon,
     list_view::lists,
@@ -34,7 +34,7 @@ use super::{
     },
     small::{Progress, small},
     stages::{of_polygon, of_triangles},
-    tally::{has_room_for_totals, tally},
+    tally::{is_alone, tally},
     texture::checkered,
     variant::{self, OnePolygon, Variant},
 };
@@ -121,7 +121,6 @@ impl<L: Variant<OnePolygon>> Demo for Shown<L> {
     fn views(step: &Step<'_, Self>) -> Vec<View> {
         let Input { own, scenery } = step.input;
         let own_stages = of_polygon::<L>(own);
-        let other = of_triangles::<Right>(own);
         let progress = progress(step, own);
         let mut views = Vec::new();
         if let Some(scenery) = scenery.as_deref() {
@@ -135,11 +134,8 @@ impl<L: Variant<OnePolygon>> Demo for Shown<L> {
             LISTS_VIEW,
             Body::Lists(lists(own, step.state, step.event)),
         ));
-        if !L::IS_TEXTURED && has_room_for_totals(scenery.as_deref()) {
-            let table = tally([&own_stages, &other], progress.n_done, 0);
-            views.push(View::new(TALLY_VIEW, Body::Table(table)));
-        }
-        if let Some(scenery) = scenery.as_deref().filter(|_| !L::IS_TEXTURED) {
+        let has_more = !L::IS_TEXTURED && is_alone(scenery.as_deref());
+        if let Some(scenery) = scenery.as_deref().filter(|_| has_more) {
             let row = small(&own.triangle, &own.planes, &own_stages, progress, scenery);
             views.push(View::new(PLANES_VIEW, Body::Multiples(row)));
         }
@@ -168,6 +164,10 @@ impl<L: Variant<OnePolygon>> Demo for Shown<L> {
             WatchSection::list(rows),
             list(&state.input, ""),
             list(&state.output, "′"),
+            tally(
+                [&of_polygon::<L>(own), &of_triangles::<Right>(own)],
+                progress(step, own).n_done,
+            ),
         ]
     }
 }

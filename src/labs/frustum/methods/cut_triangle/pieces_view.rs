@@ -49,7 +49,7 @@ pub fn pieces(state: &State, event: Option<Event>) -> Lists {
         entry.details = (0..3)
             .map(|corner| asked.map(|asked| Value::Number(asked.distances[corner])))
             .collect();
-        entry.link = Some(triangle_link(i));
+        entry.link = Some(triangle_link(i)).filter(|_| !has_passed);
         entry
     };
     let reach = ListColumn::reach(n_in, current);
@@ -70,6 +70,8 @@ pub fn pieces(state: &State, event: Option<Event>) -> Lists {
         let mut entry = ListRow::new(name(out_symbol(i)));
         entry.role = if is_new { Role::Signal } else { Role::Accent };
         entry.marker = Some(ItemMarker::Dot);
+        // Once the plane is done with, the new triangles stand on the stage.
+        entry.link = Some(triangle_link(i)).filter(|_| has_passed);
         entry
     };
     let links = state.origins.iter().enumerate().filter_map(|(i, &origin)| {
