@@ -45,7 +45,9 @@ impl Texture {
     #[must_use]
     pub fn at(&self, [u, v]: [f32; 2]) -> [u8; 3] {
         let place = |along: f32, n: usize| {
-            let part = along - along.floor();
+            // Cheaper than `floor`, for which the base set of x86-64 has no instruction.
+            let part = along - along as i32 as f32;
+            let part = if part < 0.0 { part + 1.0 } else { part };
             ((part * n as f32) as usize).min(n - 1)
         };
         let [columns, rows] = self.size;
