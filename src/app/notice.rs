@@ -28,6 +28,7 @@ impl Notice {
 
     /// Stays while something goes on.
     #[must_use]
+    #[cfg(not(target_arch = "wasm32"))]
     pub const fn lasting(text: String) -> Self {
         Self {
             text,
