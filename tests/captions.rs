@@ -10,7 +10,7 @@ use clipscope::{
     labs::{
         Change, LABS, MethodCard, Scene, frustum,
         lines::{self, Method},
-        polygons,
+        polygons, space,
     },
     lesson::Course,
     text::{Catalog, Lang, Value},
@@ -92,15 +92,15 @@ fn polygon_scenes() -> Vec<Scene> {
 /// What stands everywhere that something can stand, for every method and both kinds of cameras.
 fn frustum_scenes() -> Vec<Scene> {
     let mut scenes = Vec::new();
-    for method in frustum::Method::all() {
+    for method in frustum::FRUSTUM.all() {
         for is_parallel in [false, true] {
             for point in [[0.0, 1.0, 0.0], [0.0, 2.0, 6.0], [9.0, 9.0, 9.0]] {
-                let mut scene = frustum::Scene::first();
+                let mut scene = frustum::first_scene();
                 scene.method = method;
                 scene.places = scene.places.with_point(point).unwrap();
                 scene.set_focus(2).unwrap();
                 let mut scene: Scene = scene.into();
-                let turned = frustum::FrustumChange::Parallel(is_parallel);
+                let turned = space::SpaceChange::Parallel(is_parallel);
                 Change::apply(&turned, &mut scene).unwrap();
                 scenes.push(scene);
             }

@@ -5,7 +5,7 @@ use std::io::{self, ErrorKind};
 use clipscope::{
     figure::MomentError,
     geom::{Axis, GeomError, MeshError, SpaceError},
-    labs::{frustum, lines, polygons},
+    labs::{lines, polygons, space},
     lesson::FileError,
     text::{Catalog, Diagnostic, Lang, SystemError},
 };
@@ -110,34 +110,34 @@ fn meshes() -> Vec<MeshError> {
 }
 
 fn scenes() -> Vec<Diagnostic> {
-    use frustum::SceneError as Frustum;
     use lines::SceneError as Lines;
     use polygons::SceneError as Polygons;
+    use space::SceneError as Space;
     let lines = |error: Lines| match error {
         Lines::NoSegments | Lines::TooManySegments(_) | Lines::NoSuchFocus { .. } => error.into(),
     };
     let polygons = |error: Polygons| match error {
         Polygons::TooManyVertices(_) | Polygons::TooFewVertices => error.into(),
     };
-    let frustum = |error: Frustum| match error {
-        Frustum::NoObjects
-        | Frustum::TooManyObjects(_)
-        | Frustum::NoSuchObject { .. }
-        | Frustum::NoSuchFace { .. }
-        | Frustum::NoSuchVertex { .. } => error.into(),
+    let space = |error: Space| match error {
+        Space::NoObjects
+        | Space::TooManyObjects(_)
+        | Space::NoSuchObject { .. }
+        | Space::NoSuchFace { .. }
+        | Space::NoSuchVertex { .. } => error.into(),
     };
     vec![
-        frustum(Frustum::NoObjects),
-        frustum(Frustum::TooManyObjects(7)),
-        frustum(Frustum::NoSuchObject {
+        space(Space::NoObjects),
+        space(Space::TooManyObjects(7)),
+        space(Space::NoSuchObject {
             focus: 3,
             n_objects: 2,
         }),
-        frustum(Frustum::NoSuchFace {
+        space(Space::NoSuchFace {
             face: 12,
             n_faces: 12,
         }),
-        frustum(Frustum::NoSuchVertex {
+        space(Space::NoSuchVertex {
             vertex: 8,
             n_vertices: 8,
         }),

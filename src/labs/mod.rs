@@ -14,6 +14,7 @@ pub mod lines;
 pub mod polygons;
 mod registry;
 mod sketch;
+pub mod space;
 mod split_mix;
 mod typed;
 mod window_handles;
@@ -27,7 +28,7 @@ pub use handle::{Handle, HandleKind, Motion};
 pub use lab::{
     Change, ChangeOf, Click, Document, Lab, Lock, OutlineKind, Own, Plain, Scene, Verdict,
 };
-pub use registry::{Listed, Method};
+pub use registry::{Carded, Listed, Method};
 pub use sketch::Sketch;
 pub use typed::{place_of, written};
 

@@ -4,27 +4,26 @@ use std::fmt;
 
 use super::MethodCard;
 
-/// What a lab knows of its methods without running them.
-pub trait Listed: Sync + Sized + 'static {
-    /// Every method, in the order in which they are taught.
-    fn all() -> &'static [Self];
+/// What a lab knows of a method without running it.
+pub trait Carded: Sync + Sized + 'static {
     /// Names, source and pseudocode.
     fn card(&self) -> &MethodCard;
+}
+
+/// What is known of the methods of the one lab that has such.
+pub trait Listed: Carded {
+    /// Every method, in the order in which they are taught.
+    fn all() -> &'static [Self];
 }
 
 /// One of a lab's methods.
 pub struct Method<I: 'static>(&'static I);
 
-impl<I: Listed> Method<I> {
-    /// In the order of the registry.
-    pub fn all() -> impl ExactSizeIterator<Item = Self> {
-        I::all().iter().map(Self)
-    }
-
-    /// The method with this id.
+impl<I: Carded> Method<I> {
+    /// The method of which this is known.
     #[must_use]
-    pub fn by_id(id: &str) -> Option<Self> {
-        Self::all().find(|method| method.card().id == id)
+    pub const fn of(info: &'static I) -> Self {
+        Self(info)
     }
 
     /// What is known of it.
@@ -40,6 +39,19 @@ impl<I: Listed> Method<I> {
     }
 }
 
+impl<I: Listed> Method<I> {
+    /// In the order of the registry.
+    pub fn all() -> impl ExactSizeIterator<Item = Self> {
+        I::all().iter().map(Self)
+    }
+
+    /// The method with this id.
+    #[must_use]
+    pub fn by_id(id: &str) -> Option<Self> {
+        Self::all().find(|method| method.card().id == id)
+    }
+}
+
 impl<I> Clone for Method<I> {
     fn clone(&self) -> Self {
         *self
@@ -48,21 +60,21 @@ impl<I> Clone for Method<I> {
 
 impl<I> Copy for Method<I> {}
 
-impl<I: Listed> PartialEq for Method<I> {
+impl<I: Carded> PartialEq for Method<I> {
     fn eq(&self, other: &Self) -> bool {
         self.card().id == other.card().id
     }
 }
 
-impl<I: Listed> Eq for Method<I> {}
+impl<I: Carded> Eq for Method<I> {}
 
-impl<I: Listed> fmt::Debug for Method<I> {
+impl<I: Carded> fmt::Debug for Method<I> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.card().id)
     }
 }
 
-impl<I: Listed> fmt::Display for Method<I> {
+impl<I: Carded> fmt::Display for Method<I> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.card().id)
     }

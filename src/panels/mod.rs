@@ -8,6 +8,7 @@ mod number_field;
 mod pickers;
 mod polygons;
 mod seeded;
+mod space;
 mod spots;
 mod still_plot;
 

@@ -2,7 +2,7 @@
 
 use clipscope::{
     figure::{Body, Lens, Seer, SolidMesh, SolidPicture, Space, project},
-    labs::{Document, frustum},
+    labs::{Document, frustum, space},
 };
 
 /// Of the FNV-1a hash.
@@ -12,12 +12,12 @@ const PRIME: u64 = 0x0000_0100_0000_01b3;
 /// Both views of the frustum lab's first scene and of a street, at the end of the funnel: which facet is seen at each
 /// sample and how far away, and every line as it is projected, hashed.
 pub fn digest() -> u64 {
-    let mut street = frustum::Scene::first();
+    let mut street = frustum::first_scene();
     street
-        .set_objects(frustum::street(60, 3))
+        .set_objects(space::street(60, 3))
         .expect("not too many");
     let mut hash = OFFSET;
-    for scene in [frustum::Scene::first(), street] {
+    for scene in [frustum::first_scene(), street] {
         let runs = scene.record();
         let run = runs.first().expect("a method is on stage");
         for view in run.frame(run.n_steps()).views {

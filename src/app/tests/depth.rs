@@ -6,7 +6,7 @@ use glam::DVec3;
 use super::{Bench, SIZE};
 use crate::app::{App, Command, Settings};
 use crate::{
-    labs::{Handle, frustum},
+    labs::{Handle, space},
     lesson::Course,
 };
 
@@ -36,7 +36,7 @@ fn place(bench: &Bench, handle: Handle) -> DVec3 {
 #[test]
 fn full_stop_takes_a_handle_away_from_the_eye() {
     let (mut bench, handle) = focused();
-    let scene = bench.app.scene().get::<frustum::Scene>();
+    let scene = bench.app.scene().get::<space::Scene>();
     let eye = DVec3::from(scene.expect("of that lab").eye.position());
     let before = place(&bench, handle);
     bench.key(Key::Period);

@@ -6,7 +6,10 @@ use super::{Bench, SIZE};
 use crate::{
     app::{App, Command, Settings},
     geom::Solid,
-    labs::frustum::{LAB, MAX_OBJECTS, Model, Opening, Scene},
+    labs::{
+        frustum::LAB,
+        space::{MAX_OBJECTS, Model, Opening, Scene},
+    },
     lesson::Course,
 };
 

@@ -5,7 +5,7 @@ use std::{path::PathBuf, sync::Arc, thread, time::Duration};
 use super::{Bench, SIZE};
 use crate::{
     app::{App, Command, Dialog, Settings, Target},
-    labs::{Scene, frustum},
+    labs::{Scene, frustum, space},
     lesson::Course,
 };
 
@@ -51,7 +51,7 @@ fn said(bench: &Bench) -> Vec<String> {
 }
 
 fn objects(scene: &Scene) -> usize {
-    let scene = scene.get::<frustum::Scene>();
+    let scene = scene.get::<space::Scene>();
     scene.map_or(0, |scene| scene.objects().len())
 }
 
@@ -66,9 +66,9 @@ fn a_mesh_that_is_dropped_stands_in_the_free_scene_and_can_be_undone() {
     dropped(&mut bench, "wedge.OBJ", WEDGE);
     let first = objects(&frustum::LAB.first_scene());
     assert_eq!(objects(bench.app.scene()), first + 1, "{:?}", said(&bench));
-    let scene = bench.app.scene().get::<frustum::Scene>();
+    let scene = bench.app.scene().get::<space::Scene>();
     let wedge = scene.expect("of that lab").focused().clone();
-    let frustum::Model::Mesh(named) = wedge.model() else {
+    let space::Model::Mesh(named) = wedge.model() else {
         panic!("a mesh, not {:?}", wedge.model());
     };
     assert_eq!(
@@ -190,7 +190,7 @@ fn a_mesh_is_painted_with_the_picture_beside_it() {
     let path = folder.path().join("wedge.obj");
     bench.frame_with(0.1, Vec::new(), vec![Arc::new(Dropped(path))]);
     wait(&mut bench);
-    let scene = bench.app.scene().get::<frustum::Scene>();
+    let scene = bench.app.scene().get::<space::Scene>();
     let wedge = scene.expect("of that lab").focused();
     let skin = wedge.model().skin([0, 1, 2]).expect("it is painted");
     assert_eq!(skin.texture.size(), [16, 8]);

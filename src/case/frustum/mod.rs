@@ -18,7 +18,7 @@ use crate::{
             LiangBarsky3d, PlaneAtATime, PlaneLine,
         },
     },
-    labs::frustum::OnScene,
+    labs::space::OnScene,
 };
 
 use super::Solver;

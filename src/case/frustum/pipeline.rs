@@ -10,7 +10,7 @@ use crate::{
     },
     case::{Code, Detail, Field, Fields, Given, Node, Path, Refusal, Solve, Told},
     geom::{Camera, Matrix},
-    labs::frustum::OnScene,
+    labs::space::OnScene,
     text::{Formula, Message, Value},
 };
 

@@ -7,7 +7,7 @@ use crate::{
         SphereCullOutput,
     },
     case::{Field, Fields, Refusal, Solve, Told},
-    labs::{frustum::OnScene, plane_symbol},
+    labs::{plane_symbol, space::OnScene},
     text::Message,
 };
 

@@ -6,7 +6,7 @@ use crate::{
         LineInput, PlaneLine, VisibleLine,
     },
     case::{Field, Fields, Refusal, Solve, Told},
-    labs::frustum::OnScene,
+    labs::space::OnScene,
     text::{Formula, Message, Value},
 };
 

@@ -6,7 +6,7 @@ use crate::{
         PlaneAtATime, SpaceVertex, TrianglePlanes,
     },
     case::{Field, Fields, Given, Refusal, Solve, Told},
-    labs::frustum::OnScene,
+    labs::space::OnScene,
     text::{Formula, Message, Value},
 };
 

@@ -13,7 +13,7 @@ use crate::{
     trace::silent,
 };
 
-use super::{Object, Scene};
+use crate::labs::space::{Object, Scene};
 
 /// Columns and rows of the picture that is drawn.
 const SIZE: [u32; 2] = [320, 200];
@@ -180,12 +180,12 @@ impl PlacedMesh {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::labs::frustum::street;
+    use crate::labs::{frustum::first_scene, space::street};
 
     #[test]
     fn whatever_is_culled_the_picture_is_the_same() {
         for (count, seed) in [(1, 1), (30, 2), (300, 3)] {
-            let mut scene = Scene::first();
+            let mut scene = first_scene();
             scene.set_objects(street(count, seed)).unwrap();
             let mut task = CullingTask::new(&scene);
             let mut pictures = Vec::new();

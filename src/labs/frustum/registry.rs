@@ -1,4 +1,5 @@
-//! The methods of this lab. To add one: a file in `algo::cull`, its [`FrustumDemo`] here beside the others, one line below.
+//! The lab and its methods. To add one: a file in `algo::cull` or `algo::volume`, its [`SpaceDemo`] in `methods/` beside
+//! the others, one line below.
 
 use crate::{
     algo::{
@@ -16,23 +17,40 @@ use crate::{
             },
         },
     },
-    labs::{Listed, MethodCard},
-    trace::{Counted, Counts},
+    geom::{Orbit, Solid},
+    labs::{
+        Lab, MethodCard,
+        space::{
+            MethodInfo, Model, Object, OnScene, Opening, Scene, SpaceDemo, SpaceLab, TaughtCamera,
+        },
+    },
 };
 
-use super::{MethodInfo, OnScene, Scene, demo::FrustumDemo, methods::WithTexture};
+use super::{methods::WithTexture, verdict::verdict};
 
-const fn info<A: FrustumDemo>() -> MethodInfo<Scene> {
+/// Objects in front of a camera, and around it.
+pub static FRUSTUM: SpaceLab = SpaceLab {
+    id: "frustum",
+    name_key: "lab-frustum",
+    about_key: "lab-frustum-about",
+    lock_groups: &["camera", "volume", "object", "point", "segment", "triangle"],
+    methods: || &METHODS,
+    first_scene,
+};
+
+/// The same, for whoever knows no lab by name.
+pub static LAB: &dyn Lab = &FRUSTUM;
+
+const fn info<A: SpaceDemo>() -> MethodInfo<Scene> {
     MethodInfo {
+        lab: &FRUSTUM,
+        siblings: || &METHODS,
         card: MethodCard::of::<A>(),
         subject: A::SUBJECT,
         tells_faces: A::TELLS_FACES,
         record: A::record,
         face_fate: A::face_fate,
-        cost: |scene| {
-            let input = A::input(scene);
-            Counts::of(|| A::run::<Counted>(&input, |_| {})).1
-        },
+        verdict,
     }
 }
 
@@ -67,12 +85,31 @@ pub static METHODS: [MethodInfo<Scene>; 27] = [
     info::<OnScene<HomogeneousTriangle<Option<[f64; 2]>, DividesFirst>>>(),
 ];
 
-impl Listed for MethodInfo<Scene> {
-    fn all() -> &'static [Self] {
-        &METHODS
-    }
-
-    fn card(&self) -> &MethodCard {
-        &self.card
-    }
+/// What the lab opens on where there is no lesson.
+///
+/// # Panics
+/// Never: its numbers are valid.
+#[must_use]
+pub fn first_scene() -> Scene {
+    let method = FRUSTUM.method("funnel").expect("in the registry");
+    let camera = TaughtCamera::new(
+        [[0.0, 2.0, 6.0], [0.0, 1.0, -2.0], [0.0, 1.0, 0.0]],
+        Opening::FovY(40.0),
+        1.6,
+        [2.0, 13.0],
+    );
+    let eye = Orbit::new([0.6, 1.2, -1.2], [34.0, 25.0], 33.0, 26.0);
+    let object = |solid, at, turn, size| {
+        Object::new(Model::Solid(solid), at, [0.0, turn, 0.0], size).expect("finite")
+    };
+    let objects = vec![
+        object(Solid::Cube, [-0.4, 0.9, 0.2], 20.0, 0.6),
+        object(Solid::Octahedron, [1.6, 2.4, -2.5], 0.0, 0.9),
+        object(Solid::Cube, [3.0, 0.75, -1.5], 10.0, 0.75),
+        object(Solid::Tetrahedron, [-1.8, 1.4, -6.6], 30.0, 0.8),
+        object(Solid::Cube, [-6.5, 0.8, 0.5], 35.0, 0.8),
+        object(Solid::Octahedron, [3.2, 1.0, 8.0], 15.0, 0.8),
+    ];
+    let camera = camera.expect("constants that are valid");
+    Scene::new(method, camera, eye, objects).expect("objects")
 }

@@ -30,7 +30,7 @@ pub fn verdict(scene: &Scene, about: Link, run: &dyn Run) -> Option<Verdict> {
 
 fn face_verdict(scene: &Scene, face_idx: usize, run: &dyn Run) -> Option<Verdict> {
     let method = scene.method;
-    let FaceFate { step, test } = method.info().face_fate(scene, face_idx)?;
+    let FaceFate { step, test } = (method.info().face_fate)(scene, face_idx)?;
     let turn = match test {
         FaceTest::Sphere => return object_verdict(scene, object_link(scene.focus()), run),
         FaceTest::Corners(side) => corners_turn(scene, face_idx, side),
@@ -110,11 +110,11 @@ fn object_verdict(scene: &Scene, about: Link, run: &dyn Run) -> Option<Verdict> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::labs::Document;
+    use crate::labs::{Document, frustum::first_scene};
 
     #[test]
     fn every_object_and_every_face_of_it_is_told_by_the_funnel() {
-        let mut scene = Scene::first();
+        let mut scene = first_scene();
         let mut tests = std::collections::HashSet::new();
         // One object goes out of sight, sideways.
         for x in 0..8 {
@@ -138,7 +138,7 @@ mod tests {
         assert_eq!(event(object_link(scene.focus()))["event"], "sphere");
         let faces = 0..scene.focused().model().mesh().faces().len();
         let kinds = faces.map(|face_idx| {
-            let fate = scene.method.info().face_fate(scene, face_idx);
+            let fate = (scene.method.info().face_fate)(scene, face_idx);
             let FaceFate { test, .. } = fate.expect("it is told");
             let event = event(face_link(face_idx));
             match test {

@@ -4,7 +4,7 @@
 use crate::{
     algo::line,
     geom::Segment,
-    labs::{self, Listed, MethodCard},
+    labs::{self, Carded, Listed, MethodCard},
     trace::{Counted, Counts, silent},
 };
 
@@ -44,12 +44,14 @@ pub static METHODS: [MethodInfo<Scene>; 5] = [
     info::<line::NichollLeeNicholl>(),
 ];
 
+impl Carded for MethodInfo<Scene> {
+    fn card(&self) -> &MethodCard {
+        &self.card
+    }
+}
+
 impl Listed for MethodInfo<Scene> {
     fn all() -> &'static [Self] {
         &METHODS
-    }
-
-    fn card(&self) -> &MethodCard {
-        &self.card
     }
 }

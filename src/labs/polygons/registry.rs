@@ -3,7 +3,7 @@
 
 use crate::{
     algo::polygon,
-    labs::{Listed, MethodCard},
+    labs::{Carded, Listed, MethodCard},
 };
 
 use super::{
@@ -40,12 +40,14 @@ pub static METHODS: [MethodInfo<Scene>; 10] = [
     info::<faulty::EndBeforeCrossing>(),
 ];
 
+impl Carded for MethodInfo<Scene> {
+    fn card(&self) -> &MethodCard {
+        &self.card
+    }
+}
+
 impl Listed for MethodInfo<Scene> {
     fn all() -> &'static [Self] {
         &METHODS
-    }
-
-    fn card(&self) -> &MethodCard {
-        &self.card
     }
 }

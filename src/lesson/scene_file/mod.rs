@@ -2,21 +2,23 @@
 //! that a lab joins.
 
 mod format;
-mod frustum;
 mod lines;
 mod parts;
 mod polygons;
+mod space;
 
 pub(crate) use format::SceneFormat;
 pub use format::{SceneFile, SceneFormats};
-pub use frustum::spot;
+pub use space::spot;
+
+use crate::labs::frustum::FRUSTUM;
 
 impl SceneFormats {
     /// Those of all labs.
     #[must_use]
     pub const fn standard() -> Self {
         static FORMATS: [&dyn SceneFormat; 3] =
-            [&lines::Format, &polygons::Format, &frustum::Format];
+            [&lines::Format, &polygons::Format, &space::Format(&FRUSTUM)];
         Self::new(&FORMATS)
     }
 }

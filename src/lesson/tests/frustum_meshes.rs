@@ -1,6 +1,6 @@
 //! Lessons with meshes in their folders.
 
-use crate::labs::frustum::Scene;
+use crate::labs::space::Scene;
 
 use super::{
     frustum_scenes::{SCENE, read},

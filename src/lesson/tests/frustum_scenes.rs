@@ -9,7 +9,8 @@ use crate::{
     geom::{Mesh, Orbit, Solid},
     labs::{
         self,
-        frustum::{LAB, Method, Model, NamedMesh, Object, Opening, Scene, TaughtCamera},
+        frustum::{FRUSTUM, LAB},
+        space::{Method, Model, NamedMesh, Object, Opening, Scene, TaughtCamera},
     },
 };
 
@@ -300,7 +301,7 @@ prop_compose! {
         is_frozen in any::<bool>(),
         picks in [any::<prop::sample::Index>(), any::<prop::sample::Index>(), any::<prop::sample::Index>()],
     ) -> Option<Scene> {
-        let known: Vec<Method> = Method::all().collect();
+        let known: Vec<Method> = FRUSTUM.all().collect();
         let [method, compare] = methods.map(|index| *index.get(&known));
         let (is_parallel, open, aspect, near, depth) = volume;
         let opening = if is_parallel { Opening::Height(open) } else { Opening::FovY(open) };

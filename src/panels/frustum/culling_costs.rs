@@ -3,7 +3,10 @@
 
 use std::hint::black_box;
 
-use crate::labs::frustum::{Culling, CullingTask, Scene, street};
+use crate::labs::{
+    frustum::{Culling, CullingTask},
+    space::{Scene, street},
+};
 
 /// Streets of so many boxes are measured, to see where the best choice changes.
 pub const SWEEP: [usize; 9] = [1, 3, 10, 30, 100, 300, 1000, 3000, 10_000];
@@ -177,10 +180,11 @@ impl CullingCosts {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::labs::frustum::first_scene;
 
     #[test]
     fn every_way_is_measured_and_then_it_rests() {
-        let scene = Scene::first();
+        let scene = first_scene();
         let mut costs = CullingCosts::new(&scene);
         // A clock that a test can rely on: each look at it takes a moment.
         let ticks = std::cell::Cell::new(0.0);

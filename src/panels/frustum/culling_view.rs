@@ -4,7 +4,7 @@ use egui::{Align2, Color32, ProgressBar, RichText, Slider, Stroke, Ui};
 use egui_plot::{Bar, BarChart, Line, LineStyle, Plot, PlotBounds, PlotPoint, Text};
 
 use crate::{
-    labs::frustum::{Culling, MAX_OBJECTS},
+    labs::{frustum::Culling, space::MAX_OBJECTS},
     paint::theme,
     panels::still_plot,
     text::{Message, Value},

@@ -1,42 +1,27 @@
-//! What the frustum lab adds to the window: its camera, its objects, a street of many.
+//! What the frustum lab adds to the window: its scenes' menu, and what culling costs.
 
-mod camera;
 mod culling_costs;
 mod culling_view;
-mod objects;
-
-use std::sync::Arc;
 
 use egui::Ui;
 
 use crate::{
     geom::{Mesh, Texture},
-    labs::{
-        Edit, Lab, Scene,
-        frustum::{self, FrustumChange, Model, NamedMesh},
-    },
-    panels::{Bench, LabPanel, PanelAsk, Seeded},
+    labs::{Edit, Lab, Scene, frustum},
+    panels::{Bench, LabPanel, PanelAsk},
     widgets::Look,
 };
+
+use super::space::{SpaceMenu, add_mesh};
 
 use culling_costs::CullingCosts;
 use culling_view::{CullingAsk, culling_window};
 
 /// The lab's part of the window.
+#[derive(Default)]
 pub struct FrustumPanel {
-    street: Seeded,
+    menu: SpaceMenu,
     costs: Option<CullingCosts>,
-}
-
-impl Default for FrustumPanel {
-    fn default() -> Self {
-        let street = Seeded {
-            count: 100,
-            seed: 1,
-        };
-        let costs = None;
-        Self { street, costs }
-    }
 }
 
 impl LabPanel for FrustumPanel {
@@ -45,20 +30,11 @@ impl LabPanel for FrustumPanel {
     }
 
     fn menu(&mut self, ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
-        let scene = scene.get()?;
-        let camera = camera::form(ui, look, scene);
-        let objects = objects::rows(ui, look, scene);
-        let street = objects::street(ui, look, &mut self.street);
-        camera.or(objects).or(street)
+        self.menu.show(ui, look, scene.get()?)
     }
 
     fn add_mesh(&self, name: &str, mesh: &Mesh, texture: Option<&Texture>) -> Option<Edit> {
-        let model = Model::Mesh(Arc::new(NamedMesh {
-            name: name.to_owned(),
-            mesh: mesh.clone(),
-            texture: texture.cloned(),
-        }));
-        Some(Edit::own(FrustumChange::Add(model)))
+        Some(add_mesh(name, mesh, texture))
     }
 
     fn measures(&self) -> bool {
@@ -93,14 +69,4 @@ impl Bench for FrustumPanel {
         costs.work(clock);
         true
     }
-}
-
-/// What the menu asks for once.
-fn own(change: FrustumChange) -> PanelAsk {
-    PanelAsk::Edit(Edit::own(change))
-}
-
-/// What it asks for while a number is dragged: the number has this place in the menu.
-fn tuned(change: FrustumChange, number: usize) -> PanelAsk {
-    PanelAsk::Tune(Edit::own(change), number)
 }

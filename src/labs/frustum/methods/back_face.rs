@@ -24,7 +24,7 @@ use crate::{
 use super::{
     super::{
         FaceFate, FaceTest, OnScene, OnSceneInput, Scene, Subject,
-        demo::FrustumDemo,
+        demo::SpaceDemo,
         stage::{FaceLook, Fate, face_link},
     },
     planes::{place, triple},
@@ -50,7 +50,7 @@ fn input_of(scene: &Scene, face_idx: usize) -> Option<BackFaceInput> {
     })
 }
 
-impl FrustumDemo for Shown {
+impl SpaceDemo for Shown {
     const SUBJECT: Subject = Subject::Face;
     const TELLS_FACES: bool = true;
 

@@ -19,7 +19,7 @@ use crate::{
 use super::{
     super::{
         OnScene, OnSceneInput, Scene,
-        demo::FrustumDemo,
+        demo::SpaceDemo,
         stage::{FaceLook, Fate, plane_at_work},
     },
     planes::{fate_of, place, plane_link, plane_name, role_of},
@@ -37,7 +37,7 @@ impl Answer for BoxCullOutput {
     }
 }
 
-impl FrustumDemo for Shown {
+impl SpaceDemo for Shown {
     fn input(scene: &Scene) -> Input {
         let own = BoxCullInput {
             planes: scene.culler().planes_in_world().to_vec(),

@@ -23,7 +23,7 @@ use crate::{
 use super::{
     super::{
         OnScene, OnSceneInput, Scene, Subject,
-        demo::FrustumDemo,
+        demo::SpaceDemo,
         stage::{cube_view, face_at_work, side_name},
     },
     line::{
@@ -53,7 +53,7 @@ const AXES: [[VolumeSide; 2]; 3] = [
     [VolumeSide::Near, VolumeSide::Far],
 ];
 
-impl FrustumDemo for Shown {
+impl SpaceDemo for Shown {
     const SUBJECT: Subject = Subject::BoxedSegment;
 
     fn input(scene: &Scene) -> Input {

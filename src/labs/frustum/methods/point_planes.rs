@@ -22,7 +22,7 @@ use crate::{
 use super::{
     super::{
         OnScene, OnSceneInput, Scene, Subject,
-        demo::FrustumDemo,
+        demo::SpaceDemo,
         stage::{FaceLook, Fate, Scenery, plane_at_work},
     },
     planes::{distance_formula, perpendicular, place, plane_link, plane_name, triple},
@@ -39,7 +39,7 @@ impl Answer for PointPlanesOutput {
     }
 }
 
-impl FrustumDemo for Shown {
+impl SpaceDemo for Shown {
     const SUBJECT: Subject = Subject::Point;
 
     fn input(scene: &Scene) -> Input {

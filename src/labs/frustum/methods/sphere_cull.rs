@@ -17,7 +17,7 @@ use crate::{
 use super::{
     super::{
         OnScene, OnSceneInput, Scene,
-        demo::FrustumDemo,
+        demo::SpaceDemo,
         stage::{FaceLook, Fate, Scenery, plane_at_work},
     },
     planes::{
@@ -37,7 +37,7 @@ impl Answer for SphereCullOutput {
     }
 }
 
-impl FrustumDemo for Shown {
+impl SpaceDemo for Shown {
     fn input(scene: &Scene) -> Input {
         let own = SphereCullInput {
             planes: scene.culler().planes_in_world().to_vec(),

@@ -17,7 +17,7 @@ use crate::{
 };
 
 use super::super::{
-    OnScene, OnSceneInput, Scene, Subject, demo::FrustumDemo, screen::screen, stage::Fate,
+    OnScene, OnSceneInput, Scene, Subject, demo::SpaceDemo, screen::screen, stage::Fate,
 };
 
 use line_ends::{ends, lengths};
@@ -37,7 +37,7 @@ impl Answer for Vec<[i64; 2]> {
     }
 }
 
-impl FrustumDemo for Shown {
+impl SpaceDemo for Shown {
     const SUBJECT: Subject = Subject::Segment;
 
     fn input(scene: &Scene) -> Input {

@@ -13,7 +13,7 @@ use crate::{
 use super::{
     super::super::{
         OnScene, OnSceneInput, Scene, Subject,
-        demo::FrustumDemo,
+        demo::SpaceDemo,
         stage::{FaceLook, Fate, side_name},
     },
     LISTS_VIEW,
@@ -44,7 +44,7 @@ impl Answer for ClipPolygon<Uv> {
     }
 }
 
-impl<L: Variant<Homogeneous>> FrustumDemo for Shown<L> {
+impl<L: Variant<Homogeneous>> SpaceDemo for Shown<L> {
     const SUBJECT: Subject = Subject::Triangle;
 
     fn input(scene: &Scene) -> Input {

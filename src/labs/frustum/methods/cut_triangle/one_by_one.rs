@@ -17,7 +17,7 @@ use super::{
     super::{
         super::{
             OnScene, OnSceneInput, Scene, Subject,
-            demo::FrustumDemo,
+            demo::SpaceDemo,
             stage::{Fate, Scenery},
         },
         planes::place,
@@ -39,7 +39,7 @@ const MOST_NAMED: usize = 4;
 type Input = OnSceneInput<TrianglePlanes>;
 type Shown<L> = OnScene<PlaneAtATime<L>>;
 
-impl<L: Variant<OneByOne>> FrustumDemo for Shown<L> {
+impl<L: Variant<OneByOne>> SpaceDemo for Shown<L> {
     const SUBJECT: Subject = Subject::Triangle;
 
     fn input(scene: &Scene) -> Input {

@@ -19,7 +19,7 @@ use super::{
     super::{
         super::{
             OnScene, OnSceneInput, Scene, Subject,
-            demo::FrustumDemo,
+            demo::SpaceDemo,
             stage::{FaceLook, Fate, Scenery},
         },
         planes::place,
@@ -57,7 +57,7 @@ impl Answer for CutTriangles {
     }
 }
 
-impl<L: Variant<OnePolygon>> FrustumDemo for Shown<L> {
+impl<L: Variant<OnePolygon>> SpaceDemo for Shown<L> {
     const SUBJECT: Subject = Subject::Triangle;
 
     fn input(scene: &Scene) -> Input {

@@ -22,9 +22,7 @@ use crate::{
 };
 
 use super::{
-    super::{
-        FaceFate, FaceTest, OnScene, OnSceneInput, Scene, demo::FrustumDemo, stage::side_link,
-    },
+    super::{FaceFate, FaceTest, OnScene, OnSceneInput, Scene, demo::SpaceDemo, stage::side_link},
     sphere_cull::{class_row, class_tick, plane_tick, sphere_gauges, sphere_rows},
 };
 use variant::Variant;
@@ -41,7 +39,7 @@ impl Answer for FunnelLevels {
     }
 }
 
-impl<L: CullRules + Variant> FrustumDemo for Shown<L> {
+impl<L: CullRules + Variant> SpaceDemo for Shown<L> {
     const TELLS_FACES: bool = true;
 
     fn face_fate(scene: &Scene, face_idx: usize) -> Option<FaceFate> {

@@ -25,7 +25,7 @@ use crate::{
     text::Value,
 };
 
-use super::super::{OnScene, OnSceneInput, Scene, Subject, demo::FrustumDemo};
+use super::super::{OnScene, OnSceneInput, Scene, Subject, demo::SpaceDemo};
 
 pub use bounds::{face_equation, unit_box};
 pub use captions::accepted;
@@ -46,7 +46,7 @@ impl<const N: usize> Answer for VisibleLine<N> {
     }
 }
 
-impl<const N: usize, B: LineLook<N>, L: LineRules + Variant<N, B>> FrustumDemo for Shown<N, B, L>
+impl<const N: usize, B: LineLook<N>, L: LineRules + Variant<N, B>> SpaceDemo for Shown<N, B, L>
 where
     Right: Variant<N, B>,
 {

@@ -20,7 +20,7 @@ use crate::{
 
 use super::super::{
     OnScene, OnSceneInput, Scene, Subject,
-    demo::FrustumDemo,
+    demo::SpaceDemo,
     screen::screen,
     stage::{Followed, PictureSpace, SpacePictures},
 };
@@ -43,7 +43,7 @@ impl Answer for ViewingPipelineOutput {
     }
 }
 
-impl FrustumDemo for Shown {
+impl SpaceDemo for Shown {
     const SUBJECT: Subject = Subject::Vertex;
 
     fn input(scene: &Scene) -> Input {

@@ -1,18 +1,18 @@
-//! The frustum lab's document: a camera, and what it may see.
+//! What the labs in three dimensions work on: a camera, and what it may see.
 
 use std::fmt;
 
 use crate::{
-    geom::{Camera, Orbit, Solid},
+    geom::{Camera, Orbit},
     text::{Diagnostic, Message},
 };
 
-use super::{MethodInfo, Model, Object, Opening, Places, TaughtCamera};
+use super::{MethodInfo, Object, Places, TaughtCamera};
 
 /// More objects than this are refused: a frame could not draw them in time.
 pub const MAX_OBJECTS: usize = 10_000;
 
-/// One of the lab's methods.
+/// A method of one of these labs.
 pub type Method = crate::labs::Method<MethodInfo<Scene>>;
 
 /// Always valid: at least one object, the focus is one of them, face and vertex are that object's.
@@ -121,35 +121,6 @@ impl Scene {
             face: 0,
             vertex: 0,
         })
-    }
-
-    /// What the lab opens on where there is no lesson.
-    ///
-    /// # Panics
-    /// Never: its numbers are valid.
-    #[must_use]
-    pub fn first() -> Self {
-        let method = Method::by_id("funnel").expect("in the registry");
-        let camera = TaughtCamera::new(
-            [[0.0, 2.0, 6.0], [0.0, 1.0, -2.0], [0.0, 1.0, 0.0]],
-            Opening::FovY(40.0),
-            1.6,
-            [2.0, 13.0],
-        );
-        let eye = Orbit::new([0.6, 1.2, -1.2], [34.0, 25.0], 33.0, 26.0);
-        let object = |solid, at, turn, size| {
-            Object::new(Model::Solid(solid), at, [0.0, turn, 0.0], size).expect("finite")
-        };
-        let objects = vec![
-            object(Solid::Cube, [-0.4, 0.9, 0.2], 20.0, 0.6),
-            object(Solid::Octahedron, [1.6, 2.4, -2.5], 0.0, 0.9),
-            object(Solid::Cube, [3.0, 0.75, -1.5], 10.0, 0.75),
-            object(Solid::Tetrahedron, [-1.8, 1.4, -6.6], 30.0, 0.8),
-            object(Solid::Cube, [-6.5, 0.8, 0.5], 35.0, 0.8),
-            object(Solid::Octahedron, [3.2, 1.0, 8.0], 15.0, 0.8),
-        ];
-        let camera = camera.expect("constants that are valid");
-        Self::new(method, camera, eye, objects).expect("objects")
     }
 
     /// At least one.

@@ -1,4 +1,4 @@
-//! What can be taken hold of in the frustum lab.
+//! What can be taken hold of in a scene.
 
 use glam::DVec3;
 

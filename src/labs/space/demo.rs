@@ -8,7 +8,7 @@ use crate::{
 use super::{FaceFate, Scene, Subject};
 
 /// A method of this lab.
-pub trait FrustumDemo: Demo {
+pub trait SpaceDemo: Demo {
     /// What it is about.
     const SUBJECT: Subject = Subject::Object;
 

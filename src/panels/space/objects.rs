@@ -6,7 +6,7 @@ use crate::{
     geom::Solid,
     labs::{
         Edit,
-        frustum::{FrustumChange, MAX_OBJECTS, Model, Object, Scene},
+        space::{MAX_OBJECTS, Model, Object, Scene, SpaceChange},
     },
     lesson::spot,
     panels::{PanelAsk, Seeded, number_field},
@@ -27,7 +27,7 @@ pub fn rows(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
     let form = form_button(ui, look.say("object-numbers"), |ui| {
         focus(ui, look, scene).or(place(ui, look, scene))
     });
-    let added = added.inner.flatten().map(FrustumChange::Add).map(own);
+    let added = added.inner.flatten().map(SpaceChange::Add).map(own);
     added
         .or(removed.then_some(PanelAsk::Edit(Edit::Remove(None))))
         .or(form.inner.flatten())
@@ -76,10 +76,10 @@ fn focus(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
     let object = number("object-focus", scene.focus(), scene.objects().len());
     let face = number("object-face", scene.face(), n_faces);
     let vertex = number("object-vertex", scene.vertex(), n_vertices);
-    let object = object.map(|idx| tuned(FrustumChange::Focus(idx), FIRST_NUMBER));
+    let object = object.map(|idx| tuned(SpaceChange::Focus(idx), FIRST_NUMBER));
     object
-        .or(face.map(|idx| tuned(FrustumChange::Face(idx), FIRST_NUMBER + 1)))
-        .or(vertex.map(|idx| tuned(FrustumChange::Vertex(idx), FIRST_NUMBER + 6)))
+        .or(face.map(|idx| tuned(SpaceChange::Face(idx), FIRST_NUMBER + 1)))
+        .or(vertex.map(|idx| tuned(SpaceChange::Vertex(idx), FIRST_NUMBER + 6)))
 }
 
 /// How the object in focus is turned, and how large it is.
@@ -92,10 +92,7 @@ fn place(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
         if let Some(degrees) = number_field(ui, look, (key, "°"), turn_deg[axis], &(-360.0..=360.0))
         {
             turn_deg[axis] = degrees;
-            asked = Some(tuned(
-                FrustumChange::Turn(turn_deg),
-                FIRST_NUMBER + 2 + axis,
-            ));
+            asked = Some(tuned(SpaceChange::Turn(turn_deg), FIRST_NUMBER + 2 + axis));
         }
     }
     if let Some(size) = number_field(
@@ -105,7 +102,7 @@ fn place(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
         object.size(),
         &(0.01..=100.0),
     ) {
-        asked = Some(tuned(FrustumChange::Size(size), FIRST_NUMBER + 5));
+        asked = Some(tuned(SpaceChange::Size(size), FIRST_NUMBER + 5));
     }
     asked
 }
@@ -120,5 +117,5 @@ pub fn street(ui: &mut Ui, look: Look<'_>, street: &mut Seeded) -> Option<PanelA
         is_asked = street.show_with(ui, look, ["street-count", "street-make"], slider);
     });
     let &mut Seeded { count, seed } = street;
-    is_asked.then(|| own(FrustumChange::Street { count, seed }))
+    is_asked.then(|| own(SpaceChange::Street { count, seed }))
 }

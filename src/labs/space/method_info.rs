@@ -1,6 +1,10 @@
 //! What the lab knows of a method: the same whatever it runs on.
 
-use crate::{figure::Run, geom::VolumeSide, labs::MethodCard, trace::Counts};
+use crate::{
+    figure::{Link, Run},
+    geom::VolumeSide,
+    labs::{Carded, Lab, MethodCard, Verdict},
+};
 
 use super::Subject;
 
@@ -27,34 +31,27 @@ pub struct FaceFate {
 }
 
 /// What is known of a method without running it.
-pub struct MethodInfo<S> {
+pub struct MethodInfo<S: 'static> {
+    /// Whose it is.
+    pub lab: &'static dyn Lab,
+    /// All methods of that lab.
+    pub siblings: fn() -> &'static [Self],
     /// Names, source and pseudocode.
     pub card: MethodCard,
     /// What it is about.
     pub subject: Subject,
     /// Can it say what became of a face of the object in focus?
     pub tells_faces: bool,
-    pub(super) record: fn(&S) -> Box<dyn Run>,
-    pub(super) cost: fn(&S) -> Counts,
-    pub(super) face_fate: fn(&S, usize) -> Option<FaceFate>,
+    /// Runs it on a scene.
+    pub record: fn(&S) -> Box<dyn Run>,
+    /// The step that decided the fate of a face of the object in focus.
+    pub face_fate: fn(&S, usize) -> Option<FaceFate>,
+    /// What decided the fate of something, in a run of it.
+    pub verdict: fn(&S, Link, &dyn Run) -> Option<Verdict>,
 }
 
-impl<S> MethodInfo<S> {
-    /// Runs it on a scene.
-    #[must_use]
-    pub fn record(&self, scene: &S) -> Box<dyn Run> {
-        (self.record)(scene)
-    }
-
-    /// The step that decided the fate of a face of the object in focus.
-    #[must_use]
-    pub fn face_fate(&self, scene: &S, face_idx: usize) -> Option<FaceFate> {
-        (self.face_fate)(scene, face_idx)
-    }
-
-    /// How many operations it takes, without recording the steps.
-    #[must_use]
-    pub fn cost(&self, scene: &S) -> Counts {
-        (self.cost)(scene)
+impl<S> Carded for MethodInfo<S> {
+    fn card(&self) -> &MethodCard {
+        &self.card
     }
 }

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use crate::{
     geom::{Orbit, SpaceError},
-    labs::frustum::{Opening, TaughtCamera},
+    labs::space::{Opening, TaughtCamera},
     lesson::{
         scene_file::parts::{array, exact},
         sink::Sink,

@@ -4,7 +4,7 @@ use std::sync::{Arc, LazyLock};
 
 use crate::{
     geom::Solid,
-    labs::frustum::{Model, NamedMesh},
+    labs::space::{Model, NamedMesh},
     lesson::{read_obj, read_picture},
 };
 

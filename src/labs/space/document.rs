@@ -1,4 +1,4 @@
-//! What the frustum lab's scene shows, and how it is changed.
+//! What a scene shows, and how it is changed.
 
 use std::sync::Arc;
 
@@ -9,32 +9,40 @@ use crate::{
 };
 
 use super::{
-    FrustumChange, LAB, Method, Scene, Subject,
+    Method, Scene, SpaceChange, Subject,
     change::beside,
     stage::{face_link, object_link, vertex_link},
-    verdict::verdict,
 };
 
 impl Scene {
     /// The methods on stage.
-    pub(super) fn on_stage(&self) -> impl Iterator<Item = Method> {
+    pub(in crate::labs) fn on_stage(&self) -> impl Iterator<Item = Method> {
         [Some(self.method), self.compare].into_iter().flatten()
     }
 
+    /// The method of the same lab with this id.
+    fn sibling(&self, id: &str) -> Option<Method> {
+        let siblings = (self.method.info().siblings)();
+        siblings
+            .iter()
+            .find(|info| info.card.id == id)
+            .map(Method::of)
+    }
+
     /// Is a method on stage about this?
-    pub(super) fn asks(&self, subject: Subject) -> bool {
+    pub(in crate::labs) fn asks(&self, subject: Subject) -> bool {
         self.on_stage()
             .any(|method| method.info().subject == subject)
     }
 
     /// Do objects stand in the picture?
-    pub(super) fn shows_objects(&self) -> bool {
+    pub(in crate::labs) fn shows_objects(&self) -> bool {
         let mut on_stage = self.on_stage();
         on_stage.any(|method| method.info().subject.shows_objects())
     }
 
     /// Does the camera?
-    pub(super) fn shows_camera(&self) -> bool {
+    pub(in crate::labs) fn shows_camera(&self) -> bool {
         let mut on_stage = self.on_stage();
         on_stage.any(|method| method.info().subject.shows_camera())
     }
@@ -42,7 +50,7 @@ impl Scene {
 
 impl Document for Scene {
     fn lab(&self) -> &'static dyn Lab {
-        LAB
+        self.method.info().lab
     }
 
     fn methods(&self) -> Vec<&'static MethodCard> {
@@ -50,23 +58,23 @@ impl Document for Scene {
     }
 
     fn set_method(&mut self, id: &str) {
-        if let Some(method) = Method::by_id(id) {
+        if let Some(method) = self.sibling(id) {
             self.method = method;
             self.compare = self.compare.filter(|&other| other != method);
         }
     }
 
     fn set_compare(&mut self, id: Option<&str>) {
-        self.compare = id.and_then(Method::by_id);
+        self.compare = id.and_then(|id| self.sibling(id));
     }
 
     fn record(&self) -> Vec<Box<dyn Run>> {
-        let record = |method: Method| method.info().record(self);
+        let record = |method: Method| (method.info().record)(self);
         self.on_stage().map(record).collect()
     }
 
     fn verdict(&self, about: Link, run: &dyn Run) -> Option<Verdict> {
-        verdict(self, about, run)
+        (self.method.info().verdict)(self, about, run)
     }
 
     /// Everything is in the views: what is seen depends on the step.
@@ -107,16 +115,16 @@ impl Document for Scene {
         let mut faces = 0..self.focused().model().mesh().faces().len();
         let mut vertices = 0..self.focused().model().mesh().positions().len();
         let change = if let Some(object_idx) = objects.find(|&i| clicked == object_link(i)) {
-            FrustumChange::Focus(object_idx)
+            SpaceChange::Focus(object_idx)
         } else if let Some(vertex_idx) = vertices.find(|&i| clicked == vertex_link(i)) {
-            FrustumChange::Vertex(vertex_idx)
+            SpaceChange::Vertex(vertex_idx)
         } else {
-            FrustumChange::Face(faces.find(|&i| clicked == face_link(i))?)
+            SpaceChange::Face(faces.find(|&i| clicked == face_link(i))?)
         };
         let there = [
-            FrustumChange::Focus(self.focus()),
-            FrustumChange::Face(self.face()),
-            FrustumChange::Vertex(self.vertex()),
+            SpaceChange::Focus(self.focus()),
+            SpaceChange::Face(self.face()),
+            SpaceChange::Vertex(self.vertex()),
         ];
         let is_there = there.contains(&change);
         (!is_there).then(|| -> Own { Arc::new(change) })

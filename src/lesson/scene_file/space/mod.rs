@@ -1,4 +1,4 @@
-//! A scene of the frustum lab as files spell it.
+//! A scene of a lab in three dimensions as files spell it.
 
 mod camera;
 mod model;
@@ -10,8 +10,8 @@ use crate::{
     geom::Solid,
     labs::{
         self, Lab,
-        frustum::{
-            LAB, MAX_OBJECTS, Method, Model, Object, Places, Scene, SceneError, TaughtCamera,
+        space::{
+            MAX_OBJECTS, Method, Model, Object, Places, Scene, SceneError, SpaceLab, TaughtCamera,
             street,
         },
     },
@@ -36,12 +36,12 @@ const FIELDS: [&str; 13] = [
     "street", "focus", "face", "vertex",
 ];
 
-/// The spelling of this lab's scenes.
-pub(in crate::lesson) struct Format;
+/// The spelling of a lab's scenes.
+pub(in crate::lesson) struct Format(pub &'static SpaceLab);
 
 impl SceneFormat for Format {
     fn lab(&self) -> &'static dyn Lab {
-        LAB
+        self.0
     }
 
     fn fields(&self) -> &'static [&'static str] {
@@ -63,23 +63,29 @@ impl SceneFormat for Format {
         room: &mut usize,
         sink: &mut Sink<'_>,
     ) -> Option<labs::Scene> {
-        scene(fields, room, sink).map(labs::Scene::from)
+        scene(self.0, fields, room, sink).map(labs::Scene::from)
     }
 
     fn write(&self, scene: &labs::Scene) -> Option<String> {
-        scene.get().map(to_toml)
+        let is_mine = scene.document().lab() == self.lab();
+        scene.get().filter(|_| is_mine).map(to_toml)
     }
 }
 
 /// Reads a scene; `room` is how many objects and faces a file may still have.
-fn scene(fields: &TomlFields<'_>, room: &mut usize, sink: &mut Sink<'_>) -> Option<Scene> {
+fn scene(
+    lab: &'static SpaceLab,
+    fields: &TomlFields<'_>,
+    room: &mut usize,
+    sink: &mut Sink<'_>,
+) -> Option<Scene> {
     let n_errors = sink.n_errors();
     let method = fields
         .require("method", sink)
-        .and_then(|item| frustum_method(item, sink));
+        .and_then(|item| method_of(lab, item, sink));
     let compare = fields
         .get("compare")
-        .and_then(|item| frustum_method(item, sink));
+        .and_then(|item| method_of(lab, item, sink));
     let camera = fields
         .require("camera", sink)
         .and_then(|item| camera(item, sink));
@@ -165,8 +171,8 @@ fn refused_at<T>(
     made.map_err(|error| sink.refuse(span, error, [])).ok()
 }
 
-fn frustum_method(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Method> {
-    Method::by_id(method(LAB, item, sink)?)
+fn method_of(lab: &'static SpaceLab, item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Method> {
+    lab.method(method(lab, item, sink)?)
 }
 
 /// The objects of a scene, listed or a street of boxes: one of the two; where neither is given, a cube that the camera looks at.

@@ -4,7 +4,7 @@ use std::{fmt::Write as _, sync::Arc};
 
 use crate::{
     geom::{Mesh, MeshError, Solid, SpaceError},
-    labs::frustum::{Model, NamedMesh, Object},
+    labs::space::{Model, NamedMesh, Object},
     lesson::{
         read_obj,
         scene_file::parts::{array, exact, span_of},

@@ -3,7 +3,7 @@
 use egui::Ui;
 
 use crate::{
-    labs::frustum::{CameraNumber, FrustumChange, Opening, Scene},
+    labs::space::{CameraNumber, Opening, Scene, SpaceChange},
     panels::{PanelAsk, number_field},
     widgets::{Look, form_button},
 };
@@ -31,7 +31,7 @@ fn sight(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
     for (key, parallel) in [("camera-perspective", false), ("camera-parallel", true)] {
         let is_so = is_parallel == parallel;
         if ui.radio(is_so, look.say(key)).clicked() && !is_so {
-            asked = Some(own(FrustumChange::Parallel(parallel)));
+            asked = Some(own(SpaceChange::Parallel(parallel)));
         }
     }
     asked
@@ -43,7 +43,7 @@ fn freeze(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
     let button = ui.checkbox(&mut is_frozen, look.say("camera-frozen"));
     let button = button.on_hover_text(look.say("camera-frozen-about"));
     let is_asked = button.changed();
-    is_asked.then(|| own(FrustumChange::Freeze(is_frozen)))
+    is_asked.then(|| own(SpaceChange::Freeze(is_frozen)))
 }
 
 fn numbers(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
@@ -80,7 +80,7 @@ fn numbers(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
     let mut asked = None;
     for (place, (number, name, value, range)) in fields.into_iter().enumerate() {
         if let Some(value) = number_field(ui, look, name, value, &range) {
-            asked = Some(tuned(FrustumChange::Camera(number, value), place));
+            asked = Some(tuned(SpaceChange::Camera(number, value), place));
         }
     }
     asked

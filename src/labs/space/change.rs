@@ -1,4 +1,4 @@
-//! What a person can do to the frustum lab's scene, beyond what every lab knows.
+//! What a person can do to a scene, beyond what every lab knows.
 
 use crate::{
     labs::{ChangeOf, Handle},
@@ -22,7 +22,7 @@ pub enum CameraNumber {
 
 /// One change to the scene.
 #[derive(Clone, PartialEq, Debug)]
-pub enum FrustumChange {
+pub enum SpaceChange {
     /// Looks at another object.
     Focus(usize),
     /// Looks at another face of the object in focus.
@@ -50,7 +50,7 @@ pub enum FrustumChange {
     },
 }
 
-impl ChangeOf for FrustumChange {
+impl ChangeOf for SpaceChange {
     type Of = Scene;
 
     fn make(&self, scene: &mut Scene) -> Result<Option<Handle>, Diagnostic> {

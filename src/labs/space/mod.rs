@@ -1,0 +1,29 @@
+//! What the labs in three dimensions share: a camera, objects, places that are asked about; how they are drawn, taken hold
+//! of and changed. Such a lab is a [`SpaceLab`] with a list of methods, and any scene of one opens in the other.
+
+mod change;
+pub(in crate::labs) mod demo;
+mod document;
+mod handles;
+mod method_info;
+mod object;
+mod on_scene;
+mod scene;
+pub(in crate::labs) mod screen;
+mod space_lab;
+pub(in crate::labs) mod stage;
+mod street;
+mod subject;
+mod taught_camera;
+
+pub use change::{CameraNumber, SpaceChange};
+pub use method_info::{FaceFate, FaceTest, MethodInfo};
+pub use object::{Model, NamedMesh, Object};
+pub use on_scene::{OnScene, OnSceneInput};
+pub use scene::{MAX_OBJECTS, Method, Scene, SceneError};
+pub use space_lab::SpaceLab;
+pub use street::street;
+pub use subject::{Places, Subject};
+pub use taught_camera::{Opening, TaughtCamera};
+
+pub(in crate::labs) use demo::SpaceDemo;
