@@ -89,6 +89,18 @@ pub enum Side {
     Leaving,
 }
 
+impl Side {
+    /// Of a line that is inside a border for u·p ≤ q, p not being 0.
+    #[must_use]
+    pub fn of(p: f64) -> Self {
+        if p < 0.0 {
+            Self::Entering
+        } else {
+            Self::Leaving
+        }
+    }
+}
+
 /// A value on a [`NumberLine`].
 #[derive(Clone, PartialEq, Debug)]
 pub struct LineTick {

@@ -76,13 +76,13 @@ pub(crate) fn record<A: Demo>(input: A::Input) -> Box<dyn Run> {
     })
 }
 
-/// The same of one that is wrong on purpose: its run knows where it first differs from the one of `Right`.
-pub(crate) fn record_wrong<A: Demo, Right>(input: A::Input) -> Box<dyn Run>
+/// The same by any rules: the run of one that is wrong on purpose knows where it first differs from the one of `Right`.
+pub(crate) fn record_beside<A: Demo, Right>(input: A::Input) -> Box<dyn Run>
 where
     Right: Algorithm<Input = A::Input, Event = A::Event>,
 {
     let trace = Trace::<A>::record(input);
-    let differs_at = trace.first_difference::<Right>();
+    let differs_at = A::DIFFERS_KEY.and_then(|_| trace.first_difference::<Right>());
     Box::new(Recorded { trace, differs_at })
 }
 

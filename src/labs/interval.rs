@@ -143,6 +143,17 @@ fn written(at: f64, crossings: &[ShownCrossing]) -> Ratio {
     same.map_or(Ratio { num: at, den: 1.0 }, |crossing| crossing.quotient)
 }
 
+/// Catalogue key: which way a line crosses a border where it is inside for u·p ≤ q.
+pub fn direction(p: f64) -> &'static str {
+    if p == 0.0 {
+        return "verdict-parallel";
+    }
+    match Side::of(p) {
+        Side::Entering => "verdict-entering",
+        Side::Leaving => "verdict-leaving",
+    }
+}
+
 /// A quotient that stands alone.
 pub const fn value_of(Ratio { num, den }: Ratio) -> Value {
     Value::Ratio { num, den }

@@ -11,6 +11,7 @@ mod handle;
 mod interval;
 mod lab;
 pub mod lines;
+mod operator;
 pub mod polygons;
 mod registry;
 mod sketch;
@@ -33,7 +34,7 @@ pub use sketch::Sketch;
 pub use typed::{place_of, written};
 
 use card::code_line;
-pub(crate) use demo::{record, record_wrong};
+pub(crate) use demo::{record, record_beside};
 pub(crate) use words::{plane_symbol, vertex_symbol};
 
 /// Every lab, in the order in which they are taught.

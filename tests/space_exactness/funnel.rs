@@ -4,7 +4,7 @@ use clipscope::{
     algo::{
         cull::{
             Containment, Funnel, FunnelInput, FunnelObject, SphereCull, SphereCullInput,
-            faulty::{AroundOrigin, Clockwise, ConstantView, FaultyFunnel, OneAngle, TurnsSign},
+            faulty::{AroundOrigin, Clockwise, ConstantView, OneAngle, TurnsSign},
         },
         surface::{Cull, MeshRef, Viewport, assemble, draw_rows},
     },
@@ -67,11 +67,11 @@ proptest! {
         });
         let input = FunnelInput { camera, objects: objects.collect() };
         laws::check::<Funnel>(&input);
-        laws::check::<FaultyFunnel<OneAngle>>(&input);
-        laws::check::<FaultyFunnel<ConstantView>>(&input);
-        laws::check::<FaultyFunnel<TurnsSign>>(&input);
-        laws::check::<FaultyFunnel<AroundOrigin>>(&input);
-        laws::check::<FaultyFunnel<Clockwise>>(&input);
+        laws::check::<Funnel<OneAngle>>(&input);
+        laws::check::<Funnel<ConstantView>>(&input);
+        laws::check::<Funnel<TurnsSign>>(&input);
+        laws::check::<Funnel<AroundOrigin>>(&input);
+        laws::check::<Funnel<Clockwise>>(&input);
         let levels = silent::<Funnel>(&input);
         prop_assert!(levels.scene.triangles >= levels.spheres.triangles);
         prop_assert!(levels.spheres.triangles >= levels.vertices.triangles);

@@ -4,7 +4,7 @@
 //! They run through the very same tests with one choice changed ([`CullRules`] says which can be), and report the same events, so
 //! that the first differing step is the first differing event. Only the lab's "what is wrong here?" knows this room.
 
-use super::{CullRules, Funnel};
+use super::CullRules;
 
 /// Erratum E7 of S3: the field of view from bottom to top is taken for that from left to right, too. In a wide window what stands
 /// at the sides vanishes although it is to be seen.
@@ -48,6 +48,3 @@ pub struct ConstantView;
 impl CullRules for ConstantView {
     const CONSTANT_VIEW: bool = true;
 }
-
-/// The funnel with the mistake `L`.
-pub type FaultyFunnel<L> = Funnel<L>;

@@ -5,7 +5,7 @@ use crate::{
     algo::{
         cull::{
             BackFace, BoxCull, Funnel, PointPlanes, SphereCull,
-            faulty::{AroundOrigin, Clockwise, ConstantView, FaultyFunnel, OneAngle, TurnsSign},
+            faulty::{AroundOrigin, Clockwise, ConstantView, OneAngle, TurnsSign},
         },
         pipeline::{LineToPixels, ViewingPipeline},
         volume::{
@@ -71,11 +71,11 @@ pub static METHODS: [MethodInfo<Scene>; 27] = [
     info::<OnScene<HomogeneousTriangle<Option<[f64; 2]>>>>(),
     info::<OnScene<ViewingPipeline>>(),
     info::<OnScene<LineToPixels>>(),
-    info::<OnScene<FaultyFunnel<OneAngle>>>(),
-    info::<OnScene<FaultyFunnel<TurnsSign>>>(),
-    info::<OnScene<FaultyFunnel<AroundOrigin>>>(),
-    info::<OnScene<FaultyFunnel<Clockwise>>>(),
-    info::<OnScene<FaultyFunnel<ConstantView>>>(),
+    info::<OnScene<Funnel<OneAngle>>>(),
+    info::<OnScene<Funnel<TurnsSign>>>(),
+    info::<OnScene<Funnel<AroundOrigin>>>(),
+    info::<OnScene<Funnel<Clockwise>>>(),
+    info::<OnScene<Funnel<ConstantView>>>(),
     info::<OnScene<DividedLine>>(),
     info::<OnScene<PlaneAtATime<MissesEdge>>>(),
     info::<OnScene<IntersectionPolygon<DropsOnPlane>>>(),

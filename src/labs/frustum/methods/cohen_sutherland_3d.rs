@@ -15,9 +15,10 @@ use crate::{
     labs::{
         CodeLine, Demo, Step, code_line,
         crossing_formulas::upright_in_space,
+        operator::Operator,
         words::{end_link, end_name, end_name_now, name, subscript},
     },
-    text::{Formula, Message, Value},
+    text::{Formula, Message},
 };
 
 use super::{
@@ -31,7 +32,7 @@ use super::{
         marks::{segment_marks, shadow},
         unit_box,
     },
-    planes::place,
+    planes::{parameter_row, place},
 };
 
 type Input = OnSceneInput<CohenSutherland3dInput>;
@@ -167,15 +168,19 @@ impl Demo for Shown {
             WatchRow::new(end_name(end), Some(at)).linked(end_link(end))
         });
         let mut rows: Vec<WatchRow> = ends.collect();
-        let t = if let Some(Event::Cut { u, .. }) = step.event {
-            Some(Value::Ratio {
-                num: u.num,
-                den: u.den,
-            })
-        } else {
-            None
+        let t = match step.event {
+            Some(Event::Cut { u, .. }) => Some(u),
+            Some(
+                Event::Code { .. }
+                | Event::Or { .. }
+                | Event::And { .. }
+                | Event::Choose { .. }
+                | Event::Accept { .. }
+                | Event::Reject { .. },
+            )
+            | None => None,
         };
-        rows.push(WatchRow::new(name("t"), t));
+        rows.push(parameter_row(t));
         vec![
             WatchSection::list(rows),
             WatchSection::list(code_rows(step.state)).seen_in(CODES_VIEW),
@@ -321,28 +326,21 @@ fn codes(step: &Step<'_, Shown>) -> Bits {
     Bits {
         columns: SideCode::WRITTEN.map(side_name).to_vec(),
         rows: End::BOTH.map(row).to_vec(),
-        note: Some(Message::new(match combined {
-            None => "space-line-note-code",
-            Some(("OR", _)) => "cs-note-or",
-            Some(_) => "cs-note-and",
-        })),
-        result: combined.map(|(operator, code)| BitRow {
-            name: name(operator),
-            bits: bits(code),
-            role: if is_now { Role::Signal } else { Role::Ink },
-            link: None,
+        note: Some(match combined {
+            None => Message::new("space-line-note-code"),
+            Some((operator, _)) => operator.note(),
         }),
+        result: combined.map(|(operator, code)| operator.row(bits(code), is_now)),
         deciding: deciding(step).and_then(column),
     }
 }
 
 /// The operator that the step is about, and what it gives.
-fn combined_now(step: &Step<'_, Shown>) -> Option<(&'static str, SideCode)> {
-    let or = step.state.or.map(|or| ("OR", or));
-    let and = step.state.and.map(|and| ("AND", and));
-    match step.event? {
-        Event::Code { .. } | Event::Cut { .. } => None,
-        Event::Or { .. } | Event::Accept { .. } | Event::Choose { .. } => or,
-        Event::And { .. } | Event::Reject { .. } => and,
-    }
+fn combined_now(step: &Step<'_, Shown>) -> Option<(Operator, SideCode)> {
+    let operator = match step.event? {
+        Event::Code { .. } | Event::Cut { .. } => return None,
+        Event::Or { .. } | Event::Accept { .. } | Event::Choose { .. } => Operator::Or,
+        Event::And { .. } | Event::Reject { .. } => Operator::And,
+    };
+    operator.of([step.state.or, step.state.and])
 }

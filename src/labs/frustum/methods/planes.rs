@@ -3,10 +3,10 @@
 use glam::DVec3;
 
 use crate::{
-    algo::cull::Containment,
-    figure::{Gauge, Gauges, Link, Mark3, Role, Shape3},
+    algo::{cull::Containment, parameter::Ratio},
+    figure::{Gauge, Gauges, Link, Mark3, Role, Shape3, WatchRow},
     geom::{Plane, VolumeSide},
-    labs::plane_symbol,
+    labs::{plane_symbol, words::name},
     text::{Formula, Message, Value},
 };
 
@@ -66,6 +66,20 @@ pub fn triple(symbol: &'static str, at: [f64; 3]) -> Formula {
 /// A point in space as a value.
 pub fn place(at: [f64; 3]) -> Value {
     Value::Formula(Formula::default().place(at))
+}
+
+/// n and D of the plane at work.
+pub fn plane_rows(plane: &Plane) -> [WatchRow; 2] {
+    [
+        WatchRow::new(name("n"), Some(place(plane.normal()))),
+        WatchRow::new(name("D"), Some(plane.d().into())),
+    ]
+}
+
+/// Where along its edge a crossing lies, as the quotient that it was computed as.
+pub fn parameter_row(t: Option<Ratio>) -> WatchRow {
+    let value = t.map(|Ratio { num, den }| Value::Ratio { num, den });
+    WatchRow::new(name("t"), value)
 }
 
 /// What a test says of an object, as it is drawn.

@@ -25,7 +25,7 @@ use super::{
         demo::SpaceDemo,
         stage::{FaceLook, Fate, Scenery, plane_at_work},
     },
-    planes::{distance_formula, perpendicular, place, plane_link, plane_name, triple},
+    planes::{distance_formula, perpendicular, place, plane_link, plane_name, plane_rows, triple},
 };
 
 type Input = OnSceneInput<PointPlanesInput>;
@@ -142,10 +142,8 @@ impl Demo for Shown {
 
     fn watch(step: &Step<'_, Self>) -> Watch {
         let mut rows = vec![WatchRow::new(name("P"), Some(place(step.input.own.point)))];
-        if let Some(plane) = current(step).and_then(|i| step.input.own.planes.get(i)) {
-            rows.push(WatchRow::new(name("n"), Some(place(plane.normal()))));
-            rows.push(WatchRow::new(name("D"), Some(plane.d().into())));
-        }
+        let plane = current(step).and_then(|i| step.input.own.planes.get(i));
+        rows.extend(plane.into_iter().flat_map(plane_rows));
         let distances = step.state.asked.iter().enumerate().map(|(i, &(d, _))| {
             let name = plane_name(step.input.scenery.as_deref(), i);
             WatchRow::new(name, Some(d.into())).linked(plane_link(i))

@@ -21,8 +21,8 @@ use super::{
         stage::{FaceLook, Fate, Scenery, plane_at_work},
     },
     planes::{
-        distance_formula, fate_of, gauges, perpendicular, place, plane_link, plane_name, role_of,
-        triple,
+        distance_formula, fate_of, gauges, perpendicular, place, plane_link, plane_name,
+        plane_rows, role_of, triple,
     },
 };
 
@@ -285,9 +285,6 @@ pub fn sphere_rows(sphere: &Sphere, plane: Option<&Plane>) -> Vec<WatchRow> {
         WatchRow::new(name("c"), Some(place(sphere.center()))),
         WatchRow::new(name("r"), Some(sphere.radius().into())),
     ];
-    if let Some(plane) = plane {
-        rows.push(WatchRow::new(name("n"), Some(place(plane.normal()))));
-        rows.push(WatchRow::new(name("D"), Some(plane.d().into())));
-    }
+    rows.extend(plane.into_iter().flat_map(plane_rows));
     rows
 }

@@ -4,7 +4,7 @@ use crate::{
     algo::line::{BitOrder, CohenSutherland, CohenSutherlandEvent as Event, End, Outcode},
     figure::{BitRow, Bits, Role},
     geom::Edge,
-    labs::{Step, words::name},
+    labs::{Step, operator::Operator, words::name},
     text::{Message, Value},
 };
 
@@ -26,24 +26,15 @@ pub fn codes(step: &Step<'_, CohenSutherland>) -> Bits {
     let order = step.input.bit_order;
     let column = |edge| order.written().iter().position(|&e| e == edge);
     let combined = combined(step);
+    let is_now = matches!(step.event, Some(Event::Or { .. } | Event::And { .. }));
     Bits {
         columns: order.written().map(|e| Value::Term(side_key(e))).to_vec(),
         rows: End::BOTH.map(|end| code_row(end, step)).to_vec(),
         note: Some(match combined {
             None => in_the_usual_order(step).unwrap_or_else(|| Message::new("cs-note-code")),
-            Some(("OR", _)) => Message::new("cs-note-or"),
-            Some(_) => Message::new("cs-note-and"),
+            Some((operator, _)) => operator.note(),
         }),
-        result: combined.map(|(operator, code)| BitRow {
-            name: name(operator),
-            bits: bits(code, order),
-            role: if matches!(step.event, Some(Event::Or { .. } | Event::And { .. })) {
-                Role::Signal
-            } else {
-                Role::Ink
-            },
-            link: None,
-        }),
+        result: combined.map(|(operator, code)| operator.row(bits(code, order), is_now)),
         deciding: deciding_edge(step).and_then(column),
     }
 }
@@ -75,14 +66,13 @@ fn code_row(end: End, step: &Step<'_, CohenSutherland>) -> BitRow {
 }
 
 /// The operator that the step is about, and what it gives.
-fn combined(step: &Step<'_, CohenSutherland>) -> Option<(&'static str, Outcode)> {
-    let or = step.state.or.map(|or| ("OR", or));
-    let and = step.state.and.map(|and| ("AND", and));
-    match step.event? {
-        Event::Code { .. } | Event::Cut { .. } => None,
-        Event::Or { .. } | Event::Accept { .. } | Event::Choose { .. } => or,
-        Event::And { .. } | Event::Reject { .. } => and,
-    }
+fn combined(step: &Step<'_, CohenSutherland>) -> Option<(Operator, Outcode)> {
+    let operator = match step.event? {
+        Event::Code { .. } | Event::Cut { .. } => return None,
+        Event::Or { .. } | Event::Accept { .. } | Event::Choose { .. } => Operator::Or,
+        Event::And { .. } | Event::Reject { .. } => Operator::And,
+    };
+    operator.of([step.state.or, step.state.and])
 }
 
 fn bits(code: Outcode, order: BitOrder) -> Vec<bool> {

@@ -14,7 +14,7 @@ use crate::{
 };
 
 use super::parametric::SegmentInterval;
-use crate::labs::interval::{ShownCrossing, ShownInterval, quotient, value_of};
+use crate::labs::interval::{ShownCrossing, ShownInterval, direction, quotient, value_of};
 
 /// `e₁`, `e₂`, …: edges are numbered from 1 on screen.
 pub fn edge_name(edge_idx: usize) -> Value {
@@ -56,11 +56,7 @@ pub fn interval(state: &State, event: Option<Event>) -> SegmentInterval {
         Some(ShownCrossing {
             at: row.t?,
             quotient: ratio(row, row.t?),
-            side: if row.slope > 0.0 {
-                Side::Entering
-            } else {
-                Side::Leaving
-            },
+            side: Side::of(-row.slope),
             holds: state.set_by.contains(&Some(i)),
             current: current == Some(i),
             name: edge_name(i),
@@ -101,17 +97,6 @@ pub fn reach(Input { clip, segment }: &Input) -> impl Iterator<Item = f64> {
     })
 }
 
-/// Catalogue key: which way the line crosses an edge.
-fn direction(row: &Row) -> &'static str {
-    if row.slope > 0.0 {
-        "verdict-entering"
-    } else if row.slope < 0.0 {
-        "verdict-leaving"
-    } else {
-        "verdict-parallel"
-    }
-}
-
 /// Both dot products and t of every edge.
 pub fn row_values(step: &Step<'_, CyrusBeck>) -> Vec<WatchRow> {
     let of_edge =
@@ -148,7 +133,7 @@ pub fn edge_table(step: &Step<'_, CyrusBeck>) -> Table {
             let t = cells.pop();
             cells.extend(t.map(Cell::strong));
         }
-        let word = row.map(|row| Value::Term(direction(row)));
+        let word = row.map(|row| Value::Term(direction(-row.slope)));
         cells.push(Cell::new(role, word));
         TableRow {
             name: edge_name(i),

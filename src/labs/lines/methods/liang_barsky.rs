@@ -16,10 +16,10 @@ use crate::{
 
 use super::{
     parametric::{moved_ends_rows, stays_caption},
-    rows::{direction, edge_in_hand, interval, ratio, reach, row_values, rows_table},
+    rows::{edge_in_hand, interval, ratio, reach, row_values, rows_table},
     shared::{accepted, opening, outside_marks, put_formulas},
 };
-use crate::labs::interval::quotient_formula;
+use crate::labs::interval::{direction, quotient_formula};
 use crate::labs::words::end_name;
 
 /// The view of the rows p, q, r.

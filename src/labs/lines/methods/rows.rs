@@ -15,7 +15,7 @@ use crate::{
 };
 
 use super::{parametric::SegmentInterval, shared::side_key};
-use crate::labs::interval::{ShownCrossing, ShownInterval, quotient, value_of};
+use crate::labs::interval::{ShownCrossing, ShownInterval, direction, quotient, value_of};
 
 /// What is left of u in a state; `event` tells which side is the step's.
 pub fn interval(state: &State, event: Option<Event>) -> SegmentInterval {
@@ -25,11 +25,7 @@ pub fn interval(state: &State, event: Option<Event>) -> SegmentInterval {
         Some(ShownCrossing {
             at,
             quotient: quotient(row.q, row.p, at),
-            side: if row.p < 0.0 {
-                Side::Entering
-            } else {
-                Side::Leaving
-            },
+            side: Side::of(row.p),
             holds: state.set_by.contains(&Some(row.edge)),
             current: current == Some(row.edge),
             name: edge_name(row.edge),
@@ -85,17 +81,6 @@ pub fn reach(WindowInput { window, segment }: &WindowInput) -> impl Iterator<Ite
         let [a1, a2] = [segment.p1, segment.p2].map(|p| along(p, edge.axis())[0]);
         (window.border(edge) - a1) / (a2 - a1)
     })
-}
-
-/// Catalogue key: which way the line crosses a side.
-pub fn direction(p: f64) -> &'static str {
-    if p < 0.0 {
-        "verdict-entering"
-    } else if p > 0.0 {
-        "verdict-leaving"
-    } else {
-        "verdict-parallel"
-    }
 }
 
 /// p, q and r of every side.

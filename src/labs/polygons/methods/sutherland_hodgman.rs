@@ -10,7 +10,7 @@ use crate::{
     labs::{
         CodeLine, Demo, Step,
         polygons::{GivenSubject, PolygonDemo, Scene, Texture, UnfitScene},
-        record, record_wrong,
+        record, record_beside,
         words::{name, point_formula, vertex_symbol},
     },
     text::{Formula, Message, Value},
@@ -92,11 +92,12 @@ impl<L: Variant> PolygonDemo for SutherlandHodgman<Point, L> {
     }
 
     fn record(scene: &Scene) -> Result<Box<dyn Run>, UnfitScene> {
-        if L::DIFFERS_KEY.is_some() {
-            return Ok(record_wrong::<Self, SutherlandHodgman>(input(scene)?));
-        }
-        Ok(match scene.texture {
-            Texture::None => record::<Self>(input(scene)?),
+        let texture = match L::DIFFERS_KEY {
+            Some(_) => Texture::None,
+            None => scene.texture,
+        };
+        Ok(match texture {
+            Texture::None => record_beside::<Self, SutherlandHodgman>(input(scene)?),
             Texture::Interpolated => record::<SutherlandHodgman<Textured, L>>(textured(scene)?),
             Texture::Kept => record::<SutherlandHodgman<Kept, L>>(textured(scene)?),
         })

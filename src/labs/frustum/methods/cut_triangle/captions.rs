@@ -75,14 +75,19 @@ fn parameter(symbol: &str, idx: [usize; 2], [d1, d2]: [f64; 2]) -> Formula {
         .equals(d1 / (d1 - d2))
 }
 
-/// Where a crossing is, and where in the texture.
-fn crossing(
-    caption: Caption,
-    symbol: &str,
+/// Between which vertices a crossing lies, where it is, and where in the texture.
+fn cross_caption(
+    on_plane: Message,
+    nth: usize,
     (idx, d): ([usize; 2], [f64; 2]),
     at: SpaceVertex,
 ) -> Caption {
-    let caption = caption.so(parameter("t", idx, d));
+    let symbol = cut_symbol(nth);
+    let message = on_plane
+        .with("from", vertex(idx[0]))
+        .with("to", vertex(idx[1]))
+        .with("cut", name(symbol.clone()));
+    let caption = Caption::new(message).so(parameter("t", idx, d));
     match at.uv {
         Some(uv) => {
             let [s, p] = idx.map(|i| format!("uv{}", subscript(i)));
@@ -118,10 +123,8 @@ pub fn polygon_caption(
                 "ip-first-outside"
             };
             let message = on_plane(key, input, before.plane_idx).with("vertex", vertex(0));
-            match at_work {
-                Some(plane) => Caption::new(message).so(distance(plane, 0, at.at, d)),
-                None => Caption::new(message),
-            }
+            let formula = at_work.map(|plane| distance(plane, 0, at.at, d));
+            formula.into_iter().fold(Caption::new(message), Caption::so)
         }
         Event::Test {
             idx,
@@ -130,21 +133,14 @@ pub fn polygon_caption(
             rule,
         } => {
             let caption = Caption::new(test_message(idx, distances, rule));
-            match at_work {
-                Some(plane) => caption.so(distance(plane, idx[1], ends[1].at, distances[1])),
-                None => caption,
-            }
+            let formula = at_work.map(|plane| distance(plane, idx[1], ends[1].at, distances[1]));
+            formula.into_iter().fold(caption, Caption::so)
         }
         Event::Cross { at, .. } => {
-            let (idx, d) = before
-                .test
-                .map_or(([0; 2], [1.0, 0.0]), |(idx, d, _)| (idx, d));
-            let symbol = cut_symbol(before.crossings.len());
-            let message = on_plane("ip-cross", input, before.plane_idx)
-                .with("from", vertex(idx[0]))
-                .with("to", vertex(idx[1]))
-                .with("cut", name(symbol.clone()));
-            crossing(Caption::new(message), &symbol, (idx, d), at)
+            let test = before.test.map(|(idx, d, _)| (idx, d));
+            let on_plane = on_plane("ip-cross", input, before.plane_idx);
+            let test = test.unwrap_or(([0; 2], [1.0, 0.0]));
+            cross_caption(on_plane, before.crossings.len(), test, at)
         }
         Event::Output { at } => {
             let symbol = put_out(before, at);
@@ -153,14 +149,7 @@ pub fn polygon_caption(
                 .so(Formula::default().sym(format!("{symbol} = ")).place(at.at))
         }
         Event::Pass { n_vertices, .. } => pass_caption(before, input, n_vertices),
-        Event::Fan { triangle } => {
-            let n = before.triangles.len() + 1;
-            let message = Message::new("ip-fan").with("n", n);
-            let message = message.with("total", before.input.len().saturating_sub(2));
-            let corner = |v: &SpaceVertex| before.input.iter().position(|other| other == v);
-            let symbols = triangle.iter().filter_map(corner).map(vertex_symbol);
-            Caption::new(message.with("corners", names(symbols)))
-        }
+        Event::Fan { triangle } => fan_caption(before, &triangle),
         Event::Done { n_triangles } => {
             let key = if n_triangles == 0 {
                 "ip-done-empty"
@@ -174,6 +163,15 @@ pub fn polygon_caption(
             Caption::new(message)
         }
     }
+}
+
+fn fan_caption(before: &IntersectionPolygonState, triangle: &[SpaceVertex; 3]) -> Caption {
+    let message = Message::new("ip-fan")
+        .with("n", before.triangles.len() + 1)
+        .with("total", before.input.len().saturating_sub(2));
+    let corner = |v: &SpaceVertex| before.input.iter().position(|other| other == v);
+    let symbols = triangle.iter().filter_map(corner).map(vertex_symbol);
+    Caption::new(message.with("corners", names(symbols)))
 }
 
 /// The rules are those of the plane.
@@ -245,6 +243,31 @@ pub fn triangle_symbol(idx: usize) -> String {
     format!("T{}", subscript(idx + 1))
 }
 
+const fn triangle_key(n_inside: usize, n_on: usize) -> &'static str {
+    match (n_inside, n_on) {
+        (1 | 2, 1..) => "pat-on",
+        (0, _) => "pat-none",
+        (1, _) => "pat-one",
+        (2, _) => "pat-two",
+        (3.., _) => "pat-three",
+    }
+}
+
+/// By the names of its corners: vertices of the triangle that was asked, and cuts.
+fn piece_caption(before: &PlaneAtATimeState, triangle: &[SpaceVertex; 3]) -> Caption {
+    let asked = before.asked.last();
+    let corners = asked.and_then(|asked| before.list.get(asked.triangle_idx));
+    let symbol = |v: &SpaceVertex| {
+        let cut = before.crossings.iter().position(|(_, at, _)| at == v);
+        let corner = || corners?.iter().position(|other| other == v);
+        cut.map(cut_symbol).or_else(|| corner().map(vertex_symbol))
+    };
+    let message = Message::new("pat-piece")
+        .with("n", before.next.len() + 1)
+        .with("corners", names(triangle.iter().filter_map(symbol)));
+    Caption::new(message)
+}
+
 pub fn one_by_one_caption(
     event: &PlaneAtATimeEvent,
     before: &PlaneAtATimeState,
@@ -268,14 +291,7 @@ pub fn one_by_one_caption(
         } => {
             let n_inside = inside.iter().filter(|&&inside| inside).count();
             let n_on = (0..3).filter(|&i| inside[i] && distances[i] == 0.0).count();
-            let key = match (n_inside, n_on) {
-                (1 | 2, 1..) => "pat-on",
-                (0, _) => "pat-none",
-                (1, _) => "pat-one",
-                (2, _) => "pat-two",
-                (3.., _) => "pat-three",
-            };
-            let message = on_plane(key, input, before.plane_idx)
+            let message = on_plane(triangle_key(n_inside, n_on), input, before.plane_idx)
                 .with("triangle", name(triangle_symbol(triangle_idx)))
                 .with("inside", n_inside)
                 .with("on", n_on);
@@ -287,37 +303,12 @@ pub fn one_by_one_caption(
             formulas.fold(Caption::new(message), Caption::so)
         }
         Event::Cross { idx, at, .. } => {
-            let d = before
-                .asked
-                .last()
-                .map_or([1.0, 0.0], |asked| idx.map(|i| asked.distances[i]));
-            let symbol = cut_symbol(before.crossings.len());
-            let message = on_plane("ip-cross", input, before.plane_idx)
-                .with("from", vertex(idx[0]))
-                .with("to", vertex(idx[1]))
-                .with("cut", name(symbol.clone()));
-            crossing(Caption::new(message), &symbol, (idx, d), at)
+            let asked = before.asked.last();
+            let d = asked.map_or([1.0, 0.0], |asked| idx.map(|i| asked.distances[i]));
+            let on_plane = on_plane("ip-cross", input, before.plane_idx);
+            cross_caption(on_plane, before.crossings.len(), (idx, d), at)
         }
-        Event::Piece { triangle } => {
-            let corners = before
-                .asked
-                .last()
-                .and_then(|asked| before.list.get(asked.triangle_idx));
-            let symbol = |v: &SpaceVertex| {
-                let cut = before.crossings.iter().position(|(_, at, _)| at == v);
-                let corner = || {
-                    corners?
-                        .iter()
-                        .position(|other| other == v)
-                        .map(vertex_symbol)
-                };
-                cut.map(cut_symbol).or_else(corner)
-            };
-            let message = Message::new("pat-piece")
-                .with("n", before.next.len() + 1)
-                .with("corners", names(triangle.iter().filter_map(symbol)));
-            Caption::new(message)
-        }
+        Event::Piece { triangle } => piece_caption(before, &triangle),
         Event::Pass { n_triangles, .. } => {
             let key = if n_triangles == 0 {
                 "pat-pass-empty"

@@ -6,15 +6,18 @@ use crate::{
     algo::volume::{ClipPolygon, ClipVertex, HomogeneousTriangle, SideCode},
     figure::{Body, Caption, Run, Tick, View, Watch, WatchRow, WatchSection},
     geom::VolumeSide,
-    labs::{Answer, CodeLine, Demo, Step, record, record_wrong, words::name},
+    labs::{Answer, CodeLine, Demo, Step, record_beside, words::name},
     text::{Formula, Message, Value},
 };
 
 use super::{
-    super::super::{
-        OnScene, OnSceneInput, Scene, Subject,
-        demo::SpaceDemo,
-        stage::{FaceLook, Fate, side_name},
+    super::{
+        super::{
+            OnScene, OnSceneInput, Scene, Subject,
+            demo::SpaceDemo,
+            stage::{FaceLook, Fate, side_name},
+        },
+        planes::parameter_row,
     },
     LISTS_VIEW,
     clip_space::{Event, State, Uv, Vertex, bound_symbol, point},
@@ -61,11 +64,7 @@ impl<L: Variant<Homogeneous>> SpaceDemo for Shown<L> {
     }
 
     fn record(scene: &Scene) -> Box<dyn Run> {
-        if L::DIFFERS_KEY.is_some() {
-            record_wrong::<Self, OnScene<HomogeneousTriangle<Uv>>>(Self::input(scene))
-        } else {
-            record::<Self>(Self::input(scene))
-        }
+        record_beside::<Self, OnScene<HomogeneousTriangle<Uv>>>(Self::input(scene))
     }
 }
 
@@ -145,10 +144,7 @@ impl<L: Variant<Homogeneous>> Demo for Shown<L> {
             rows.push(WatchRow::new(name("OR"), Some(name(or.to_string()))));
             rows.push(WatchRow::new(name("AND"), Some(name(and.to_string()))));
         }
-        if let Some((_, t)) = state.crossing {
-            let (num, den) = (t.num, t.den);
-            rows.push(WatchRow::new(name("t"), Some(Value::Ratio { num, den })));
-        }
+        rows.extend(state.crossing.map(|(_, t)| parameter_row(Some(t))));
         let list = |polygon: &ClipPolygon<Uv>, prime: &str| {
             let row = |(i, v): (usize, &Vertex)| {
                 let symbol = format!("{}{prime}", vertex_symbol(i));
@@ -177,12 +173,24 @@ fn bound(side: VolumeSide, at: [f64; 4], d: f64) -> Formula {
     formula.sym(if d < 0.0 { " < 0" } else { " ≥ 0" })
 }
 
+fn with_side(key: &'static str, side: Option<VolumeSide>) -> Message {
+    let message = Message::new(key);
+    match side {
+        Some(side) => message.with("side", side_name(side)),
+        None => message,
+    }
+}
+
+/// On which side of its bound a vertex lies.
+fn tested(side: Option<VolumeSide>, idx: usize, (v, d): (Vertex, f64), inside: bool) -> Caption {
+    let key = if inside { "ht-inside" } else { "ht-outside" };
+    let message = with_side(key, side).with("vertex", name(vertex_symbol(idx)));
+    let formula = side.map(|side| bound(side, v.at, d));
+    formula.into_iter().fold(Caption::new(message), Caption::so)
+}
+
 fn caption(event: &Event, before: &State) -> Caption {
     let side = before.side;
-    let with_side = |key: &'static str| match side {
-        Some(side) => Message::new(key).with("side", side_name(side)),
-        None => Message::new(key),
-    };
     match *event {
         Event::Divide { triangle } => divided_caption(&triangle),
         Event::Codes { or, and, .. } => codes_caption(or, and),
@@ -196,34 +204,16 @@ fn caption(event: &Event, before: &State) -> Caption {
             at,
             distance,
             inside,
-        } => {
-            let key = if inside { "ht-inside" } else { "ht-outside" };
-            let caption = Caption::new(with_side(key).with("vertex", name(vertex_symbol(0))));
-            match side {
-                Some(side) => caption.so(bound(side, at.at, distance)),
-                None => caption,
-            }
-        }
+        } => tested(side, 0, (at, distance), inside),
         Event::Test {
             idx,
             ends,
             distances,
             rule,
-        } => {
-            let key = if rule.ends_inside() {
-                "ht-inside"
-            } else {
-                "ht-outside"
-            };
-            let caption = Caption::new(with_side(key).with("vertex", name(vertex_symbol(idx[1]))));
-            match side {
-                Some(side) => caption.so(bound(side, ends[1].at, distances[1])),
-                None => caption,
-            }
-        }
+        } => tested(side, idx[1], (ends[1], distances[1]), rule.ends_inside()),
         Event::Cross { at, t } => {
             let idx = before.test.map_or([0; 2], |(idx, ..)| idx);
-            let message = with_side("ht-cross")
+            let message = with_side("ht-cross", side)
                 .with("from", name(vertex_symbol(idx[0])))
                 .with("to", name(vertex_symbol(idx[1])));
             let parameter = Formula::default().sym("t").equals(t.num / t.den);
@@ -233,7 +223,7 @@ fn caption(event: &Event, before: &State) -> Caption {
         }
         Event::Output { at } => output_caption(before, at),
         Event::Pass { n_vertices, .. } => {
-            let message = with_side("ht-pass").with("n", n_vertices);
+            let message = with_side("ht-pass", side).with("n", n_vertices);
             Caption::new(message.with("before", before.input.vertices().len()))
         }
         Event::Done { n_vertices } => {

@@ -3,7 +3,7 @@
 use crate::{
     algo::volume::{ClipPolygon, SideCode, side_distances},
     figure::{BitRow, Bits, ItemMarker, ListColumn, ListRow, Lists, Mark3, Role, Shape3},
-    geom::{Camera, Sight},
+    geom::{Camera, Sight, VolumeSide},
     labs::words::name,
     text::Value,
 };
@@ -63,6 +63,17 @@ pub fn bits(state: &State, event: Option<Event>) -> Bits {
 /// The list in with the bound that is asked, and the list out.
 pub fn lists(state: &State, event: Option<Event>) -> Lists {
     let has_passed = matches!(event, Some(Event::Pass { .. }));
+    let side = state.side.filter(|_| !has_passed);
+    let out = side.map(|_| list_out(state, event));
+    Lists {
+        lists: [list_in(state, side)].into_iter().chain(out).collect(),
+        links: Vec::new(),
+        legend: Vec::new(),
+    }
+}
+
+/// With the bound of the side at work.
+fn list_in(state: &State, side: Option<VolumeSide>) -> ListColumn {
     let current = state.test.map(|(idx, ..)| idx);
     let bounds = bounds(state);
     let entry = |(i, v): (usize, &Vertex)| {
@@ -81,59 +92,43 @@ pub fn lists(state: &State, event: Option<Event>) -> Lists {
             }
         });
         entry.details = vec![Some(Value::Formula(point(v.at)))];
-        if state.side.is_some() && !has_passed {
-            entry.details.push(d.map(Value::Number));
-        }
+        entry.details.extend(side.map(|_| d.map(Value::Number)));
         entry.link = Some(vertex_link(i));
         entry
     };
-    let mut columns = vec![name("(x, y, z, w)")];
-    if let Some(side) = state.side.filter(|_| !has_passed) {
-        columns.push(name(bound_symbol(side)));
-    }
-    let list = |title, polygon: &ClipPolygon<Uv>| {
-        let entries = polygon.vertices().iter().enumerate().map(entry).collect();
-        ListColumn {
-            columns: columns.clone(),
-            is_ring: true,
-            focus: current.map(|idx| idx[1]),
-            ..ListColumn::new(Value::Term(title), entries)
-        }
-    };
+    let symbols = [name("(x, y, z, w)")].into_iter();
+    let columns = symbols.chain(side.map(|side| name(bound_symbol(side))));
+    let entries = state.input.vertices().iter().enumerate().map(entry);
     let title = if state.is_done {
         "tri-list-left"
     } else {
         "tri-list-in"
     };
-    let mut lists = vec![list(title, &state.input)];
-    if state.side.is_some() && !has_passed {
-        let out = |(i, v): (usize, &Vertex)| {
-            let from = state.input.vertices().iter().position(|other| other == v);
-            let is_new = matches!(event, Some(Event::Output { .. }))
-                && i + 1 == state.output.vertices().len();
-            let mut entry = ListRow::new(name(from.map_or_else(|| "I".to_owned(), vertex_symbol)));
-            entry.role = if is_new || from.is_none() {
-                Role::Signal
-            } else {
-                Role::Accent
-            };
-            entry.marker = Some(ItemMarker::Dot);
-            entry
+    ListColumn {
+        columns: columns.collect(),
+        is_ring: true,
+        focus: current.map(|idx| idx[1]),
+        ..ListColumn::new(Value::Term(title), entries.collect())
+    }
+}
+
+fn list_out(state: &State, event: Option<Event>) -> ListColumn {
+    let (input, output) = (state.input.vertices(), state.output.vertices());
+    let is_output = matches!(event, Some(Event::Output { .. }));
+    let entry = |(i, v): (usize, &Vertex)| {
+        let from = input.iter().position(|other| other == v);
+        let is_new = is_output && i + 1 == output.len();
+        let mut entry = ListRow::new(name(from.map_or_else(|| "I".to_owned(), vertex_symbol)));
+        entry.role = if is_new || from.is_none() {
+            Role::Signal
+        } else {
+            Role::Accent
         };
-        let entries = state
-            .output
-            .vertices()
-            .iter()
-            .enumerate()
-            .map(out)
-            .collect();
-        lists.push(ListColumn::new(Value::Term("tri-list-out"), entries));
-    }
-    Lists {
-        lists,
-        links: Vec::new(),
-        legend: Vec::new(),
-    }
+        entry.marker = Some(ItemMarker::Dot);
+        entry
+    };
+    let entries = output.iter().enumerate().map(entry);
+    ListColumn::new(Value::Term("tri-list-out"), entries.collect())
 }
 
 /// What the side at work has been asked of each vertex: the first, and those up to the last one tested.

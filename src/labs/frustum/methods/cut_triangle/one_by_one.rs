@@ -9,8 +9,8 @@ use crate::{
         },
     },
     figure::{Body, Caption, Mark3, Role, Run, Shape3, Tick, View, Watch, WatchRow, WatchSection},
-    labs::{CodeLine, Demo, Step, record, record_wrong, words::name},
-    text::{Message, Value},
+    labs::{CodeLine, Demo, Step, record_beside, words::name},
+    text::Message,
 };
 
 use super::{
@@ -20,7 +20,7 @@ use super::{
             demo::SpaceDemo,
             stage::{Fate, Scenery},
         },
-        planes::place,
+        planes::{parameter_row, place, plane_rows},
     },
     LISTS_VIEW, PLANES_VIEW,
     captions::{one_by_one_caption, triangle_symbol},
@@ -47,11 +47,7 @@ impl<L: Variant<OneByOne>> SpaceDemo for Shown<L> {
     }
 
     fn record(scene: &Scene) -> Box<dyn Run> {
-        if L::DIFFERS_KEY.is_some() {
-            record_wrong::<Self, OnScene<PlaneAtATime>>(Self::input(scene))
-        } else {
-            record::<Self>(Self::input(scene))
-        }
+        record_beside::<Self, OnScene<PlaneAtATime>>(Self::input(scene))
     }
 }
 
@@ -101,8 +97,6 @@ impl<L: Variant<OneByOne>> Demo for Shown<L> {
 
     fn views(step: &Step<'_, Self>) -> Vec<View> {
         let Input { own, scenery } = step.input;
-        let own_stages = of_triangles::<L>(own);
-        let progress = progress(step, own);
         let mut views = Vec::new();
         if let Some(scenery) = scenery.as_deref() {
             views.push(scenery.observer(|_| Fate::ToCome, marks(step, scenery)));
@@ -111,9 +105,9 @@ impl<L: Variant<OneByOne>> Demo for Shown<L> {
             LISTS_VIEW,
             Body::Lists(pieces(step.state, step.event)),
         ));
-        let is_alone = is_alone(scenery.as_deref());
-        if let Some(scenery) = scenery.as_deref().filter(|_| is_alone) {
-            let row = small(&own.triangle, &own.planes, &own_stages, progress, scenery);
+        if let Some(scenery) = scenery.as_deref().filter(|scenery| is_alone(scenery)) {
+            let (stages, progress) = (of_triangles::<L>(own), progress(step, own));
+            let row = small(&own.triangle, &own.planes, &stages, progress, scenery);
             views.push(View::new(PLANES_VIEW, Body::Multiples(row)));
         }
         views
@@ -121,15 +115,10 @@ impl<L: Variant<OneByOne>> Demo for Shown<L> {
 
     fn watch(step: &Step<'_, Self>) -> Watch {
         let (own, state) = (&step.input.own, step.state);
-        let mut rows = Vec::new();
-        if let Some(plane) = state.plane_idx.and_then(|i| own.planes.get(i)) {
-            rows.push(WatchRow::new(name("n"), Some(place(plane.normal()))));
-            rows.push(WatchRow::new(name("D"), Some(plane.d().into())));
-        }
-        if let Some((_, _, t)) = state.crossings.last() {
-            let (num, den) = (t.num, t.den);
-            rows.push(WatchRow::new(name("t"), Some(Value::Ratio { num, den })));
-        }
+        let plane = state.plane_idx.and_then(|i| own.planes.get(i));
+        let mut rows: Vec<WatchRow> = plane.into_iter().flat_map(plane_rows).collect();
+        let t = state.crossings.last().map(|&(_, _, t)| t);
+        rows.extend(t.map(|t| parameter_row(Some(t))));
         let list = |list: &[[SpaceVertex; 3]], prime: &str| {
             let row = |(i, triangle): (usize, &[SpaceVertex; 3])| {
                 let symbol = format!("{}{prime}", triangle_symbol(i));
@@ -144,26 +133,20 @@ impl<L: Variant<OneByOne>> Demo for Shown<L> {
         if !state.next.is_empty() {
             sections.push(list(&state.next, "′"));
         }
-        let stages = [&of_polygon::<Right>(own)[..], &of_triangles::<L>(own)];
-        sections.push(tally(stages, progress(step, own).n_done));
+        if step.input.scenery.is_some() {
+            let stages = [&of_polygon::<Right>(own)[..], &of_triangles::<L>(own)];
+            sections.push(tally(stages, progress(step, own).n_done));
+        }
         sections
     }
 }
 
 fn progress<L: Variant<OneByOne>>(step: &Step<'_, Shown<L>>, own: &TrianglePlanes) -> Progress {
-    let at_work = step.state.plane_idx;
+    let State {
+        plane_idx, is_done, ..
+    } = *step.state;
     let has_passed = matches!(step.event, Some(Event::Pass { .. }));
-    let is_done = step.state.is_done;
-    let n_done = match at_work {
-        Some(idx) => idx + usize::from(has_passed),
-        None if is_done => own.planes.len(),
-        None => 0,
-    };
-    Progress {
-        plane_idx: at_work,
-        n_done,
-        is_done,
-    }
+    Progress::at(plane_idx, has_passed, is_done, own.planes.len())
 }
 
 fn marks<L: Variant<OneByOne>>(step: &Step<'_, Shown<L>>, scenery: &Scenery) -> Vec<Mark3> {

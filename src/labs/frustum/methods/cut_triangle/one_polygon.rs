@@ -11,8 +11,9 @@ use crate::{
         },
     },
     figure::{Body, Caption, Mark3, Role, Run, Shape3, Tick, View, Watch, WatchRow, WatchSection},
-    labs::{Answer, CodeLine, Demo, Step, record, record_wrong, words::name},
-    text::{Message, Value},
+    geom::Plane,
+    labs::{Answer, CodeLine, Demo, Step, record_beside, words::name},
+    text::Message,
 };
 
 use super::{
@@ -22,7 +23,7 @@ use super::{
             demo::SpaceDemo,
             stage::{FaceLook, Fate, Scenery},
         },
-        planes::place,
+        planes::{parameter_row, place, plane_rows},
     },
     LISTS_VIEW, PLANES_VIEW,
     captions::polygon_caption,
@@ -65,11 +66,7 @@ impl<L: Variant<OnePolygon>> SpaceDemo for Shown<L> {
     }
 
     fn record(scene: &Scene) -> Box<dyn Run> {
-        if L::DIFFERS_KEY.is_some() {
-            record_wrong::<Self, OnScene<IntersectionPolygon>>(Self::input(scene))
-        } else {
-            record::<Self>(Self::input(scene))
-        }
+        record_beside::<Self, OnScene<IntersectionPolygon>>(Self::input(scene))
     }
 }
 
@@ -120,8 +117,6 @@ impl<L: Variant<OnePolygon>> Demo for Shown<L> {
 
     fn views(step: &Step<'_, Self>) -> Vec<View> {
         let Input { own, scenery } = step.input;
-        let own_stages = of_polygon::<L>(own);
-        let progress = progress(step, own);
         let mut views = Vec::new();
         if let Some(scenery) = scenery.as_deref() {
             views.push(scenery.observer(|_| Fate::ToCome, marks(step, scenery)));
@@ -134,9 +129,10 @@ impl<L: Variant<OnePolygon>> Demo for Shown<L> {
             LISTS_VIEW,
             Body::Lists(lists(own, step.state, step.event)),
         ));
-        let has_more = !L::IS_TEXTURED && is_alone(scenery.as_deref());
-        if let Some(scenery) = scenery.as_deref().filter(|_| has_more) {
-            let row = small(&own.triangle, &own.planes, &own_stages, progress, scenery);
+        let has_more = |scenery: &&Scenery| !L::IS_TEXTURED && is_alone(scenery);
+        if let Some(scenery) = scenery.as_deref().filter(has_more) {
+            let (stages, progress) = (of_polygon::<L>(own), progress(step, own));
+            let row = small(&own.triangle, &own.planes, &stages, progress, scenery);
             views.push(View::new(PLANES_VIEW, Body::Multiples(row)));
         }
         views
@@ -144,15 +140,9 @@ impl<L: Variant<OnePolygon>> Demo for Shown<L> {
 
     fn watch(step: &Step<'_, Self>) -> Watch {
         let (own, state) = (&step.input.own, step.state);
-        let mut rows = Vec::new();
-        if let Some(plane) = state.plane_idx.and_then(|i| own.planes.get(i)) {
-            rows.push(WatchRow::new(name("n"), Some(place(plane.normal()))));
-            rows.push(WatchRow::new(name("D"), Some(plane.d().into())));
-        }
-        if let Some((_, t)) = state.crossing {
-            let (num, den) = (t.num, t.den);
-            rows.push(WatchRow::new(name("t"), Some(Value::Ratio { num, den })));
-        }
+        let plane = state.plane_idx.and_then(|i| own.planes.get(i));
+        let mut rows: Vec<WatchRow> = plane.into_iter().flat_map(plane_rows).collect();
+        rows.extend(state.crossing.map(|(_, t)| parameter_row(Some(t))));
         let list = |ring: &[SpaceVertex], prime: &str| {
             let row = |(i, v): (usize, &SpaceVertex)| {
                 let symbol = format!("{}{prime}", vertex_symbol(i));
@@ -160,33 +150,24 @@ impl<L: Variant<OnePolygon>> Demo for Shown<L> {
             };
             WatchSection::list(ring.iter().enumerate().map(row).collect()).seen_in(LISTS_VIEW)
         };
-        vec![
+        let mut sections = vec![
             WatchSection::list(rows),
             list(&state.input, ""),
             list(&state.output, "′"),
-            tally(
-                [&of_polygon::<L>(own), &of_triangles::<Right>(own)],
-                progress(step, own).n_done,
-            ),
-        ]
+        ];
+        if step.input.scenery.is_some() {
+            let stages = [&of_polygon::<L>(own)[..], &of_triangles::<Right>(own)];
+            sections.push(tally(stages, progress(step, own).n_done));
+        }
+        sections
     }
 }
 
 /// Where a run is.
 fn progress<L: Variant<OnePolygon>>(step: &Step<'_, Shown<L>>, own: &TrianglePlanes) -> Progress {
-    let at_work = step.state.plane_idx;
     let is_over = matches!(step.event, Some(Event::Fan { .. } | Event::Done { .. }));
     let has_passed = matches!(step.event, Some(Event::Pass { .. }));
-    let n_done = match at_work {
-        Some(idx) => idx + usize::from(has_passed),
-        None if is_over => own.planes.len(),
-        None => 0,
-    };
-    Progress {
-        plane_idx: at_work,
-        n_done,
-        is_done: is_over,
-    }
+    Progress::at(step.state.plane_idx, has_passed, is_over, own.planes.len())
 }
 
 /// The polygon as it stands, as triangles with a texture: what has been put out of it, once it is done with.
@@ -207,48 +188,12 @@ fn marks<L: Variant<OnePolygon>>(step: &Step<'_, Shown<L>>, scenery: &Scenery) -
         &state.input
     };
     let textured = own.triangle[0].uv.is_some();
-    if let Some(plane_idx) = state.plane_idx {
-        let plane = &own.planes[plane_idx];
-        marks.extend(plane_mark(scenery, plane_idx));
-        marks.extend(lost(list, plane));
-        if has_passed {
-            marks.extend(kept(&state.input, Role::Accent));
-        } else {
-            marks.push(Mark3::new(Role::Accent, Shape3::Outline(places(list))));
+    match state.plane_idx {
+        Some(plane_idx) => {
+            marks.extend(plane_mark(scenery, plane_idx));
+            marks.extend(at_work_marks(step, list, &own.planes[plane_idx]));
         }
-        match step.event {
-            Some(Event::First { at, distance, .. }) => {
-                marks.extend(distance_mark(plane, at.at, distance));
-            }
-            Some(Event::Test {
-                ends, distances, ..
-            }) => {
-                marks.extend(distance_mark(plane, ends[1].at, distances[1]));
-            }
-            Some(
-                Event::Plane { .. }
-                | Event::Cross { .. }
-                | Event::Output { .. }
-                | Event::Pass { .. }
-                | Event::Fan { .. }
-                | Event::Done { .. },
-            )
-            | None => {}
-        }
-    } else {
-        let right = right_result::<L>(step);
-        let role = if right.is_some() {
-            Role::Signal
-        } else {
-            Role::Accent
-        };
-        if textured {
-            marks.push(Mark3::new(role, Shape3::Outline(places(list))));
-        } else {
-            marks.extend(kept(list, role));
-        }
-        let outline = |ring: Vec<_>| Mark3::new(Role::Accent, Shape3::Outline(places(&ring)));
-        marks.extend(right.map(outline));
+        None => marks.extend(left_marks(step)),
     }
     if textured {
         marks.extend(checkered(&fan(step), Role::Accent));
@@ -259,13 +204,8 @@ fn marks<L: Variant<OnePolygon>>(step: &Step<'_, Shown<L>>, scenery: &Scenery) -
     let cuts: Vec<[f64; 3]> = state.crossings.iter().map(|(_, at, _)| at.at).collect();
     if state.plane_idx.is_some() {
         marks.extend(cut_edge(&cuts));
-        marks.extend(
-            state
-                .crossings
-                .iter()
-                .enumerate()
-                .map(|(i, (_, at, _))| with_texel(cut(i, at.at), &cut_symbol(i), at.uv)),
-        );
+        let cuts = state.crossings.iter().enumerate();
+        marks.extend(cuts.map(|(i, (_, at, _))| with_texel(cut(i, at.at), &cut_symbol(i), at.uv)));
     }
     for (i, v) in list.iter().enumerate() {
         let inside = match state.plane_idx {
@@ -274,6 +214,59 @@ fn marks<L: Variant<OnePolygon>>(step: &Step<'_, Shown<L>>, scenery: &Scenery) -
         };
         marks.push(with_texel(vertex(i, v.at, inside), &vertex_symbol(i), v.uv));
     }
+    marks
+}
+
+/// While a plane is at work: the polygon that it takes, what it loses of that, and the distance that is measured.
+fn at_work_marks<L: Variant<OnePolygon>>(
+    step: &Step<'_, Shown<L>>,
+    list: &[SpaceVertex],
+    plane: &Plane,
+) -> Vec<Mark3> {
+    let mut marks: Vec<Mark3> = lost(list, plane).into_iter().collect();
+    if matches!(step.event, Some(Event::Pass { .. })) {
+        marks.extend(kept(&step.state.input, Role::Accent));
+    } else {
+        marks.push(Mark3::new(Role::Accent, Shape3::Outline(places(list))));
+    }
+    match step.event {
+        Some(Event::First { at, distance, .. }) => {
+            marks.extend(distance_mark(plane, at.at, distance));
+        }
+        Some(Event::Test {
+            ends, distances, ..
+        }) => {
+            marks.extend(distance_mark(plane, ends[1].at, distances[1]));
+        }
+        Some(
+            Event::Plane { .. }
+            | Event::Cross { .. }
+            | Event::Output { .. }
+            | Event::Pass { .. }
+            | Event::Fan { .. }
+            | Event::Done { .. },
+        )
+        | None => {}
+    }
+    marks
+}
+
+/// Before the first plane and after the last one: the polygon, and the right one where it is another.
+fn left_marks<L: Variant<OnePolygon>>(step: &Step<'_, Shown<L>>) -> Vec<Mark3> {
+    let list = &step.state.input;
+    let right = right_result::<L>(step);
+    let role = if right.is_some() {
+        Role::Signal
+    } else {
+        Role::Accent
+    };
+    let mut marks = if L::IS_TEXTURED {
+        vec![Mark3::new(role, Shape3::Outline(places(list)))]
+    } else {
+        kept(list, role)
+    };
+    let outline = |ring: Vec<_>| Mark3::new(Role::Accent, Shape3::Outline(places(&ring)));
+    marks.extend(right.map(outline));
     marks
 }
 

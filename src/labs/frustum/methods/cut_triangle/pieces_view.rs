@@ -1,5 +1,7 @@
 //! The list of triangles in, with the distances of their corners from the plane at work, and the list out.
 
+use std::ops::Range;
+
 use crate::{
     algo::volume::{AskedTriangle, PlaneAtATimeEvent as Event, PlaneAtATimeState as State},
     figure::{ItemMarker, Link, ListColumn, ListLink, ListRow, Lists, Role},
@@ -36,6 +38,27 @@ pub fn pieces(state: &State, event: Option<Event>) -> Lists {
     }
     let current = state.asked.last().filter(|_| !has_passed);
     let current = current.map(|asked| asked.triangle_idx);
+    let reach = ListColumn::reach(n_in, current);
+    let out_reach = ListColumn::reach(n_out, n_out.checked_sub(1));
+    let is_new = |i: usize| matches!(event, Some(Event::Piece { .. })) && i + 1 == n_out;
+    let links = match state.plane_idx {
+        Some(_) => links(&state.origins, [&reach, &out_reach], is_new),
+        None => Vec::new(),
+    };
+    let out_list = out_list((n_out, out_reach), has_passed, is_new);
+    Lists {
+        lists: vec![in_list(state, (n_in, reach), current, has_passed), out_list],
+        links,
+        legend: Vec::new(),
+    }
+}
+
+fn in_list(
+    state: &State,
+    (n_in, reach): (usize, Range<usize>),
+    current: Option<usize>,
+    has_passed: bool,
+) -> ListColumn {
     let entry = |i: usize| {
         let asked = state.asked.iter().find(|asked| asked.triangle_idx == i);
         let mut entry = ListRow::new(name(triangle_symbol(i)));
@@ -52,9 +75,8 @@ pub fn pieces(state: &State, event: Option<Event>) -> Lists {
         entry.link = Some(triangle_link(i)).filter(|_| !has_passed);
         entry
     };
-    let reach = ListColumn::reach(n_in, current);
     let columns = (0..3).map(|i| name(format!("d{}", subscript(i))));
-    let in_list = ListColumn {
+    ListColumn {
         columns: columns.collect(),
         n_before: reach.start,
         n_after: n_in - reach.end,
@@ -63,50 +85,52 @@ pub fn pieces(state: &State, event: Option<Event>) -> Lists {
             Value::Term("tri-list-in"),
             reach.clone().map(entry).collect(),
         )
-    };
-    let out_reach = ListColumn::reach(n_out, n_out.checked_sub(1));
+    }
+}
+
+fn out_list(
+    (n_out, reach): (usize, Range<usize>),
+    has_passed: bool,
+    is_new: impl Fn(usize) -> bool,
+) -> ListColumn {
     let out = |i: usize| {
-        let is_new = matches!(event, Some(Event::Piece { .. })) && i + 1 == n_out;
         let mut entry = ListRow::new(name(out_symbol(i)));
-        entry.role = if is_new { Role::Signal } else { Role::Accent };
+        entry.role = if is_new(i) {
+            Role::Signal
+        } else {
+            Role::Accent
+        };
         entry.marker = Some(ItemMarker::Dot);
         // Once the plane is done with, the new triangles stand on the stage.
         entry.link = Some(triangle_link(i)).filter(|_| has_passed);
         entry
     };
-    let links = state.origins.iter().enumerate().filter_map(|(i, &origin)| {
-        let from = origin
-            .checked_sub(reach.start)
-            .filter(|_| reach.contains(&origin))?;
-        let to = i
-            .checked_sub(out_reach.start)
-            .filter(|_| out_reach.contains(&i))?;
-        let is_new = matches!(event, Some(Event::Piece { .. })) && i + 1 == n_out;
-        Some(ListLink {
-            from: [0, from],
-            to: [1, to],
-            role: if is_new { Role::Signal } else { Role::Soft },
-        })
-    });
-    let links = if state.plane_idx.is_some() {
-        links.collect()
-    } else {
-        Vec::new()
-    };
-    let out_list = ListColumn {
-        n_before: out_reach.start,
-        n_after: n_out - out_reach.end,
-        focus: n_out.checked_sub(1).map(|last| last - out_reach.start),
+    ListColumn {
+        n_before: reach.start,
+        n_after: n_out - reach.end,
+        focus: n_out.checked_sub(1).map(|last| last - reach.start),
         ..ListColumn::new(
             Value::Term("tri-list-out"),
-            out_reach.clone().map(out).collect(),
+            reach.clone().map(out).collect(),
         )
-    };
-    Lists {
-        lists: vec![in_list, out_list],
-        links,
-        legend: Vec::new(),
     }
+}
+
+/// From each triangle of the list in to those that came of it, as far as both stand in the view.
+fn links(
+    origins: &[usize],
+    [reach, out_reach]: [&Range<usize>; 2],
+    is_new: impl Fn(usize) -> bool,
+) -> Vec<ListLink> {
+    let place = |reach: &Range<usize>, i: usize| reach.contains(&i).then(|| i - reach.start);
+    let link = |(i, &origin): (usize, &usize)| {
+        Some(ListLink {
+            from: [0, place(reach, origin)?],
+            to: [1, place(out_reach, i)?],
+            role: if is_new(i) { Role::Signal } else { Role::Soft },
+        })
+    };
+    origins.iter().enumerate().filter_map(link).collect()
 }
 
 /// Whole, in part, or not at all inside.

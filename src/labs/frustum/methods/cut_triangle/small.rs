@@ -63,6 +63,22 @@ pub struct Progress {
     pub is_done: bool,
 }
 
+impl Progress {
+    /// At a plane, which it may have done with; without one it is before the first, or over.
+    pub fn at(plane_idx: Option<usize>, has_passed: bool, is_done: bool, n_planes: usize) -> Self {
+        let n_done = match plane_idx {
+            Some(idx) => idx + usize::from(has_passed),
+            None if is_done => n_planes,
+            None => 0,
+        };
+        Self {
+            plane_idx,
+            n_done,
+            is_done,
+        }
+    }
+}
+
 /// One drawing a plane.
 pub fn small(
     triangle: &[SpaceVertex; 3],

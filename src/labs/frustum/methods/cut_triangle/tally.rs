@@ -8,8 +8,8 @@ use crate::{
 use super::{super::super::stage::Scenery, stages::Stage};
 
 /// Is it not beside another method? There is no room for the small drawings beside two pictures.
-pub fn is_alone(scenery: Option<&Scenery>) -> bool {
-    scenery.is_none_or(|scenery| scenery.scene().compare.is_none())
+pub fn is_alone(scenery: &Scenery) -> bool {
+    scenery.scene().compare.is_none()
 }
 
 /// Both methods after so many planes, one polygon first.

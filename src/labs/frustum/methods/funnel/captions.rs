@@ -9,7 +9,7 @@ use crate::{
         volume::SideCode,
     },
     figure::Caption,
-    geom::{Sphere, VolumeSide},
+    geom::VolumeSide,
     text::{Formula, Message},
 };
 
@@ -17,11 +17,6 @@ use super::super::{
     super::stage::side_name,
     sphere_cull::{plane_key, sphere_formula},
 };
-
-/// The sphere that is asked of planes by these rules.
-pub fn sphere<L: CullRules>(object: &FunnelObject) -> Sphere {
-    asked_sphere::<L>(object)
-}
 
 pub fn opening(input: &FunnelInput) -> Caption {
     let triangles = input.objects.iter().map(|object| object.triangles.len());
@@ -50,7 +45,7 @@ pub fn caption<L: CullRules>(event: &Event, before: &State, input: &FunnelInput)
             let message = Message::new("funnel-object")
                 .with("object", object_idx + 1)
                 .with("triangles", n_triangles);
-            let sphere = input.objects.get(object_idx).map(sphere::<L>);
+            let sphere = input.objects.get(object_idx).map(asked_sphere::<L>);
             let caption = Caption::new(message);
             match sphere {
                 Some(sphere) => caption
@@ -115,7 +110,7 @@ fn plane_caption<L: CullRules>(
     };
     let plane = &asked_camera::<L>(&input.camera).planes_in_world()[side as usize];
     let formula = if L::TURNS_SIGN {
-        let r = sphere::<L>(object).radius();
+        let r = asked_sphere::<L>(object).radius();
         let d = super::super::planes::distance_formula(
             ["d", "c"],
             plane,
@@ -128,7 +123,7 @@ fn plane_caption<L: CullRules>(
             Containment::Inside => d.sym(" ≤ −r").equals(-r),
         }
     } else {
-        sphere_formula(plane, &sphere::<L>(object), distance, class)
+        sphere_formula(plane, &asked_sphere::<L>(object), distance, class)
     };
     caption.so(formula)
 }

@@ -3,7 +3,7 @@
 use crate::{
     algo::cull::{
         BackFace, BackFaceInput, CullRules, FunnelEvent as Event, FunnelObject, TriangleFate,
-        asked_camera, asked_viewer,
+        asked_camera, asked_sphere, asked_viewer,
     },
     figure::{Mark3, Role, Shape3, View},
     labs::Step,
@@ -16,7 +16,7 @@ use super::{
         planes::fate_of,
         sphere_cull::{Asked, sphere_marks},
     },
-    Shown, captions, side_idx,
+    Shown, side_idx,
 };
 
 /// Of scenes with more triangles the faces of objects that are done with are not asked again for the picture.
@@ -118,7 +118,7 @@ fn sphere<L: CullRules>(step: &Step<'_, Shown<L>>) -> Vec<Mark3> {
         plane_idx,
         distance,
     });
-    sphere_marks(&captions::sphere::<L>(object), asked.as_ref())
+    sphere_marks(&asked_sphere::<L>(object), asked.as_ref())
 }
 
 /// The observer's view and the camera's.

@@ -12,12 +12,12 @@ use crate::{
     algo::{
         cull::{
             Containment, CullRules, Funnel, FunnelEvent as Event, FunnelInput, FunnelLevels,
-            FunnelState as State, TriangleFate, triangle_fate,
+            FunnelState as State, TriangleFate, asked_sphere, triangle_fate,
         },
         ring::Right,
     },
     figure::{Body, Caption, Gauges, Run, Tick, View, Watch, WatchRow, WatchSection},
-    labs::{Answer, CodeLine, Demo, Step, record, record_wrong},
+    labs::{Answer, CodeLine, Demo, Step, record_beside},
     text::Value,
 };
 
@@ -73,10 +73,7 @@ impl<L: CullRules + Variant> SpaceDemo for Shown<L> {
     }
 
     fn record(scene: &Scene) -> Box<dyn Run> {
-        match L::DIFFERS_KEY {
-            None => record::<Self>(Self::input(scene)),
-            Some(_) => record_wrong::<Self, Shown<Right>>(Self::input(scene)),
-        }
+        record_beside::<Self, Shown<Right>>(Self::input(scene))
     }
 }
 
@@ -149,7 +146,7 @@ impl<L: CullRules + Variant> Demo for Shown<L> {
             let scenery = step.input.scenery.as_deref();
             let plane = scenery.zip(side_idx(step));
             let plane = plane.and_then(|(scenery, side)| scenery.planes().get(side));
-            rows.extend(sphere_rows(&captions::sphere::<L>(object), plane));
+            rows.extend(sphere_rows(&asked_sphere::<L>(object), plane));
         }
         let class = step.state.sphere.class;
         rows.extend(

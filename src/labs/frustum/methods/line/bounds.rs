@@ -3,16 +3,11 @@
 use crate::{
     algo::{
         parameter::End,
-        volume::{
-            Bounds, ClipSpace, LineInput, LineRow, LineState, plane_distances, side_distances,
-        },
+        volume::{ClipSpace, LineInput, LineRow, LineState, plane_distances, side_distances},
     },
     figure::{Link, Table, View},
     geom::{AlignedBox, Camera, Plane, VolumeSide, planes_from_matrix},
-    labs::{
-        crossing_formulas::{Weights, upright_in_space},
-        words::name,
-    },
+    labs::{crossing_formulas::upright_in_space, words::name},
     text::{Formula, Message, Value},
 };
 
@@ -24,23 +19,14 @@ use super::{
         },
         planes::{plane_link, plane_name, sum_formula},
     },
-    look::{Event, LineLook, ShownLine},
+    look::{LineLook, PlaneLook, ShownLine},
     marks::{interval_marks, shadow},
     points::points_table,
-    table::rows_table,
     w_lens,
 };
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 const SUBSCRIPTS: [&str; 2] = ["₁", "₂"];
-
-/// The symbol of an end that has been put in place.
-const fn put_symbol(end: End) -> &'static str {
-    match end {
-        End::P1 => "P₁′",
-        End::P2 => "P₂′",
-    }
-}
 
 /// The box from −1 to 1.
 pub fn unit_box() -> AlignedBox {
@@ -51,6 +37,26 @@ pub fn unit_box() -> AlignedBox {
 pub fn face_equation(bounds: &AlignedBox, side: VolumeSide) -> Formula {
     let formula = Formula::default().sym(AXES[side.axis()]).sym(" = ");
     formula.num(bounds.border(side))
+}
+
+impl PlaneLook for VolumeSide {
+    fn name(self, _: Option<&Scenery>) -> Value {
+        side_name(self)
+    }
+
+    fn link(self) -> Link {
+        side_link(self)
+    }
+}
+
+impl PlaneLook for usize {
+    fn name(self, scenery: Option<&Scenery>) -> Value {
+        plane_name(scenery, self)
+    }
+
+    fn link(self) -> Link {
+        plane_link(self)
+    }
 }
 
 impl LineLook<3> for AlignedBox {
@@ -71,14 +77,6 @@ impl LineLook<3> for AlignedBox {
 
     fn opening(&self) -> Message {
         Message::new("space-line-opening-box")
-    }
-
-    fn plane_name(_: Option<&Scenery>, side: VolumeSide) -> Value {
-        side_name(side)
-    }
-
-    fn plane_link(side: VolumeSide) -> Link {
-        side_link(side)
     }
 
     fn numbers(&self, _: &[[f64; 3]; 2], row: &LineRow<VolumeSide>) -> [f64; 2] {
@@ -129,14 +127,6 @@ impl LineLook<3> for AlignedBox {
         Value::Formula(face_equation(self, side))
     }
 
-    fn table(
-        shown: &ShownLine<'_, 3, Self>,
-        event: Option<Event<VolumeSide, 3>>,
-        scenery: Option<&Scenery>,
-    ) -> Table {
-        rows_table(shown, event, scenery)
-    }
-
     fn drawing(shown: &ShownLine<'_, 3, Self>, scenery: &Scenery) -> Vec<View> {
         let ends = &shown.input.ends;
         let mut marks: Vec<_> = shown.in_hand.into_iter().flat_map(face_at_work).collect();
@@ -178,16 +168,8 @@ impl LineLook<3> for Vec<Plane> {
         Message::new("space-line-opening-planes").with("planes", self.len())
     }
 
-    fn plane_name(scenery: Option<&Scenery>, plane: usize) -> Value {
-        plane_name(scenery, plane)
-    }
-
-    fn plane_link(plane: usize) -> Link {
-        plane_link(plane)
-    }
-
     fn numbers(&self, ends: &[[f64; 3]; 2], row: &LineRow<usize>) -> [f64; 2] {
-        self.distances(row.plane, ends)
+        plane_distances(&self[row.plane], ends)
     }
 
     fn meaning(_: usize) -> Option<[String; 2]> {
@@ -208,28 +190,9 @@ impl LineLook<3> for Vec<Plane> {
         ]
     }
 
-    fn put_formulas(
-        &self,
-        end: End,
-        plane: usize,
-        ends: &[[f64; 3]; 2],
-        at: [f64; 3],
-    ) -> Vec<Formula> {
-        let weights = Weights::across(self.distances(plane, ends));
-        vec![weights.mean_of_places(put_symbol(end), ends, at)]
-    }
-
     fn border(&self, scenery: Option<&Scenery>, plane: usize) -> Value {
         let named = Message::new("space-line-the-plane");
         Value::Message(named.with("plane", plane_name(scenery, plane)))
-    }
-
-    fn table(
-        shown: &ShownLine<'_, 3, Self>,
-        event: Option<Event<usize, 3>>,
-        scenery: Option<&Scenery>,
-    ) -> Table {
-        rows_table(shown, event, scenery)
     }
 
     fn drawing(shown: &ShownLine<'_, 3, Self>, scenery: &Scenery) -> Vec<View> {
@@ -274,14 +237,6 @@ impl LineLook<4> for ClipSpace {
         Message::new("space-line-opening-clip")
     }
 
-    fn plane_name(_: Option<&Scenery>, side: VolumeSide) -> Value {
-        side_name(side)
-    }
-
-    fn plane_link(side: VolumeSide) -> Link {
-        side_link(side)
-    }
-
     fn numbers(&self, ends: &[[f64; 4]; 2], row: &LineRow<VolumeSide>) -> [f64; 2] {
         side_distances(row.plane, ends)
     }
@@ -309,28 +264,13 @@ impl LineLook<4> for ClipSpace {
         vec![formula(0), formula(1)]
     }
 
-    fn put_formulas(
-        &self,
-        end: End,
-        side: VolumeSide,
-        ends: &[[f64; 4]; 2],
-        at: [f64; 4],
-    ) -> Vec<Formula> {
-        let weights = Weights::across(side_distances(side, ends));
-        vec![weights.mean_of_places(put_symbol(end), ends, at)]
-    }
-
     fn border(&self, _: Option<&Scenery>, side: VolumeSide) -> Value {
         let sign = if side.is_high() { "" } else { "−" };
         name(format!("{} = {sign}w", AXES[side.axis()]))
     }
 
-    fn table(
-        shown: &ShownLine<'_, 4, Self>,
-        _: Option<Event<VolumeSide, 4>>,
-        _: Option<&Scenery>,
-    ) -> Table {
-        points_table(shown)
+    fn points(shown: &ShownLine<'_, 4, Self>) -> Option<Table> {
+        Some(points_table(shown))
     }
 
     fn drawing(shown: &ShownLine<'_, 4, Self>, scenery: &Scenery) -> Vec<View> {

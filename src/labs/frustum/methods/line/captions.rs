@@ -7,15 +7,15 @@ use crate::{
     },
     figure::{Caption, Side},
     labs::{
-        interval::{difference, quotient_formula, value_of},
+        interval::{difference, direction, quotient_formula, value_of},
         words::{end_name, name},
     },
     text::{Formula, Message, Value},
 };
 
 use super::{
-    look::{Event, Input, LineLook, end_formula, listed, ratio},
-    table::{direction, interval},
+    look::{Event, Input, LineLook, PlaneLook, end_formula, listed, ratio},
+    table::interval,
 };
 
 /// The sentence of an event.
@@ -25,8 +25,10 @@ pub fn caption<const N: usize, B: LineLook<N>, L: LineRules>(
     input: &Input<N, B>,
 ) -> Caption {
     let scenery = input.scenery.as_deref();
-    let plane_name = |plane| B::plane_name(scenery, plane);
-    let say = |key: &'static str, plane| Message::new(key).with("plane", plane_name(plane));
+    let say = |key: &'static str, plane: B::Plane| {
+        let message = Message::new(key);
+        message.with("plane", plane.name(scenery))
+    };
     match *event {
         Event::Delta { delta } => delta_caption(&before.ends, &delta),
         Event::Depths { ends, behind } => depths_caption::<N, L>(&ends, behind, &before.ends),

@@ -6,7 +6,7 @@ use crate::{
         volume::{Bounds, LineEvent, LineInput, LineRow, LineState},
     },
     figure::{Link, Table, View},
-    labs::{CodeLine, interval::quotient},
+    labs::{CodeLine, crossing_formulas::Weights, interval::quotient},
     text::{Formula, Message, Value},
 };
 
@@ -28,8 +28,25 @@ pub fn end_formula<const N: usize>(symbol: &'static str, at: &[f64; N]) -> Formu
     formula.list(at).sym(")")
 }
 
+/// The symbol of an end that has been put in place.
+const fn put_symbol(end: End) -> &'static str {
+    match end {
+        End::P1 => "P₁′",
+        End::P2 => "P₂′",
+    }
+}
+
+/// A plane that can be shown.
+pub trait PlaneLook {
+    /// Its name.
+    fn name(self, scenery: Option<&Scenery>) -> Value;
+
+    /// What marks and rows about it have in common.
+    fn link(self) -> Link;
+}
+
 /// Bounds that can be shown.
-pub trait LineLook<const N: usize>: Bounds<N> {
+pub trait LineLook<const N: usize>: Bounds<N, Plane: PlaneLook> {
     /// What the method is about.
     const SUBJECT: Subject;
     /// Author and year.
@@ -50,12 +67,6 @@ pub trait LineLook<const N: usize>: Bounds<N> {
 
     /// What is asked.
     fn opening(&self) -> Message;
-
-    /// A plane's name.
-    fn plane_name(scenery: Option<&Scenery>, plane: Self::Plane) -> Value;
-
-    /// What marks and rows about it have in common.
-    fn plane_link(plane: Self::Plane) -> Link;
 
     /// The two numbers of a row under [`LineLook::HEADER`].
     fn numbers(&self, ends: &[[f64; N]; 2], row: &LineRow<Self::Plane>) -> [f64; 2];
@@ -78,17 +89,18 @@ pub trait LineLook<const N: usize>: Bounds<N> {
         plane: Self::Plane,
         ends: &[[f64; N]; 2],
         at: [f64; N],
-    ) -> Vec<Formula>;
+    ) -> Vec<Formula> {
+        let weights = Weights::across(self.distances(plane, ends));
+        vec![weights.mean_of_places(put_symbol(end), ends, at)]
+    }
 
     /// `x = 1`, or the plane's name.
     fn border(&self, scenery: Option<&Scenery>, plane: Self::Plane) -> Value;
 
-    /// What stands beside the drawing in rows.
-    fn table(
-        shown: &ShownLine<'_, N, Self>,
-        event: Option<Event<Self::Plane, N>>,
-        scenery: Option<&Scenery>,
-    ) -> Table;
+    /// What stands beside the drawing in rows, where it is not the planes.
+    fn points(_: &ShownLine<'_, N, Self>) -> Option<Table> {
+        None
+    }
 
     /// The drawing, and what stands beside it but for the table.
     fn drawing(shown: &ShownLine<'_, N, Self>, scenery: &Scenery) -> Vec<View>;

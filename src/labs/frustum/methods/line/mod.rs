@@ -19,7 +19,7 @@ use crate::{
     },
     figure::{Body, Caption, Run, Tick, View, Watch, WatchRow, WatchSection},
     labs::{
-        Answer, CodeLine, Demo, Step, record, record_wrong,
+        Answer, CodeLine, Demo, Step, record_beside,
         words::{end_link, end_name, end_name_now, name},
     },
     text::Value,
@@ -57,10 +57,7 @@ where
     }
 
     fn record(scene: &Scene) -> Box<dyn Run> {
-        match L::DIFFERS_KEY {
-            None => record::<Self>(Self::input(scene)),
-            Some(_) => record_wrong::<Self, Shown<N, B, Right>>(Self::input(scene)),
-        }
+        record_beside::<Self, Shown<N, B, Right>>(Self::input(scene))
     }
 }
 
@@ -113,7 +110,8 @@ impl<const N: usize, B: LineLook<N>, L: LineRules + Variant<N, B>> Demo for Show
         let scenery = step.input.scenery.as_deref();
         let shown = shown_line::<N, B, L>(step);
         let mut views = scenery.map_or_else(Vec::new, |scenery| B::drawing(&shown, scenery));
-        let table = B::table(&shown, step.event, scenery);
+        let rows = || table::rows_table(&shown, step.event, scenery);
+        let table = B::points(&shown).unwrap_or_else(rows);
         views.push(View::new(ROWS_VIEW, Body::Table(table)));
         if B::SHOWS_PLANES {
             let reach = reach(step.input);

@@ -4,7 +4,7 @@ use crate::{
     algo::volume::{LineRow, LineState},
     figure::{Cell, Role, Side, Table, TableNote, TableRow, WatchRow},
     labs::{
-        interval::{ShownCrossing, ShownInterval, value_of},
+        interval::{ShownCrossing, ShownInterval, direction, value_of},
         words::name,
     },
     text::{Formula, Message, Value},
@@ -12,7 +12,7 @@ use crate::{
 
 use super::{
     super::super::stage::Scenery,
-    look::{Event, LineLook, ShownLine, ratio},
+    look::{Event, LineLook, PlaneLook, ShownLine, ratio},
 };
 
 /// The plane that the step is about; while the interval is looked at, the last one.
@@ -45,15 +45,11 @@ pub fn interval<const N: usize, B: LineLook<N>>(
         Some(ShownCrossing {
             at,
             quotient: ratio::<N, B>(row, at),
-            side: if row.p < 0.0 {
-                Side::Entering
-            } else {
-                Side::Leaving
-            },
+            side: Side::of(row.p),
             holds: state.set_by.contains(&Some(row.plane)),
             current: current == Some(row.plane),
-            name: B::plane_name(scenery, row.plane),
-            link: B::plane_link(row.plane),
+            name: row.plane.name(scenery),
+            link: row.plane.link(),
         })
     });
     let is_outside = matches!(event, Some(Event::Parallel { inside: false, .. }));
@@ -62,17 +58,6 @@ pub fn interval<const N: usize, B: LineLook<N>>(
         bounds: state.interval,
         crossings: crossings.collect(),
         is_rejected: is_outside || state.verdict == Some(None),
-    }
-}
-
-/// Catalogue key: which way the line crosses a plane.
-pub fn direction(p: f64) -> &'static str {
-    if p < 0.0 {
-        "verdict-entering"
-    } else if p > 0.0 {
-        "verdict-leaving"
-    } else {
-        "verdict-parallel"
     }
 }
 
@@ -85,8 +70,8 @@ pub fn row_values<const N: usize, B: LineLook<N>>(
         let [a, b] = shown.input.bounds.numbers(&shown.state.ends, row);
         let r = row.r.map(|r| value_of(ratio::<N, B>(row, r)));
         let cells = vec![Some(Value::Number(a)), Some(Value::Number(b)), r];
-        WatchRow::table(B::plane_name(scenery, row.plane), cells)
-            .linked(B::plane_link(row.plane))
+        WatchRow::table(row.plane.name(scenery), cells)
+            .linked(row.plane.link())
             .noted(Value::Term(direction(row.p)))
     });
     rows.collect()
@@ -171,10 +156,10 @@ fn plane_row<const N: usize, B: LineLook<N>>(
         Cell::new(role(now.r), value).strong()
     }));
     TableRow {
-        name: B::plane_name(scenery, plane),
+        name: plane.name(scenery),
         cells,
         is_current,
-        link: Some(B::plane_link(plane)),
+        link: Some(plane.link()),
     }
 }
 
