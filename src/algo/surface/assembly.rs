@@ -34,10 +34,21 @@ pub struct MeshRef<'a, const N: usize> {
 
 /// A vertex in clip space, and on the screen if it is inside.
 #[derive(Clone, Copy)]
-struct Seen<const N: usize> {
+pub(super) struct Seen<const N: usize> {
     clip: ClipVertex<[f32; N]>,
     code: SideCode,
     corner: Corner<N>,
+}
+
+impl<const N: usize> Seen<N> {
+    #[inline]
+    pub(super) fn new(clip: ClipVertex<[f32; N]>, viewport: &Viewport) -> Self {
+        Self {
+            clip,
+            code: SideCode::of(clip.at),
+            corner: corner(&clip, viewport),
+        }
+    }
 }
 
 /// Appends to `triangles` what is to be drawn of a mesh, in the order of its faces: clipped, divided, snapped, culled.
@@ -54,12 +65,7 @@ pub fn assemble<const N: usize>(
         .zip(mesh.attributes)
         .map(|(&[x, y, z], &attributes)| {
             let at = clip_from_model.times([x.into(), y.into(), z.into(), 1.0]);
-            let clip = ClipVertex { at, attributes };
-            Seen {
-                clip,
-                code: SideCode::of(at),
-                corner: corner(&clip, viewport),
-            }
+            Seen::new(ClipVertex { at, attributes }, viewport)
         })
         .collect();
     for (id, face) in (mesh.first_id..).zip(mesh.faces) {
@@ -67,11 +73,7 @@ pub fn assemble<const N: usize>(
         let [Some(a), Some(b), Some(c)] = corners else {
             continue;
         };
-        let (or, and) = (a.code.or(b.code).or(c.code), a.code.and(b.code).and(c.code));
-        if !and.is_inside() {
-            continue;
-        }
-        let mut put = |corners: [Corner<N>; 3]| {
+        for_each_piece([a, b, c], viewport, |corners| {
             let double_area = ScreenTriangle::double_area(&corners);
             let is_left_out = match cull {
                 Cull::Nothing => false,
@@ -81,23 +83,36 @@ pub fn assemble<const N: usize>(
             if !is_left_out {
                 triangles.extend(ScreenTriangle::new(id, &corners, viewport.pixel()));
             }
-        };
-        if or.is_inside() {
-            put([a.corner, b.corner, c.corner]);
-            continue;
-        }
-        let polygon = silent::<HomogeneousTriangle<[f32; N]>>(&[a.clip, b.clip, c.clip]);
-        let Some((first, rest)) = polygon.vertices().split_first() else {
-            continue;
-        };
-        let first = corner(first, viewport);
-        for pair in rest.windows(2) {
-            put([
-                first,
-                corner(&pair[0], viewport),
-                corner(&pair[1], viewport),
-            ]);
-        }
+        });
+    }
+}
+
+/// Calls back with the triangles that are left of one, clipped before the divide.
+#[inline]
+pub(super) fn for_each_piece<const N: usize>(
+    [a, b, c]: [&Seen<N>; 3],
+    viewport: &Viewport,
+    mut put: impl FnMut([Corner<N>; 3]),
+) {
+    let (or, and) = (a.code.or(b.code).or(c.code), a.code.and(b.code).and(c.code));
+    if !and.is_inside() {
+        return;
+    }
+    if or.is_inside() {
+        put([a.corner, b.corner, c.corner]);
+        return;
+    }
+    let polygon = silent::<HomogeneousTriangle<[f32; N]>>(&[a.clip, b.clip, c.clip]);
+    let Some((first, rest)) = polygon.vertices().split_first() else {
+        return;
+    };
+    let first = corner(first, viewport);
+    for pair in rest.windows(2) {
+        put([
+            first,
+            corner(&pair[0], viewport),
+            corner(&pair[1], viewport),
+        ]);
     }
 }
 

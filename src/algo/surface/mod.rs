@@ -4,13 +4,34 @@
 //! the clipper that is taught ([`super::volume::HomogeneousTriangle`]), divided, snapped to fractions of a pixel, culled.
 //! [`draw_rows`] fills them into a range of rows, so that rows can be drawn side by side, and hands out values, never
 //! colours. Both are the project's only way from a mesh to pixels.
+//!
+//! The algorithms that are taught start from triangles in view space ([`Surfaces`]) and go the same way: by the same
+//! clipper, the same snapping and the same walk over a triangle's rows.
 
 mod assembly;
+mod coverage;
+mod depth_buffer;
+mod depth_buffer_input;
+mod depth_drawing;
+mod depth_format;
+pub mod faulty;
+mod picture;
+mod rays;
+mod rules;
 mod scan;
 mod screen_triangle;
+mod surfaces;
 mod viewport;
 
 pub use assembly::{Cull, MeshRef, assemble};
+pub use depth_buffer::{DepthBuffer, DepthBufferEvent, DepthBufferOutput, DepthBufferState};
+pub use depth_buffer_input::{DepthBufferInput, DepthSteps};
+pub use depth_drawing::{Fragment, FragmentTally, pixel_story};
+pub use depth_format::{DepthBits, DepthFormat, DepthNumber};
+pub use picture::Picture;
+pub use rays::{Ray, Rays};
+pub use rules::SurfaceRules;
 pub use scan::draw_rows;
 pub use screen_triangle::ScreenTriangle;
+pub use surfaces::Surfaces;
 pub use viewport::Viewport;

@@ -52,7 +52,7 @@ fn fill<const N: usize>(
     let along = |first: f32, step: f32, done: usize| -> [f32; LANES] {
         std::array::from_fn(|lane| first + step * (done + lane) as f32)
     };
-    let depth = triangle.depth.of(column, row) as f32;
+    let depth = triangle.depth.of::<f64>(column, row) as f32;
     let depth_step = triangle.depth.by_column as f32;
     let inverse_w = triangle.inverse_w.of(column, row);
     let first = triangle.attributes.map(|linear| linear.of(column, row));
@@ -91,7 +91,7 @@ fn fill<const N: usize>(
 
 /// Calls back with every row, and the columns that the triangle covers there.
 #[inline]
-fn for_each_span<const N: usize>(
+pub(super) fn for_each_span<const N: usize>(
     triangle: &ScreenTriangle<N>,
     viewport: &Viewport,
     rows: &Range<u32>,

@@ -1,5 +1,7 @@
 //! A triangle on the screen, ready to be filled.
 
+use crate::trace::Real;
+
 /// Snapped corners, and what is linear over the screen: depth, 1/w, and attributes over w.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ScreenTriangle<const N: usize> {
@@ -125,8 +127,9 @@ impl Linear<f64> {
 
     /// In the middle of a pixel.
     #[inline]
-    pub fn of(&self, column: u32, row: u32) -> f64 {
-        self.at + self.by_column * f64::from(column) + self.by_row * f64::from(row)
+    pub fn of<R: Real>(&self, column: u32, row: u32) -> R {
+        let [at, by_column, by_row] = [self.at, self.by_column, self.by_row].map(R::new);
+        at + by_column * R::new(column.into()) + by_row * R::new(row.into())
     }
 }
 

@@ -1,0 +1,131 @@
+//! Which pixels a triangle in view space covers, and how deep it lies there.
+
+use std::ops::Range;
+
+use crate::{algo::volume::ClipVertex, geom::Sight, trace::Real};
+
+use super::{
+    Rays, ScreenTriangle, SurfaceRules, Surfaces, Viewport,
+    assembly::{Seen, for_each_piece},
+    scan::for_each_span,
+    screen_triangle::{Corner, Linear},
+};
+
+/// A triangle, clipped, divided and snapped, in view space before.
+pub(super) struct Coverage {
+    pieces: Vec<Piece>,
+    /// Between the shallowest and the deepest corner: a pixel's middle that only snapping puts inside is not far outside of it.
+    range: [f64; 2],
+}
+
+struct Piece {
+    screen: ScreenTriangle<0>,
+    depth: Linear<f64>,
+}
+
+/// The pixels of one row that one piece of a triangle covers.
+#[derive(Clone, Copy)]
+pub(super) struct Span<'a> {
+    pub row: u32,
+    /// From the first to the one after the last.
+    pub columns: [u32; 2],
+    depth: &'a Linear<f64>,
+    range: [f64; 2],
+}
+
+impl Span<'_> {
+    /// In the middle of a pixel.
+    pub fn depth<R: Real>(&self, column: u32) -> f64 {
+        let [low, high] = self.range;
+        self.depth.of::<R>(column, self.row).get().clamp(low, high)
+    }
+}
+
+impl Coverage {
+    /// `None` where nothing of it can be seen, whatever stands before it.
+    pub fn of<L: SurfaceRules>(surfaces: &Surfaces, triangle: &[[f64; 3]; 3]) -> Option<Self> {
+        if !surfaces.shows(triangle) {
+            return None;
+        }
+        let [a, b, c] = triangle.map(|at| seen(surfaces, at));
+        let (viewport, volume) = (surfaces.viewport(), surfaces.volume());
+        let (n, d) = plane(triangle);
+        let plane_depth = Rays::of(surfaces).plane_depth(n, d)?;
+        // A parallel camera's depth is the distance.
+        let is_straight = L::STRAIGHT_DISTANCE && volume.sight() == Sight::Perspective;
+        let mut range = [1.0_f64, 0.0_f64];
+        let mut pieces = Vec::with_capacity(1);
+        for_each_piece([&a, &b, &c], viewport, |mut corners| {
+            if is_straight {
+                for corner in &mut corners {
+                    let distance = 1.0 / corner.inverse_w;
+                    corner.depth = (distance - volume.near()) / (volume.far() - volume.near());
+                }
+            }
+            for Corner { depth, .. } in corners {
+                range = [range[0].min(depth), range[1].max(depth)];
+            }
+            if let Some(screen) = ScreenTriangle::new(0, &corners, viewport.pixel()) {
+                let depth = if is_straight {
+                    screen.depth
+                } else {
+                    plane_depth
+                };
+                pieces.push(Piece { screen, depth });
+            }
+        });
+        let [low, high] = range.map(|depth| depth.clamp(0.0, 1.0));
+        (low <= high && !pieces.is_empty()).then_some(Self {
+            pieces,
+            range: [low, high],
+        })
+    }
+
+    /// Calls back with each row of each piece, among some rows.
+    pub fn for_each_span(
+        &self,
+        viewport: &Viewport,
+        rows: &Range<u32>,
+        mut span: impl FnMut(Span<'_>),
+    ) {
+        for Piece { screen, depth } in &self.pieces {
+            for_each_span(screen, viewport, rows, |row, columns| {
+                span(Span {
+                    row,
+                    columns: [columns.start, columns.end],
+                    depth,
+                    range: self.range,
+                });
+            });
+        }
+    }
+}
+
+/// In clip space. Near and far decide by the distance itself, whatever the matrix rounds to.
+fn seen(surfaces: &Surfaces, [x, y, z]: [f64; 3]) -> Seen<0> {
+    let volume = surfaces.volume();
+    let [clip_x, clip_y, clip_z, w] = volume.clip_from_view().times([x, y, z, 1.0]);
+    let clip_z = if -z < volume.near() {
+        clip_z.min((-w).next_down())
+    } else if -z > volume.far() {
+        clip_z.max(w.next_up())
+    } else {
+        clip_z.max(-w).min(w)
+    };
+    let clip = ClipVertex {
+        at: [clip_x, clip_y, clip_z, w],
+        attributes: [],
+    };
+    Seen::new(clip, surfaces.viewport())
+}
+
+/// n = (V1 − V0) × (V2 − V0) and d = −n·V0 of the plane n·p + d = 0 that a triangle lies in.
+pub(super) fn plane([v0, v1, v2]: &[[f64; 3]; 3]) -> ([f64; 3], f64) {
+    let [a, b]: [[f64; 3]; 2] = [v1, v2].map(|v| std::array::from_fn(|i| v[i] - v0[i]));
+    let n = [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ];
+    (n, -(n[0] * v0[0] + n[1] * v0[1] + n[2] * v0[2]))
+}

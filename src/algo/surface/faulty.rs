@@ -1,0 +1,43 @@
+//! **Wrong on purpose.** Visible surfaces with one mistake each, as they are found in programs that students hand in: to be stepped
+//! beside the right one, on the student's own scene.
+//!
+//! They run through the very same loops with one choice changed ([`SurfaceRules`] says which can be), and report the same events, so
+//! that the first differing step is the first differing event. Only the lab's "what is wrong here?" knows this room.
+
+use super::{DepthBuffer, SurfaceRules};
+
+/// The buffer is cleared to the depth of the near plane: nothing is ever nearer, and the picture stays empty.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct ClearsToNear;
+
+impl SurfaceRules for ClearsToNear {
+    const CLEARS_TO_NEAR: bool = true;
+}
+
+/// The comparison is turned: the farther fragment wins, and none is farther than nothing.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct TurnsComparison;
+
+impl SurfaceRules for TurnsComparison {
+    const TURNS_COMPARISON: bool = true;
+}
+
+/// Every fragment is written: what was drawn last is seen, the nearest or not.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct WritesAlways;
+
+impl SurfaceRules for WritesAlways {
+    const COMPARES: bool = false;
+}
+
+/// Distances from the eye are interpolated straight across the screen. They are not linear there: surfaces bend, and change places
+/// where they are near each other.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct StraightDistance;
+
+impl SurfaceRules for StraightDistance {
+    const STRAIGHT_DISTANCE: bool = true;
+}
+
+/// The depth buffer with the mistake `L`.
+pub type FaultyDepthBuffer<L> = DepthBuffer<L>;

@@ -1,0 +1,5 @@
+//! Which surface is in front: every algorithm against exact arithmetic of another kind, and against each other.
+
+mod depth_buffer;
+mod oracle;
+mod soup;
