@@ -15,8 +15,8 @@ use std::{
 use egui::Context;
 
 use crate::{
-    geom::Texture,
-    lesson::{FileError, ObjFile, Problem, read_obj_while, texture_of},
+    labs::space::Picture,
+    lesson::{FileError, ObjFile, Problem, picture_of, read_obj_while},
     text::{Diagnostic, Message},
 };
 
@@ -38,7 +38,7 @@ enum Unread {
 /// A mesh, and what it is painted with.
 struct ReadMesh {
     obj: ObjFile,
-    texture: Option<Texture>,
+    picture: Option<Picture>,
 }
 
 /// A mesh on its way. Dropped, it is given up.
@@ -69,7 +69,7 @@ impl MeshLoading {
                         };
                         let material = obj.material.as_ref();
                         ReadMesh {
-                            texture: material.and_then(|it| texture_of(it, &beside)),
+                            picture: material.and_then(|it| picture_of(it, &beside)),
                             obj: ObjFile {
                                 mesh: obj.mesh.fitted(),
                                 ..obj
@@ -209,12 +209,12 @@ impl App {
     }
 
     fn add_mesh(&mut self, path: &str, read: &ReadMesh, now: f64) {
-        let ReadMesh { obj: read, texture } = read;
+        let ReadMesh { obj: read, picture } = read;
         let name = Path::new(path).file_stem().unwrap_or_default();
         let name = name.display().to_string();
         let mut panels = self.kit.panels.iter();
         let found = panels.find_map(|panel| {
-            let edit = panel.add_mesh(&name, &read.mesh, texture.as_ref())?;
+            let edit = panel.add_mesh(&name, &read.mesh, picture.as_ref())?;
             Some((panel.lab(), edit))
         });
         let Some((lab, edit)) = found else {
@@ -228,7 +228,7 @@ impl App {
                 .with("count", read.mesh.faces().len()),
             Err(refused) => refused.message,
         }];
-        if let (Some([library, _]), None) = (&read.material, texture) {
+        if let (Some([library, _]), None) = (&read.material, picture) {
             said.push(Message::new("status-mesh-plain").with("library", library.clone()));
         }
         if !read.warnings.is_empty() {

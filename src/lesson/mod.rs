@@ -38,7 +38,7 @@ pub use files::{FileError, Files, MAX_FILE_BYTES, MAX_LESSONS};
 pub use folder::Folder;
 pub use load::Loaded;
 pub use markdown::{Block, BlockMarker, Inline};
-pub use mesh_file::{ObjFile, read_mtl, read_obj, read_obj_while, read_picture, texture_of};
+pub use mesh_file::{ObjFile, picture_of, read_mtl, read_obj, read_obj_while, read_picture};
 pub use problem::{Place, Problem, Severity};
 #[cfg(all(test, feature = "gui"))]
 pub(crate) use scene_file::SceneFormat;

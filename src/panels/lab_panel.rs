@@ -3,8 +3,8 @@
 use egui::{Context, Ui};
 
 use crate::{
-    geom::{Mesh, Texture},
-    labs::{Edit, Lab, OutlineKind, Scene},
+    geom::Mesh,
+    labs::{Edit, Lab, OutlineKind, Scene, space::Picture},
     widgets::Look,
 };
 
@@ -28,7 +28,7 @@ pub trait LabPanel {
     fn menu(&mut self, ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk>;
 
     /// What puts a mesh of this name into its scenes, if the lab shows meshes. It lies around the origin, between −1 and 1.
-    fn add_mesh(&self, _name: &str, _mesh: &Mesh, _texture: Option<&Texture>) -> Option<Edit> {
+    fn add_mesh(&self, _name: &str, _mesh: &Mesh, _picture: Option<&Picture>) -> Option<Edit> {
         None
     }
 

@@ -18,7 +18,7 @@ mod taught_camera;
 
 pub use change::{CameraNumber, SpaceChange};
 pub use method_info::{FaceFate, FaceTest, MethodInfo};
-pub use object::{Model, NamedMesh, Object};
+pub use object::{Model, NamedMesh, Object, Picture};
 pub use on_scene::{OnScene, OnSceneInput};
 pub use scene::{MAX_OBJECTS, Method, Scene, SceneError};
 pub use space_lab::SpaceLab;

@@ -16,7 +16,16 @@ pub struct NamedMesh {
     /// Its surface.
     pub mesh: Mesh,
     /// What it is painted with, at its texture coordinates.
-    pub texture: Option<Texture>,
+    pub picture: Option<Picture>,
+}
+
+/// A texture, and the file that it was read from: a scene that is saved keeps that as it is.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Picture {
+    /// Its texels.
+    pub texture: Texture,
+    /// A PNG or a JPEG.
+    pub file: Arc<[u8]>,
 }
 
 /// What an object looks like.
@@ -54,7 +63,7 @@ impl Model {
         let Self::Mesh(named) = self else {
             return None;
         };
-        let texture = named.texture.clone()?;
+        let texture = named.picture.as_ref()?.texture.clone();
         let uvs = face.map(|i| named.mesh.uvs().get(i as usize).copied());
         let [Some(a), Some(b), Some(c)] = uvs else {
             return None;

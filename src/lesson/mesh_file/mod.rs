@@ -11,4 +11,4 @@ mod statements;
 
 pub use mtl::read_mtl;
 pub use obj::{ObjFile, read_obj, read_obj_while};
-pub use picture::{read_picture, texture_of};
+pub use picture::{picture_of, read_picture};

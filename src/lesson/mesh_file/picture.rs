@@ -7,31 +7,35 @@ use zune_jpeg::{
     zune_core::{colorspace::ColorSpace, options::DecoderOptions},
 };
 
-use crate::geom::Texture;
+use crate::{geom::Texture, labs::space::Picture};
 
 use super::read_mtl;
 
 /// A picture of more columns or rows is not read: it would fill the memory.
 const MAX_SIDE: usize = 8192;
 
-/// A texture from the bytes of a PNG or a JPEG file, told apart by how they begin. `None` where they are neither, broken,
+/// The picture in the bytes of a PNG or a JPEG file, told apart by how they begin. `None` where they are neither, broken,
 /// or more than 8192 texels wide or high.
 #[must_use]
-pub fn read_picture(bytes: &[u8]) -> Option<Texture> {
-    if bytes.starts_with(b"\x89PNG") {
-        read_png(bytes)
+pub fn read_picture(bytes: &[u8]) -> Option<Picture> {
+    let read = if bytes.starts_with(b"\x89PNG") {
+        read_png
     } else {
-        read_jpeg(bytes)
-    }
+        read_jpeg
+    };
+    Some(Picture {
+        texture: read(bytes)?,
+        file: bytes.into(),
+    })
 }
 
-/// The texture of a material, from the files beside its mesh: `material` is the MTL file's name and its own, `bytes` what a
+/// The picture of a material, from the files beside its mesh: `material` is the MTL file's name and its own, `bytes` what a
 /// file of a name there holds. `None` where anything of it is missing, or elsewhere.
 #[must_use]
-pub fn texture_of(
+pub fn picture_of(
     material: &[String; 2],
     bytes: &dyn Fn(&str) -> Option<Vec<u8>>,
-) -> Option<Texture> {
+) -> Option<Picture> {
     let beside = |name: &str| {
         let is_beside = !name.contains(['/', '\\']);
         is_beside.then(|| bytes(name)).flatten()
@@ -87,14 +91,14 @@ mod tests {
             env!("CARGO_MANIFEST_DIR"),
             "/assets/meshes/spot/spot_texture.png"
         ));
-        let texture = read_picture(spot).unwrap();
+        let texture = read_picture(spot).unwrap().texture;
         assert_eq!(texture.size(), [1024, 1024]);
         assert_eq!(read_picture(&spot[..5000]), None);
         assert_eq!(read_picture(b"\xff\xd8\xff\xe0 no picture"), None);
         assert_eq!(read_picture(b""), None);
         // A grey one.
         let jpeg = include_bytes!("grey.jpg");
-        assert_eq!(read_picture(jpeg).unwrap().size(), [16, 8]);
+        assert_eq!(read_picture(jpeg).unwrap().texture.size(), [16, 8]);
     }
 
     #[test]
@@ -111,7 +115,7 @@ mod tests {
             let mut writer = encoder.write_header().unwrap();
             writer.write_image_data(&samples).unwrap();
             writer.finish().unwrap();
-            let texel = read_picture(&bytes).unwrap().at([0.5; 2]);
+            let texel = read_picture(&bytes).unwrap().texture.at([0.5; 2]);
             assert_eq!(texel[0], 7);
             assert_eq!(texel, if samples.len() < 3 { [7; 3] } else { [7, 8, 9] });
         }

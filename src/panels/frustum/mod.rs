@@ -6,8 +6,8 @@ mod culling_view;
 use egui::Ui;
 
 use crate::{
-    geom::{Mesh, Texture},
-    labs::{Edit, Lab, Scene, frustum},
+    geom::Mesh,
+    labs::{Edit, Lab, Scene, frustum, space::Picture},
     panels::{Bench, LabPanel, PanelAsk},
     widgets::Look,
 };
@@ -33,8 +33,8 @@ impl LabPanel for FrustumPanel {
         self.menu.show(ui, look, scene.get()?)
     }
 
-    fn add_mesh(&self, name: &str, mesh: &Mesh, texture: Option<&Texture>) -> Option<Edit> {
-        Some(add_mesh(name, mesh, texture))
+    fn add_mesh(&self, name: &str, mesh: &Mesh, picture: Option<&Picture>) -> Option<Edit> {
+        Some(add_mesh(name, mesh, picture))
     }
 
     fn measures(&self) -> bool {

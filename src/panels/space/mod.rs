@@ -8,10 +8,10 @@ use std::sync::Arc;
 use egui::Ui;
 
 use crate::{
-    geom::{Mesh, Texture},
+    geom::Mesh,
     labs::{
         Edit,
-        space::{Model, NamedMesh, Scene, SpaceChange},
+        space::{Model, NamedMesh, Picture, Scene, SpaceChange},
     },
     panels::{PanelAsk, Seeded},
     widgets::Look,
@@ -43,11 +43,11 @@ impl SpaceMenu {
 }
 
 /// What puts a mesh of this name into a scene.
-pub fn add_mesh(name: &str, mesh: &Mesh, texture: Option<&Texture>) -> Edit {
+pub fn add_mesh(name: &str, mesh: &Mesh, picture: Option<&Picture>) -> Edit {
     let model = Model::Mesh(Arc::new(NamedMesh {
         name: name.to_owned(),
         mesh: mesh.clone(),
-        texture: texture.cloned(),
+        picture: picture.cloned(),
     }));
     Edit::own(SpaceChange::Add(model))
 }

@@ -28,7 +28,7 @@ use super::{
 };
 
 use camera::{camera, camera_to_toml, eye, eye_to_toml, watching};
-use model::{is_whole, n_faces_inline, object, object_to_toml};
+use model::{n_faces_listed, object, object_to_toml};
 
 /// The fields of a scene.
 const FIELDS: [&str; 13] = [
@@ -52,7 +52,7 @@ impl SceneFormat for Format {
         "camera"
     }
 
-    /// In objects, and in faces of the meshes that the file itself holds.
+    /// In objects, and in faces that the file lists.
     fn room(&self) -> usize {
         10 * MAX_OBJECTS
     }
@@ -202,7 +202,7 @@ fn objects(
             return Some(vec![cube.ok()?]);
         }
     };
-    let n_faces: usize = objects.iter().map(n_faces_inline).sum();
+    let n_faces: usize = objects.iter().map(n_faces_listed).sum();
     let size = objects.len() + n_faces;
     if size > *room {
         sink.refuse(span, SceneError::TooManyObjects(size), []);
@@ -243,7 +243,7 @@ fn places_to_toml(places: &Places, text: &mut String) {
     }
 }
 
-/// Writes a scene. A mesh of more faces than a file takes is a cube in it, under its name.
+/// Writes a scene.
 fn to_toml(scene: &Scene) -> String {
     let mut text = format!("method = \"{}\"\n", scene.method.card().id);
     if let Some(compare) = scene.compare {
@@ -258,10 +258,10 @@ fn to_toml(scene: &Scene) -> String {
     if scene.focus() > 0 {
         let _ = writeln!(text, "focus = {}", scene.focus());
     }
-    if scene.face() > 0 && is_whole(scene.focused()) {
+    if scene.face() > 0 {
         let _ = writeln!(text, "face = {}", scene.face());
     }
-    if scene.vertex() > 0 && is_whole(scene.focused()) {
+    if scene.vertex() > 0 {
         let _ = writeln!(text, "vertex = {}", scene.vertex());
     }
     text.push_str("objects = [\n");

@@ -2,14 +2,15 @@
 
 use std::{fmt::Write as _, sync::Arc};
 
+use base64::{Engine, prelude::BASE64_STANDARD as BASE64};
+
 use crate::{
     geom::{Mesh, MeshError, Solid, SpaceError},
-    labs::space::{Model, NamedMesh, Object},
+    labs::space::{Model, NamedMesh, Object, Picture},
     lesson::{
-        read_obj,
+        picture_of, read_obj, read_picture,
         scene_file::parts::{array, exact, span_of},
         sink::{Sink, clipped},
-        texture_of,
         toml_fields::{Item, TomlFields, list, number, numbers, one_of, text, whole},
     },
     text::Message,
@@ -18,10 +19,11 @@ use crate::{
 use super::spot;
 
 const OBJECT: [&str; 5] = ["solid", "mesh", "at", "turn_deg", "size"];
-const MESH: [&str; 4] = ["name", "vertices", "uvs", "faces"];
+const MESH: [&str; 6] = ["name", "vertices", "uvs", "faces", "obj", "picture"];
 
-/// A mesh of more faces, or vertices, does not go into a scene file: it would be megabytes.
-pub(super) const MAX_INLINE: usize = 10_000;
+/// A mesh of more faces, or vertices, is not spelt number by number, but as the text of an OBJ file: that takes a tenth of
+/// the memory to read.
+const MAX_INLINE: usize = 10_000;
 
 /// An object.
 pub(super) fn object(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Object> {
@@ -100,14 +102,14 @@ fn mesh_beside(item: &Item<'_>, name: &str, sink: &mut Sink<'_>) -> Option<Named
             sink.report(read.warnings);
             let name = stem.unwrap_or_default().to_owned();
             let mesh = read.mesh.fitted();
-            let texture = read.material.as_ref().and_then(|material| {
+            let picture = read.material.as_ref().and_then(|material| {
                 let bytes = |name: &str| sink.source().beside(name)?.1.ok();
-                texture_of(material, &bytes)
+                picture_of(material, &bytes)
             });
             Some(NamedMesh {
                 name,
                 mesh,
-                texture,
+                picture,
             })
         }
         Err(problems) => {
@@ -122,25 +124,66 @@ fn mesh(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<NamedMesh> {
     let name = fields
         .require("name", sink)
         .and_then(|item| text(item, sink));
-    let positions = rows(&fields, "vertices", sink, |item, sink| {
+    let picture = match fields.get("picture") {
+        Some(item) => Some(picture(item, sink)?),
+        None => None,
+    };
+    let mesh = match fields.get("obj") {
+        Some(item) => obj(item, &fields, sink),
+        None => listed(&fields, sink),
+    };
+    Some(NamedMesh {
+        name: name?.to_owned(),
+        mesh: mesh?,
+        picture,
+    })
+}
+
+/// A PNG or a JPEG file, in base64.
+fn picture(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Picture> {
+    let bytes = BASE64.decode(text(item, sink)?);
+    let picture = bytes.ok().and_then(|bytes| read_picture(&bytes));
+    if picture.is_none() {
+        let expected = [Message::new("expect-picture")];
+        sink.error(item.span(), Message::new("problem-no-picture"), expected);
+    }
+    picture
+}
+
+/// The text of an OBJ file, whose vertices stay where they are.
+fn obj(item: &Item<'_>, fields: &TomlFields<'_>, sink: &mut Sink<'_>) -> Option<Mesh> {
+    for other in ["vertices", "uvs", "faces"] {
+        if let Some(other) = fields.get(other) {
+            sink.error(other.span(), Message::new("problem-two-meshes"), []);
+            return None;
+        }
+    }
+    match read_obj("obj", text(item, sink)?.as_bytes()) {
+        Ok(read) => Some(read.mesh),
+        Err(problems) => {
+            sink.report(problems);
+            None
+        }
+    }
+}
+
+/// All of its numbers in lists.
+fn listed(fields: &TomlFields<'_>, sink: &mut Sink<'_>) -> Option<Mesh> {
+    let positions = rows(fields, "vertices", sink, |item, sink| {
         let at = numbers::<3>(item, "expect-place", sink)?;
         Some(at.map(|x| x as f32))
     });
     let uvs = match fields.get("uvs") {
         None => Some(Vec::new()),
-        Some(_) => rows(&fields, "uvs", sink, |item, sink| {
+        Some(_) => rows(fields, "uvs", sink, |item, sink| {
             let uv = numbers::<2>(item, "expect-point", sink)?;
             Some(uv.map(|x| x as f32))
         }),
     };
-    let faces = rows(&fields, "faces", sink, face);
+    let faces = rows(fields, "faces", sink, face);
     let made = Mesh::new(positions?, uvs?, faces?);
     match made {
-        Ok(mesh) => Some(NamedMesh {
-            texture: None,
-            name: name?.to_owned(),
-            mesh,
-        }),
+        Ok(mesh) => Some(mesh),
         Err(error) => {
             let (list, index) = match error {
                 MeshError::NotFinite { vertex_idx } => ("vertices", Some(vertex_idx)),
@@ -194,10 +237,10 @@ fn face(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<[u32; 3]> {
 enum Spelling<'a> {
     /// By its name.
     Named(&'static str),
-    /// With all its numbers.
-    Inline(&'a NamedMesh),
-    /// Not at all: it is too large for a file.
-    LeftOut,
+    /// With all its numbers, in lists.
+    Listed(&'a NamedMesh),
+    /// As the text of an OBJ file.
+    Obj(&'a NamedMesh),
 }
 
 fn spelling(model: &Model) -> Spelling<'_> {
@@ -207,33 +250,31 @@ fn spelling(model: &Model) -> Spelling<'_> {
         Model::Mesh(named) => {
             let mesh = &named.mesh;
             if mesh.faces().len().max(mesh.positions().len()) > MAX_INLINE {
-                Spelling::LeftOut
+                Spelling::Obj(named)
             } else {
-                Spelling::Inline(named)
+                Spelling::Listed(named)
             }
         }
     }
 }
 
-/// Is all of it in the file that it is written to?
-pub(super) fn is_whole(object: &Object) -> bool {
-    !matches!(spelling(object.model()), Spelling::LeftOut)
-}
-
-/// How many faces the file itself holds of it.
-pub(super) fn n_faces_inline(object: &Object) -> usize {
+/// How many faces the file lists of it.
+pub(super) fn n_faces_listed(object: &Object) -> usize {
     match spelling(object.model()) {
-        Spelling::Named(_) | Spelling::LeftOut => 0,
-        Spelling::Inline(named) => named.mesh.faces().len(),
+        Spelling::Named(_) | Spelling::Obj(_) => 0,
+        Spelling::Listed(named) => named.mesh.faces().len(),
     }
 }
 
-/// As [`object`] reads it; for a mesh that is too large for a file a cube stands in it.
+/// As [`object`] reads it.
 pub(super) fn object_to_toml(object: &Object) -> String {
     let model = match spelling(object.model()) {
         Spelling::Named(id) => format!("solid = \"{id}\""),
-        Spelling::LeftOut => format!("solid = \"{}\"", Solid::Cube.id()),
-        Spelling::Inline(named) => format!("mesh = {}", mesh_to_toml(named)),
+        Spelling::Listed(named) => mesh_to_toml(named, &lists(&named.mesh)),
+        Spelling::Obj(named) => {
+            let obj = format!("obj = '''\n{}'''", obj_text(&named.mesh));
+            mesh_to_toml(named, &obj)
+        }
     };
     format!(
         "{{ {model}, at = {}, turn_deg = {}, size = {} }}",
@@ -243,27 +284,49 @@ pub(super) fn object_to_toml(object: &Object) -> String {
     )
 }
 
-fn mesh_to_toml(NamedMesh { name, mesh, .. }: &NamedMesh) -> String {
-    let mut text = format!("{{ name = {}, vertices = [", quoted(name));
-    let list = |text: &mut String, rows: &mut dyn Iterator<Item = String>| {
-        text.push_str(&rows.collect::<Vec<_>>().join(", "));
-        text.push(']');
-    };
-    let mut positions = mesh.positions().iter().map(|p| array(&p.map(f64::from)));
-    list(&mut text, &mut positions);
-    if !mesh.uvs().is_empty() {
-        text.push_str(", uvs = [");
-        list(
-            &mut text,
-            &mut mesh.uvs().iter().map(|uv| array(&uv.map(f64::from))),
-        );
+/// `numbers` are those of its surface.
+fn mesh_to_toml(named: &NamedMesh, numbers: &str) -> String {
+    let mut text = format!("mesh = {{ name = {}, {numbers}", quoted(&named.name));
+    if let Some(picture) = &named.picture {
+        let _ = write!(text, ", picture = \"{}\"", BASE64.encode(&picture.file));
     }
-    text.push_str(", faces = [");
-    list(
-        &mut text,
-        &mut mesh.faces().iter().map(|face| format!("{face:?}")),
-    );
     text + " }"
+}
+
+fn lists(mesh: &Mesh) -> String {
+    fn list(name: &str, rows: impl Iterator<Item = String>) -> String {
+        format!("{name} = [{}]", rows.collect::<Vec<_>>().join(", "))
+    }
+    let exactly = |row: &[f32]| array(&row.iter().map(|&x| x.into()).collect::<Vec<f64>>());
+    let mut parts = vec![list(
+        "vertices",
+        mesh.positions().iter().map(|p| exactly(p)),
+    )];
+    if !mesh.uvs().is_empty() {
+        parts.push(list("uvs", mesh.uvs().iter().map(|uv| exactly(uv))));
+    }
+    let faces = mesh.faces().iter().map(|face| format!("{face:?}"));
+    parts.push(list("faces", faces));
+    parts.join(", ")
+}
+
+/// Vertices and texture coordinates have the same numbers, from 1.
+fn obj_text(mesh: &Mesh) -> String {
+    let mut text = String::new();
+    for [x, y, z] in mesh.positions() {
+        let _ = writeln!(text, "v {x} {y} {z}");
+    }
+    for [u, v] in mesh.uvs() {
+        let _ = writeln!(text, "vt {u} {v}");
+    }
+    for face in mesh.faces() {
+        let [a, b, c] = face.map(|i| i + 1);
+        let _ = match mesh.uvs() {
+            [] => writeln!(text, "f {a} {b} {c}"),
+            _ => writeln!(text, "f {a}/{a} {b}/{b} {c}/{c}"),
+        };
+    }
+    text
 }
 
 /// A text in quotes.

@@ -30,7 +30,7 @@ pub fn model() -> Model {
             Model::Mesh(Arc::new(NamedMesh {
                 name,
                 mesh,
-                texture: read_picture(painted),
+                picture: read_picture(painted),
             }))
         })
     });
