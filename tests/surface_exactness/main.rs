@@ -2,4 +2,5 @@
 
 mod depth_buffer;
 mod oracle;
+mod ray_casting;
 mod soup;

@@ -15,7 +15,10 @@ mod depth_buffer_input;
 mod depth_drawing;
 mod depth_format;
 pub mod faulty;
+mod hierarchy;
 mod picture;
+mod ray_casting;
+mod ray_plane;
 mod rays;
 mod rules;
 mod scan;
@@ -28,7 +31,12 @@ pub use depth_buffer::{DepthBuffer, DepthBufferEvent, DepthBufferOutput, DepthBu
 pub use depth_buffer_input::{DepthBufferInput, DepthSteps};
 pub use depth_drawing::{Fragment, FragmentTally, pixel_story};
 pub use depth_format::{DepthBits, DepthFormat, DepthNumber};
+pub use hierarchy::Hierarchy;
 pub use picture::Picture;
+pub use ray_casting::{
+    RayCasting, RayCastingEvent, RayCastingInput, RayCastingOutput, RayCastingState, RayHit,
+};
+pub use ray_plane::{Meeting, PlaneHit};
 pub use rays::{Ray, Rays};
 pub use rules::SurfaceRules;
 pub use scan::draw_rows;

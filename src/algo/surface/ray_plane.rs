@@ -1,0 +1,195 @@
+//! One line of sight and one triangle: where it meets the plane, and whether that point is of the triangle.
+//!
+//! ```text
+//!                 n                n·p + d = 0         the plane
+//!                  ╲   ╱           p = o + t·r         the ray
+//!   o ●─────────────╳╱─────►       t = −(n·o + d) / (n·r)
+//!                  ╱  r
+//! ```
+//!
+//! Whether the ray passes inside is the sign of three determinants |r, Vᵢ, Vⱼ|, exact on the given coordinates: one for each edge, the side of
+//! the plane through eye and edge that the ray runs on. On an edge the top-left rule decides, as it does for the rasteriser.
+
+use std::cmp::Ordering;
+
+use serde::Serialize;
+
+use crate::{geom::sign_of_three, trace::Real};
+
+use super::{Ray, Rays, Surfaces, coverage::plane};
+
+/// What a line of sight has to do with a triangle.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Meeting {
+    /// Not asked: the triangle is edge-on, or shows its back and such are left out.
+    Culled,
+    /// n·r = 0: they never meet.
+    Parallel,
+    /// t < 0: it would be behind the eye.
+    Behind,
+    /// t < 1: before the near plane.
+    BeforeNear,
+    /// Beyond the far plane.
+    BeyondFar,
+    /// It meets the plane beside the triangle.
+    Beside,
+    /// It meets the triangle.
+    Hit,
+}
+
+/// A question and its answer.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
+pub struct PlaneHit {
+    /// n·o + d
+    pub numerator: f64,
+    /// n·r
+    pub denominator: f64,
+    /// −numerator / denominator; none where the plane is not met.
+    pub t: Option<f64>,
+    /// What is found.
+    pub meeting: Meeting,
+}
+
+/// A triangle as rays ask for it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RayTriangle {
+    pub id: u32,
+    pub corners: [[f64; 3]; 3],
+    /// `Equal` where it is left out.
+    turn: Ordering,
+    n: [f64; 3],
+    d: f64,
+    /// Of each edge, Vᵢ × Vⱼ along the lines of sight, and the sums of the products' sizes.
+    edges: [[[f64; 3]; 2]; 3],
+    /// The nearest and the farthest vertex, before the eye's plane.
+    distances: [f64; 2],
+}
+
+impl RayTriangle {
+    pub fn new(surfaces: &Surfaces, id: u32, corners: &[[f64; 3]; 3]) -> Self {
+        let (n, d) = plane(corners);
+        let lines = corners.map(|v| surfaces.sight_line(v));
+        let edges = [0, 1, 2].map(|i| {
+            let [p, q] = [lines[i], lines[(i + 1) % 3]];
+            let products = |axis: usize| {
+                let [j, k] = [(axis + 1) % 3, (axis + 2) % 3];
+                [p[j] * q[k], p[k] * q[j]]
+            };
+            let normal = [0, 1, 2].map(|axis| {
+                let [left, right] = products(axis);
+                left - right
+            });
+            let size = [0, 1, 2].map(|axis| {
+                let [left, right] = products(axis);
+                left.abs() + right.abs()
+            });
+            [normal, size]
+        });
+        let [a, b, c] = corners.map(|[_, _, z]| -z);
+        Self {
+            id,
+            corners: *corners,
+            turn: if surfaces.shows(corners) {
+                surfaces.turn(*corners)
+            } else {
+                Ordering::Equal
+            },
+            n,
+            d,
+            edges,
+            distances: [a.min(b).min(c), a.max(b).max(c)],
+        }
+    }
+
+    pub fn is_shown(&self) -> bool {
+        self.turn != Ordering::Equal
+    }
+
+    /// Of a line of sight.
+    pub fn ask<R: Real>(&self, surfaces: &Surfaces, rays: &Rays, ray: &Ray) -> PlaneHit {
+        let n = self.n.map(R::new);
+        let [o, r] = [ray.origin, ray.direction].map(|v| v.map(R::new));
+        if !self.is_shown() {
+            return PlaneHit {
+                numerator: 0.0,
+                denominator: 0.0,
+                t: None,
+                meeting: Meeting::Culled,
+            };
+        }
+        let numerator = n[0] * o[0] + n[1] * o[1] + n[2] * o[2] + R::new(self.d);
+        let denominator = n[0] * r[0] + n[1] * r[1] + n[2] * r[2];
+        let told = |t: Option<R>, meeting| PlaneHit {
+            numerator: numerator.get(),
+            denominator: denominator.get(),
+            t: t.map(R::get),
+            meeting,
+        };
+        if denominator == R::new(0.0) {
+            return told(None, Meeting::Parallel);
+        }
+        let t = -numerator / denominator;
+        let volume = surfaces.volume();
+        let [nearest, farthest] = self.distances;
+        let meeting = if t < R::new(0.0) {
+            Meeting::Behind
+        } else if nearest < volume.near() && (farthest < volume.near() || t < R::new(1.0)) {
+            Meeting::BeforeNear
+        } else if farthest > volume.far() && (nearest > volume.far() || t > R::new(rays.far())) {
+            Meeting::BeyondFar
+        } else if self.holds::<R>(surfaces, surfaces.sight_line(ray.at(1.0))) {
+            Meeting::Hit
+        } else {
+            Meeting::Beside
+        };
+        told(Some(t), meeting)
+    }
+
+    /// Does a line of sight pass through it?
+    fn holds<R: Real>(&self, surfaces: &Surfaces, r: [f64; 3]) -> bool {
+        (0..3).all(|i| match self.side::<R>(surfaces, i, r) {
+            Ordering::Equal => self.is_top_left(surfaces, i),
+            side => side == self.turn,
+        })
+    }
+
+    /// Which way r and the ends of an edge turn. As computed it decides where it is larger than its rounding.
+    fn side<R: Real>(&self, surfaces: &Surfaces, i: usize, r: [f64; 3]) -> Ordering {
+        let [m, size] = self.edges[i];
+        let [m, r_counted] = [m, r].map(|v| v.map(R::new));
+        let det = m[0] * r_counted[0] + m[1] * r_counted[1] + m[2] * r_counted[2];
+        let size: f64 = (0..3).map(|axis| size[axis] * r[axis].abs()).sum();
+        // A term has two products, a difference and three sums.
+        let bound = 8.0 * f64::EPSILON * size;
+        if (1e-250..1e250).contains(&size) && det.get().abs() > bound {
+            let is_left = det < R::new(0.0);
+            return if is_left {
+                Ordering::Greater
+            } else {
+                Ordering::Less
+            };
+        }
+        let [p, q] = [self.corners[i], self.corners[(i + 1) % 3]];
+        surfaces.turn([r, p, q])
+    }
+
+    /// Does what lies on this edge belong to the triangle: is its inside to the right of it, or below it where it is level?
+    fn is_top_left(&self, surfaces: &Surfaces, i: usize) -> bool {
+        let [p, q] = [self.corners[i], self.corners[(i + 1) % 3]].map(|v| surfaces.sight_line(v));
+        // How the side changes along an axis of the screen.
+        let grows = |axis: [f64; 3]| {
+            let sign = sign_of_three([axis, p, q]).reverse();
+            if self.turn == Ordering::Greater {
+                sign
+            } else {
+                sign.reverse()
+            }
+        };
+        match grows([1.0, 0.0, 0.0]) {
+            Ordering::Greater => true,
+            Ordering::Less => false,
+            Ordering::Equal => grows([0.0, 1.0, 0.0]) == Ordering::Less,
+        }
+    }
+}

@@ -1,0 +1,203 @@
+//! Rays, with and without the boxes.
+
+use clipscope::{
+    algo::surface::{
+        DepthBuffer, DepthBufferInput, Hierarchy, Meeting, Picture, RayCasting, RayCastingInput,
+        Rays, Surfaces,
+    },
+    geom::{Matrix, Solid, ViewVolume},
+    trace::{Trace, laws, silent},
+};
+use proptest::prelude::*;
+
+use crate::{
+    oracle::{Seen, pixels, seen},
+    soup::{cases, placed, soup, surfaces, volume},
+};
+
+fn all(surfaces: Surfaces) -> RayCastingInput {
+    RayCastingInput {
+        surfaces,
+        pixel: None,
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(300))]
+
+    #[test]
+    fn every_middle_is_that_of_the_nearest(triangles in soup(12), culls in any::<bool>()) {
+        let input = all(surfaces(&triangles, culls));
+        let output = silent::<RayCasting>(&input);
+        let depths = silent::<DepthBuffer>(&DepthBufferInput::new(input.surfaces.clone()));
+        for pixel in pixels() {
+            let place = output.picture.place(pixel);
+            match seen(&triangles, culls, pixel) {
+                Seen::Unsure => {}
+                Seen::Nothing => prop_assert_eq!(output.picture.at(pixel), None, "{:?}", pixel),
+                Seen::Surface { id, depth } => {
+                    prop_assert_eq!(output.picture.at(pixel), Some(id), "{:?}", pixel);
+                    prop_assert!((output.depth[place] - depth).abs() < 1e-9);
+                    prop_assert!((output.depth[place] - depths.depth[place]).abs() < 1e-9);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn boxes_change_no_hit(triangles in soup(60), parallel in any::<bool>()) {
+        let volume = if parallel { ViewVolume::parallel(12.0, 1.0, -1.0, 9.0).expect("a volume") } else { volume() };
+        let surfaces = Surfaces::new([16, 16], volume, placed(&triangles), false).expect("finite");
+        let without = silent::<RayCasting>(&all(surfaces.clone()));
+        let with = Hierarchy::new(&surfaces).picture(&surfaces);
+        prop_assert_eq!(with.picture, without.picture);
+        prop_assert_eq!(with.depth, without.depth);
+        prop_assert!(with.n_asked <= without.n_asked);
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(12))]
+
+    #[test]
+    fn the_laws(triangles in soup(5), column in 0..5_u32) {
+        let surfaces = Surfaces::new([5, 4], volume(), placed(&triangles), true).expect("finite");
+        laws::check::<RayCasting>(&all(surfaces.clone()));
+        laws::check::<RayCasting>(&RayCastingInput { surfaces, pixel: Some([column, 3]) });
+    }
+}
+
+/// A mesh before the eye, its picture a parallel or a perspective one.
+fn of_mesh(solid: Solid, volume: ViewVolume, size: [u32; 2]) -> Surfaces {
+    let mesh = solid.mesh();
+    let placed = Matrix::translation([0.1, -0.2, -4.0]).after(&Matrix::rotation([0.4, 0.7, 0.1]));
+    let corners = mesh
+        .faces()
+        .iter()
+        .map(|&face| mesh.corners(face).map(|p| placed.point(p)));
+    Surfaces::new(size, volume, corners.collect::<Vec<_>>(), true).expect("finite")
+}
+
+#[test]
+fn solids_are_the_same_by_depths_and_by_rays() {
+    let volumes = [
+        ViewVolume::perspective(50.0, 1.5, 0.5, 9.0).expect("a volume"),
+        ViewVolume::parallel(3.0, 1.5, -1.0, 9.0).expect("a volume"),
+    ];
+    for solid in Solid::ALL {
+        for volume in volumes {
+            let surfaces = of_mesh(solid, volume, [48, 32]);
+            let depths = silent::<DepthBuffer>(&DepthBufferInput::new(surfaces.clone()));
+            let rays = Hierarchy::new(&surfaces).picture(&surfaces);
+            // Nothing here has an edge through a middle.
+            assert_eq!(depths.picture, rays.picture, "{solid:?}");
+            assert!(depths.tally.pixels > 100, "{solid:?}");
+            for (one, other) in depths.depth.iter().zip(&rays.depth) {
+                assert!(
+                    one == other || (one - other).abs() < 1e-12,
+                    "{solid:?}: {one} {other}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn an_edge_belongs_to_one_of_its_two_triangles() {
+    // Two halves of a square whose diagonal, left and top edges pass through middles.
+    let at = |x: f64, y: f64| [x, y, -1.0];
+    let [a, b, c, d] = [at(-0.5, -0.5), at(0.5, -0.5), at(0.5, 0.5), at(-0.5, 0.5)];
+    let volume = ViewVolume::perspective(90.0, 1.0, 0.5, 4.0).expect("a volume");
+    for halves in [[[a, b, c], [a, c, d]], [[a, c, b], [d, c, a]]] {
+        let surfaces = Surfaces::new([2, 2], volume, halves, false).expect("finite");
+        let depths = silent::<DepthBuffer>(&DepthBufferInput::new(surfaces.clone()));
+        let rays = silent::<RayCasting>(&all(surfaces));
+        assert_eq!(depths.picture, rays.picture);
+        assert_eq!(
+            depths
+                .picture
+                .ids()
+                .iter()
+                .filter(|&&id| id != Picture::BACKGROUND)
+                .count(),
+            1
+        );
+    }
+}
+
+#[test]
+fn every_meeting_by_name() {
+    let wall = |z: f64| [[-90.0, -90.0, z], [90.0, -90.0, z], [0.0, 190.0, z]];
+    let beside = [[5.0, 5.0, -2.0], [6.0, 5.0, -2.0], [5.0, 6.0, -2.0]];
+    // The middle pixel's ray runs along −z: a plane beside it never meets it.
+    let parallel = [[1.0, 0.0, -2.0], [1.0, 0.0, -3.0], [1.0, 1.0, -2.0]];
+    let back = [wall(-3.0)[0], wall(-3.0)[2], wall(-3.0)[1]];
+    let triangles = [
+        wall(-3.0),
+        wall(1.0),
+        wall(-0.5),
+        wall(-9.5),
+        beside,
+        parallel,
+        wall(-2.0),
+        back,
+    ];
+    let volume = ViewVolume::perspective(60.0, 1.0, 1.0, 9.0).expect("a volume");
+    let surfaces = Surfaces::new([3, 3], volume, triangles, false).expect("finite");
+    let [turned, both] = [true, false]
+        .map(|culls| Surfaces::new([3, 3], volume, surfaces.triangles(), culls).expect("finite"));
+    let meetings = |surfaces: Surfaces| {
+        let trace = Trace::<RayCasting>::record(RayCastingInput {
+            surfaces,
+            pixel: Some([1, 1]),
+        });
+        let state = trace.state_at(usize::MAX);
+        assert_eq!(state.nearest.map(|hit| (hit.id, hit.t)), Some((6, 2.0)));
+        state
+            .asked
+            .iter()
+            .map(|(_, found)| found.meeting)
+            .collect::<Vec<_>>()
+    };
+    use Meeting::*;
+    let expected = [
+        Hit, Behind, BeforeNear, BeyondFar, Beside, Parallel, Hit, Hit,
+    ];
+    assert_eq!(meetings(both), expected);
+    assert_eq!(meetings(turned)[7], Culled);
+}
+
+#[test]
+fn near_and_far_are_closed() {
+    for [near, far] in [[0.1, 0.7], [0.3, 100.1], [1.7, 1.9]] {
+        let volume = ViewVolume::perspective(70.0, 1.25, near, far).expect("a volume");
+        let seen_at = |distance: f64| {
+            let (z, wide) = (-distance, 9.0 * distance);
+            let wall = [[-wide, -wide, z], [wide, -wide, z], [0.0, 2.0 * wide, z]];
+            let surfaces = Surfaces::new([5, 4], volume, [wall], false).expect("finite");
+            let output = silent::<RayCasting>(&all(surfaces));
+            (output.picture.ids() == [0; 20]).then_some(output.depth[0])
+        };
+        assert!(seen_at(near).is_some_and(|depth| depth.abs() < 1e-12));
+        assert!(seen_at(far).is_some_and(|depth| (depth - 1.0).abs() < 1e-12));
+        assert_eq!([near.next_down(), far.next_up()].map(seen_at), [None; 2]);
+    }
+}
+
+#[test]
+fn t_is_one_on_the_raster_and_depth_says_how_far() {
+    for volume in [
+        volume(),
+        ViewVolume::parallel(4.0, 1.0, -2.0, 6.0).expect("a volume"),
+    ] {
+        let surfaces = Surfaces::new([4, 4], volume, [], false).expect("no triangle");
+        let rays = Rays::of(&surfaces);
+        for (t, distance, depth) in [(1.0, volume.near(), 0.0), (rays.far(), volume.far(), 1.0)] {
+            assert!((rays.through([1, 2]).at(t)[2] + distance).abs() < 1e-12);
+            assert!((rays.depth(t) - depth).abs() < 1e-12);
+            assert!((rays.t_at(depth) - t).abs() < 1e-9);
+            assert!((rays.distance(t) - distance).abs() < 1e-12);
+            assert!((rays.t_of(distance) - t).abs() < 1e-12);
+        }
+    }
+}
