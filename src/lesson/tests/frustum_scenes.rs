@@ -152,8 +152,16 @@ const BROKEN: &[(&str, &str, &str)] = &[
     ("[1, 2, 3]", "[1, 2]", "10:133 wrong-length"),
     ("[1, 2, 3]", "[1, 2, 3.5]", "10:140 wrong-type"),
     ("[0, 0, 0.5]", "[0, 0]", "10:77 wrong-length"),
-    ("name = \"wedge\"", "name = \"wedge\", obj = \"f 1\"", "10:56 two-meshes"),
-    ("name = \"wedge\"", "name = \"wedge\", picture = \"cow!\"", "10:42 no-picture"),
+    (
+        "name = \"wedge\"",
+        "name = \"wedge\", obj = \"f 1\"",
+        "10:56 two-meshes",
+    ),
+    (
+        "name = \"wedge\"",
+        "name = \"wedge\", picture = \"cow!\"",
+        "10:42 no-picture",
+    ),
     ("{ solid = \"spot\" }", "street", "11:5 toml-value"),
 ];
 
