@@ -212,7 +212,11 @@ impl App {
         let ReadMesh { obj: read, picture } = read;
         let name = Path::new(path).file_stem().unwrap_or_default();
         let name = name.display().to_string();
-        let mut panels = self.kit.panels.iter();
+        // Into the open lab's scene, if that shows meshes.
+        let open = self.scene().document().lab();
+        let (here, elsewhere): (Vec<_>, Vec<_>) =
+            (self.kit.panels.iter()).partition(|panel| panel.lab() == open);
+        let mut panels = here.into_iter().chain(elsewhere);
         let found = panels.find_map(|panel| {
             let edit = panel.add_mesh(&name, &read.mesh, picture.as_ref())?;
             Some((panel.lab(), edit))

@@ -42,6 +42,7 @@ mod report;
 mod solver;
 mod stream;
 mod style;
+mod surfaces;
 
 pub use fields::{Field, Fields, Presence};
 pub use given::Given;
@@ -59,7 +60,12 @@ impl Solvers {
     /// Those of all labs.
     #[must_use]
     pub const fn standard() -> Self {
-        static TABLES: [&[Solver]; 3] = [&lines::SOLVERS, &polygons::SOLVERS, &frustum::SOLVERS];
+        static TABLES: [&[Solver]; 4] = [
+            &lines::SOLVERS,
+            &polygons::SOLVERS,
+            &frustum::SOLVERS,
+            &surfaces::SOLVERS,
+        ];
         Self::new(&TABLES)
     }
 }

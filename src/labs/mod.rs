@@ -17,6 +17,7 @@ mod registry;
 mod sketch;
 pub mod space;
 mod split_mix;
+pub mod surfaces;
 mod typed;
 mod window_handles;
 mod words;
@@ -38,4 +39,4 @@ pub(crate) use demo::{record, record_beside};
 pub(crate) use words::{plane_symbol, vertex_symbol};
 
 /// Every lab, in the order in which they are taught.
-pub static LABS: [&dyn Lab; 3] = [lines::LAB, polygons::LAB, frustum::LAB];
+pub static LABS: [&dyn Lab; 4] = [lines::LAB, polygons::LAB, frustum::LAB, surfaces::LAB];

@@ -11,6 +11,7 @@ mod seeded;
 mod space;
 mod spots;
 mod still_plot;
+mod surfaces;
 
 pub use lab_panel::{Bench, LabPanel, PanelAsk, panel_of, work};
 pub use moved::moved_to;
@@ -27,5 +28,6 @@ pub fn all() -> Vec<Box<dyn LabPanel>> {
         Box::<lines::LinesPanel>::default(),
         Box::<polygons::PolygonsPanel>::default(),
         Box::<frustum::FrustumPanel>::default(),
+        Box::<surfaces::SurfacesPanel>::default(),
     ]
 }

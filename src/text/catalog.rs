@@ -52,6 +52,7 @@ catalogues!(
     "space-lines",
     "space-triangles",
     "pipeline",
+    "surfaces",
     "lesson",
     "cli",
     "errors"

@@ -12,6 +12,8 @@ lab-polygons = Polygons
 lab-polygons-about = Clip a polygon against a window or another polygon.
 lab-frustum = Frustum
 lab-frustum-about = See what a camera sees, and what can be left out before it is drawn.
+lab-surfaces = Surfaces
+lab-surfaces-about = See which surface is in front, pixel by pixel.
 
 ## Panels
 

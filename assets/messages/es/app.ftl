@@ -12,6 +12,8 @@ lab-polygons = Polígonos
 lab-polygons-about = Recorta un polígono con una ventana o con otro polígono.
 lab-frustum = Volumen de visión
 lab-frustum-about = Mira lo que ve una cámara y lo que se puede descartar antes de dibujarlo.
+lab-surfaces = Superficies
+lab-surfaces-about = Mira qué superficie está delante, píxel a píxel.
 
 ## Panels
 

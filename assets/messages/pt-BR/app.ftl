@@ -12,6 +12,8 @@ lab-polygons = Polígonos
 lab-polygons-about = Recorte um polígono contra uma janela ou outro polígono.
 lab-frustum = Volume de visão
 lab-frustum-about = Veja o que uma câmera vê e o que se pode descartar antes de desenhar.
+lab-surfaces = Superfícies
+lab-surfaces-about = Veja qual superfície está na frente, pixel a pixel.
 
 ## Panels
 

@@ -12,6 +12,8 @@ lab-polygons = 多边形
 lab-polygons-about = 用裁剪窗口或另一个多边形裁剪多边形。
 lab-frustum = 视见体
 lab-frustum-about = 看相机看到什么，绘制之前可以舍去什么。
+lab-surfaces = 表面
+lab-surfaces-about = 逐像素看清哪个表面在前面。
 
 ## Panels
 

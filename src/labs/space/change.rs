@@ -5,7 +5,7 @@ use crate::{
     text::Diagnostic,
 };
 
-use super::{Model, Object, Opening, Scene, street::street};
+use super::{Model, Object, Opening, RasterPlan, Scene, street::street};
 
 /// A number of the camera's.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -33,6 +33,8 @@ pub enum SpaceChange {
     Camera(CameraNumber, f64),
     /// Goes on culling with the camera as it is now, while the camera itself flies on; or culls with the camera again.
     Freeze(bool),
+    /// Draws surfaces pixel by pixel in this way.
+    Raster(RasterPlan),
     /// Side by side, or through the eye: as much is seen of what the camera looks at.
     Parallel(bool),
     /// One more, in front of the camera.
@@ -60,6 +62,7 @@ impl ChangeOf for SpaceChange {
             &Self::Vertex(vertex_idx) => scene.set_vertex(vertex_idx)?,
             &Self::Camera(number, value) => set_number(scene, number, value)?,
             &Self::Freeze(is_frozen) => scene.frozen = is_frozen.then_some(scene.camera),
+            &Self::Raster(plan) => scene.raster = plan,
             &Self::Parallel(is_parallel) => set_parallel(scene, is_parallel)?,
             Self::Add(model) => {
                 let [_, target, _] = scene.camera.places();

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::{
     figure::{Link, Mark, Run},
     labs::{Click, Document, Handle, Lab, MethodCard, Own, Verdict},
-    text::Diagnostic,
+    text::{Diagnostic, Value},
 };
 
 use super::{
@@ -33,6 +33,19 @@ impl Scene {
     pub(in crate::labs) fn asks(&self, subject: Subject) -> bool {
         self.on_stage()
             .any(|method| method.info().subject == subject)
+    }
+
+    /// What an object is called: by its number, or among surfaces by its letter.
+    pub(in crate::labs) fn object_name(&self, object_idx: usize) -> Value {
+        let letter = u8::try_from(object_idx)
+            .ok()
+            .and_then(|i| b'A'.checked_add(i));
+        match letter.filter(u8::is_ascii_uppercase) {
+            Some(letter) if self.asks(Subject::Surfaces) => {
+                Value::Name(char::from(letter).to_string())
+            }
+            _ => Value::Count(object_idx + 1),
+        }
     }
 
     /// Do objects stand in the picture?

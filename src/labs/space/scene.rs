@@ -7,7 +7,7 @@ use crate::{
     text::{Diagnostic, Message},
 };
 
-use super::{MethodInfo, Object, Places, TaughtCamera};
+use super::{MethodInfo, Object, Places, RasterPlan, TaughtCamera};
 
 /// More objects than this are refused: a frame could not draw them in time.
 pub const MAX_OBJECTS: usize = 10_000;
@@ -30,6 +30,8 @@ pub struct Scene {
     pub eye: Orbit,
     /// What is asked about besides objects.
     pub places: Places,
+    /// How its surfaces are drawn pixel by pixel.
+    pub raster: RasterPlan,
     objects: Vec<Object>,
     focus: usize,
     face: usize,
@@ -116,6 +118,7 @@ impl Scene {
             eye,
             frozen: None,
             places: Places::default(),
+            raster: RasterPlan::default(),
             objects,
             focus: 0,
             face: 0,

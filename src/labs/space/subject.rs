@@ -19,6 +19,8 @@ pub enum Subject {
     BoxedSegment,
     /// The scene's triangle; objects are left out of the picture.
     Triangle,
+    /// All faces of all objects, which have letters.
+    Surfaces,
 }
 
 impl Subject {
@@ -26,7 +28,7 @@ impl Subject {
     #[must_use]
     pub const fn shows_objects(self) -> bool {
         match self {
-            Self::Object | Self::Face | Self::Vertex | Self::Point => true,
+            Self::Object | Self::Face | Self::Vertex | Self::Point | Self::Surfaces => true,
             Self::Segment | Self::BoxedSegment | Self::Triangle => false,
         }
     }
@@ -40,7 +42,8 @@ impl Subject {
             | Self::Vertex
             | Self::Point
             | Self::Segment
-            | Self::Triangle => true,
+            | Self::Triangle
+            | Self::Surfaces => true,
             Self::BoxedSegment => false,
         }
     }

@@ -11,14 +11,18 @@ pub(crate) use format::SceneFormat;
 pub use format::{SceneFile, SceneFormats};
 pub use space::spot;
 
-use crate::labs::frustum::FRUSTUM;
+use crate::labs::{frustum::FRUSTUM, surfaces::SURFACES};
 
 impl SceneFormats {
     /// Those of all labs.
     #[must_use]
     pub const fn standard() -> Self {
-        static FORMATS: [&dyn SceneFormat; 3] =
-            [&lines::Format, &polygons::Format, &space::Format(&FRUSTUM)];
+        static FORMATS: [&dyn SceneFormat; 4] = [
+            &lines::Format,
+            &polygons::Format,
+            &space::Format(&FRUSTUM),
+            &space::Format(&SURFACES),
+        ];
         Self::new(&FORMATS)
     }
 }

@@ -172,16 +172,26 @@ impl Scenery {
             return Vec::new();
         }
         let number = |(i, object): (usize, &Object)| {
-            let bounds = object.bounds().ok()?;
-            let [min, max] = [bounds.min(), bounds.max()];
-            let top = [0.5 * (min[0] + max[0]), max[1], 0.5 * (min[2] + max[2])];
-            let mark = Mark3::new(Role::Ink, Shape3::Label(top));
-            let mark = mark.labelled(Value::Count(i + 1)).linked(object_link(i));
+            let mark = Mark3::new(Role::Ink, Shape3::Label(label_place(object)?));
+            let mark = mark
+                .labelled(self.scene.object_name(i))
+                .linked(object_link(i));
             let is_focused = i == self.scene.focus();
             Some(if is_focused { mark.strong() } else { mark })
         };
         objects.iter().enumerate().filter_map(number).collect()
     }
+}
+
+/// Over an object; of one triangle, on it.
+fn label_place(object: &Object) -> Option<[f64; 3]> {
+    if let (1, Some(corners)) = (object.model().mesh().faces().len(), object.face(0)) {
+        let sum: DVec3 = corners.map(DVec3::from).iter().sum();
+        return Some((sum / 3.0).into());
+    }
+    let bounds = object.bounds().ok()?;
+    let [min, max] = [bounds.min(), bounds.max()];
+    Some([0.5 * (min[0] + max[0]), max[1], 0.5 * (min[2] + max[2])])
 }
 
 /// What facets and gauges about a face of the object in focus have in common.

@@ -2,6 +2,7 @@
 
 mod camera;
 mod model;
+mod raster;
 pub mod spot;
 
 use std::fmt::Write as _;
@@ -11,8 +12,8 @@ use crate::{
     labs::{
         self, Lab,
         space::{
-            MAX_OBJECTS, Method, Model, Object, Places, Scene, SceneError, SpaceLab, TaughtCamera,
-            street,
+            MAX_OBJECTS, Method, Model, Object, Places, RasterPlan, Scene, SceneError, SpaceLab,
+            TaughtCamera, street,
         },
     },
     lesson::{
@@ -29,11 +30,12 @@ use super::{
 
 use camera::{camera, camera_to_toml, eye, eye_to_toml, watching};
 use model::{n_faces_listed, object, object_to_toml};
+use raster::{raster, raster_to_toml};
 
 /// The fields of a scene.
-const FIELDS: [&str; 13] = [
-    "method", "compare", "camera", "frozen", "eye", "point", "segment", "triangle", "objects",
-    "street", "focus", "face", "vertex",
+const FIELDS: [&str; 14] = [
+    "method", "compare", "camera", "frozen", "eye", "point", "segment", "triangle", "raster",
+    "objects", "street", "focus", "face", "vertex",
 ];
 
 /// The spelling of a lab's scenes.
@@ -97,6 +99,10 @@ fn scene(
         .get("frozen")
         .and_then(|item| self::camera(item, sink));
     let places = places(fields, sink);
+    let raster = match fields.get("raster") {
+        Some(item) => raster(item, sink),
+        None => Some(RasterPlan::default()),
+    };
     let objects = objects(fields, camera.as_ref(), room, sink);
     let mut index = |name, most: usize| {
         let item = fields.get(name)?;
@@ -106,7 +112,8 @@ fn scene(
     let [face, vertex] = ["face", "vertex"].map(|name| index(name, MAX_PARTS));
     let scene = Scene::new(method?, camera?, eye?, objects?);
     let mut scene = refused_at(fields.span(), scene, sink)?;
-    (scene.compare, scene.frozen, scene.places) = (compare, frozen, places?);
+    (scene.compare, scene.frozen) = (compare, frozen);
+    (scene.places, scene.raster) = (places?, raster?);
     if let Some((item, focus)) = focus {
         refused_at(item.span(), scene.set_focus(focus), sink);
     }
@@ -255,6 +262,9 @@ fn to_toml(scene: &Scene) -> String {
         let _ = writeln!(text, "frozen = {}", camera_to_toml(frozen));
     }
     places_to_toml(&scene.places, &mut text);
+    if let Some(raster) = raster_to_toml(&scene.raster) {
+        let _ = writeln!(text, "raster = {raster}");
+    }
     if scene.focus() > 0 {
         let _ = writeln!(text, "focus = {}", scene.focus());
     }

@@ -1,0 +1,78 @@
+### Lo que dice el laboratorio de superficies: qué superficie está delante, píxel a píxel.
+
+alg-depth-buffer = Búfer de profundidad
+alg-faulty-depth-clear = Búfer de profundidad, inicializado a 0
+alg-faulty-depth-compare = Búfer de profundidad, comparación al revés
+alg-faulty-depth-always = Búfer de profundidad, sin comparar
+alg-faulty-depth-straight = Búfer de profundidad, distancia lineal en pantalla
+
+## Pseudocode
+
+code-depth-clear = picture ← background, z ← ∞
+words-depth-clear = Borra la imagen con el fondo y pon cada profundidad a infinito.
+code-depth-triangle = for each triangle T
+words-depth-triangle = Toma los triángulos, en cualquier orden.
+code-depth-fragment = for each pixel in T: z_T ← depth of T there
+words-depth-fragment = Para cada píxel cuyo centro cubre el triángulo, halla allí su profundidad.
+code-depth-compare = if z_T < z[pixel]
+words-depth-compare = Compárala con la profundidad guardada.
+code-depth-write = picture[pixel] ← T, z[pixel] ← z_T
+words-depth-write = Si es menor, escribe el triángulo y su profundidad.
+code-faulty-depth-clear = picture ← background, z ← 0
+words-faulty-depth-clear = Pon cada profundidad a 0, la del plano cercano.
+code-faulty-depth-compare = if z_T > z[pixel]
+words-faulty-depth-compare = Escribe cuando la nueva profundidad es mayor.
+code-faulty-depth-always = always
+words-faulty-depth-always = No compares nada.
+code-faulty-depth-straight = for each pixel in T: z_T ← distance, straight across the screen
+words-faulty-depth-straight = Interpola la distancia en el espacio de vista linealmente en la pantalla, sin la división.
+faulty-depth-clear-differs = El paso { $step } es el primero que difiere: ninguna profundidad es menor que 0, así que no se escribirá nada.
+faulty-depth-compare-differs = El paso { $step } es el primero que difiere: se escribe el más lejano.
+faulty-depth-always-differs = El paso { $step } es el primero que difiere: se escribe aunque allí hay algo más cercano.
+faulty-depth-straight-differs = El paso { $step } es el primero que difiere: esta no es la profundidad de la superficie, pues la distancia no es lineal en la pantalla.
+
+## The depth buffer
+
+depth-opening = { $triangles ->
+    [one] Un triángulo
+   *[other] { $triangles } triángulos
+  } en { $columns } × { $rows } píxeles: { $pixels } profundidades, una por píxel.
+depth-clear = Borrado: ninguno de los { $pixels } píxeles tiene triángulo.
+depth-triangle = Llega { $triangle }, { $place } de { $triangles }.
+depth-triangle-unseen = De { $triangle } no se dibuja nada: está fuera del volumen, de canto o de espaldas.
+depth-triangle-whole = Dibujado { $triangle }: de { $fragments } fragmentos, { $writes } están más cerca que lo que había.
+depth-span = Fila { $row } de { $triangle }, columnas { $first } a { $last }: de { $fragments } fragmentos se escriben { $writes }.
+depth-fragment-first = El píxel [{ $column }, { $row }] aún está vacío: se escribe { $triangle }.
+depth-fragment-kept = En el píxel [{ $column }, { $row }], { $triangle } está más cerca que { $other }: se escribe.
+depth-fragment-lost = En el píxel [{ $column }, { $row }], { $triangle } no está más cerca que { $other }: { $other } se queda.
+depth-fragment-tie = En el píxel [{ $column }, { $row }], { $triangle } está tan cerca como { $other }: { $other } llegó antes y se queda.
+depth-fragment-lost-to-nothing = En el píxel [{ $column }, { $row }] no se escribe { $triangle }, aunque allí no había nada.
+depth-nothing = nada
+depth-done = Terminado: { $fragments } fragmentos, { $writes } escritos, para { $pixels } píxeles. Veces que se calculó cada uno, en promedio:
+
+## Views
+
+raster-depth = Imagen, { $columns } × { $rows }: profundidad en milésimas
+raster-depth-steps = Imagen, { $columns } × { $rows }: profundidad en { $bits } bits, de 0 a { $last }
+story-stored = guardada
+story-fate = resultado
+story-kept = escrito
+story-lost = pierde
+watch-triangle = triángulo
+watch-pixel = píxel
+watch-fragments = fragmentos
+watch-writes = escritos
+watch-pixels = píxeles
+
+## The raster's form
+
+raster-title = Ráster
+raster-rows = Filas
+raster-shuffle = Barajar (0: no)
+raster-steps = Un paso es
+raster-steps-fragments = un fragmento
+raster-steps-spans = una fila de un triángulo
+raster-steps-triangles = un triángulo
+raster-number = Profundidad
+raster-reversed = Invertida: 1 es cerca
+raster-cull = Descartar caras traseras

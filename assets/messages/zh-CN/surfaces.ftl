@@ -1,0 +1,75 @@
+### 表面实验室的用语：逐像素判断哪个表面在前面。
+
+alg-depth-buffer = 深度缓冲
+alg-faulty-depth-clear = 深度缓冲，清成 0
+alg-faulty-depth-compare = 深度缓冲，比较反了
+alg-faulty-depth-always = 深度缓冲，不作比较
+alg-faulty-depth-straight = 深度缓冲，距离在屏幕上直接线性插值
+
+## Pseudocode
+
+code-depth-clear = picture ← background, z ← ∞
+words-depth-clear = 画面清成背景，每个深度清成无穷大。
+code-depth-triangle = for each triangle T
+words-depth-triangle = 逐个取三角形，次序任意。
+code-depth-fragment = for each pixel in T: z_T ← depth of T there
+words-depth-fragment = 对中心被三角形覆盖的每个像素，求三角形在该处的深度。
+code-depth-compare = if z_T < z[pixel]
+words-depth-compare = 与该处已存的深度比较。
+code-depth-write = picture[pixel] ← T, z[pixel] ← z_T
+words-depth-write = 如果更小，就写入三角形及其深度。
+code-faulty-depth-clear = picture ← background, z ← 0
+words-faulty-depth-clear = 每个深度清成 0，即近平面的深度。
+code-faulty-depth-compare = if z_T > z[pixel]
+words-faulty-depth-compare = 新深度更大时写入。
+code-faulty-depth-always = always
+words-faulty-depth-always = 完全不比较。
+code-faulty-depth-straight = for each pixel in T: z_T ← distance, straight across the screen
+words-faulty-depth-straight = 不作透视除法，把观察空间的距离在屏幕上直接线性插值。
+faulty-depth-clear-differs = 第 { $step } 步最先不同：没有深度小于 0，所以什么也写不进去。
+faulty-depth-compare-differs = 第 { $step } 步最先不同：写入的是较远的一个。
+faulty-depth-always-differs = 第 { $step } 步最先不同：虽然已有更近的，仍被写入。
+faulty-depth-straight-differs = 第 { $step } 步最先不同：这不是该表面的深度，因为距离在屏幕上不是线性的。
+
+## The depth buffer
+
+depth-opening = { $triangles } 个三角形，{ $columns } × { $rows } 个像素：共 { $pixels } 个深度，每个像素一个。
+depth-clear = 清空：{ $pixels } 个像素都还没有三角形。
+depth-triangle = 轮到 { $triangle }，第 { $place } 个，共 { $triangles } 个。
+depth-triangle-unseen = { $triangle } 什么也不画：它在视见体之外，或侧对相机，或背向相机。
+depth-triangle-whole = 画完 { $triangle }：{ $fragments } 个片元中有 { $writes } 个比原有的近。
+depth-span = { $triangle } 的第 { $row } 行，第 { $first } 到 { $last } 列：{ $fragments } 个片元中写入 { $writes } 个。
+depth-fragment-first = 像素 [{ $column }, { $row }] 还空着：写入 { $triangle }。
+depth-fragment-kept = 在像素 [{ $column }, { $row }]，{ $triangle } 比 { $other } 近：写入。
+depth-fragment-lost = 在像素 [{ $column }, { $row }]，{ $triangle } 不比 { $other } 近：{ $other } 保留。
+depth-fragment-tie = 在像素 [{ $column }, { $row }]，{ $triangle } 与 { $other } 一样近：{ $other } 先到，保留。
+depth-fragment-lost-to-nothing = 像素 [{ $column }, { $row }] 虽然还空着，{ $triangle } 却没有写入。
+depth-nothing = 空
+depth-done = 完成：{ $fragments } 个片元，写入 { $writes } 次，占 { $pixels } 个像素。平均每个像素计算的次数：
+
+## Views
+
+raster-depth = 画面，{ $columns } × { $rows }：深度以千分之一计
+raster-depth-steps = 画面，{ $columns } × { $rows }：{ $bits } 位深度，0 到 { $last }
+story-stored = 已存
+story-fate = 结果
+story-kept = 写入
+story-lost = 舍去
+watch-triangle = 三角形
+watch-pixel = 像素
+watch-fragments = 片元
+watch-writes = 写入
+watch-pixels = 像素数
+
+## The raster's form
+
+raster-title = 光栅
+raster-rows = 行数
+raster-shuffle = 打乱次序（0：不打乱）
+raster-steps = 一步是
+raster-steps-fragments = 一个片元
+raster-steps-spans = 三角形的一行
+raster-steps-triangles = 一个三角形
+raster-number = 深度格式
+raster-reversed = 反向：1 为近
+raster-cull = 剔除背面

@@ -1,0 +1,64 @@
+//! How the surfaces of a scene are drawn pixel by pixel.
+
+use crate::algo::surface::{DepthFormat, DepthSteps};
+
+/// The pixels that surfaces are asked at, and how.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct RasterPlan {
+    rows: u32,
+    /// How depths are stored.
+    pub format: DepthFormat,
+    /// How much happens in one step.
+    pub steps: DepthSteps,
+    /// Are faces that show their back left out?
+    pub culls_backs: bool,
+    /// Triangles come in an order that this number shuffles them into, or in that of the scene.
+    pub shuffle: Option<u64>,
+    /// The pixel that is looked at, by column and row; one that the raster has not is none.
+    pub pixel: Option<[u32; 2]>,
+}
+
+impl Default for RasterPlan {
+    fn default() -> Self {
+        Self {
+            rows: 12,
+            format: DepthFormat::default(),
+            steps: DepthSteps::default(),
+            culls_backs: false,
+            shuffle: None,
+            pixel: None,
+        }
+    }
+}
+
+impl RasterPlan {
+    /// As many rows as a raster for teaching may have.
+    pub const ROWS: std::ops::RangeInclusive<u32> = 4..=120;
+    /// And columns at most.
+    const MOST_COLUMNS: f64 = 160.0;
+
+    /// Of so many rows, as far as a raster may have them.
+    #[must_use]
+    pub fn with_rows(self, rows: u32) -> Self {
+        let rows = rows.clamp(*Self::ROWS.start(), *Self::ROWS.end());
+        Self { rows, ..self }
+    }
+
+    /// Rows as they were asked for.
+    #[must_use]
+    pub const fn rows(&self) -> u32 {
+        self.rows
+    }
+
+    /// Columns and rows for a camera of this shape: pixels are square, unless it is very wide or very narrow.
+    #[must_use]
+    pub fn size(&self, aspect: f64) -> [u32; 2] {
+        let rows = f64::from(self.rows)
+            .min(Self::MOST_COLUMNS / aspect)
+            .max(1.0);
+        let columns = (aspect * rows.floor())
+            .round()
+            .clamp(1.0, Self::MOST_COLUMNS);
+        [columns as u32, rows as u32]
+    }
+}

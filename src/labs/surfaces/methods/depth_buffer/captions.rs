@@ -1,0 +1,116 @@
+//! What is said at each step.
+
+use crate::{
+    algo::surface::{
+        DepthBufferEvent as Event, DepthBufferInput, DepthBufferState as State, DepthSteps,
+        Fragment, FragmentTally,
+    },
+    figure::Caption,
+    labs::{space::OnSceneInput, surfaces::soup::surface_name},
+    text::{Formula, Message, Value},
+};
+
+use super::numbers::{comparison, depth};
+
+pub type Input = OnSceneInput<DepthBufferInput>;
+
+pub fn name_of(input: &Input, id: u32) -> Value {
+    let scenery = input.scenery.as_deref();
+    surface_name(scenery.map(|scenery| scenery.scene()), id)
+}
+
+pub fn opening(input: &Input) -> Caption {
+    let [columns, rows] = input.own.surfaces.size().map(|side| side as usize);
+    let message = Message::new("depth-opening")
+        .with("triangles", input.own.order.len())
+        .with("columns", columns)
+        .with("rows", rows)
+        .with("pixels", columns * rows);
+    Caption::new(message)
+}
+
+pub fn caption(event: &Event, before: &State, input: &Input) -> Caption {
+    let own = &input.own;
+    let named = |key, id| Message::new(key).with("triangle", name_of(input, id));
+    match *event {
+        Event::Clear { depth: to } => {
+            let pixels = Message::new("depth-clear").with("pixels", own.surfaces.n_pixels());
+            Caption::new(pixels).so(depth(Formula::decimals().sym("z = "), &own.format, to))
+        }
+        Event::Triangle {
+            id, drawn: false, ..
+        } => Caption::new(named("depth-triangle-unseen", id)),
+        Event::Triangle { id, tally, .. } => match own.steps {
+            DepthSteps::Fragments | DepthSteps::Spans => {
+                let place = own.order.iter().position(|&other| other == id);
+                let message = named("depth-triangle", id)
+                    .with("place", place.unwrap_or_default() + 1)
+                    .with("triangles", own.order.len());
+                Caption::new(message)
+            }
+            DepthSteps::Triangles => {
+                let message = named("depth-triangle-whole", id);
+                Caption::new(since(message, before.so_far.tally, tally))
+            }
+        },
+        Event::Span {
+            id,
+            row,
+            columns,
+            tally,
+            ..
+        } => {
+            let message = named("depth-span", id)
+                .with("row", row as usize)
+                .with("first", columns[0] as usize)
+                .with("last", columns[1].saturating_sub(1) as usize);
+            Caption::new(since(message, before.so_far.tally, tally))
+        }
+        Event::Fragment { fragment, .. } => fragment_caption(&fragment, input),
+        Event::Done => done(before.so_far.tally),
+    }
+}
+
+/// How many fragments came, and were written, since before.
+fn since(message: Message, before: FragmentTally, tally: FragmentTally) -> Message {
+    message
+        .with("fragments", (tally.fragments - before.fragments) as usize)
+        .with("writes", (tally.writes - before.writes) as usize)
+}
+
+fn fragment_caption(fragment: &Fragment, input: &Input) -> Caption {
+    let [column, row] = fragment.pixel.map(|x| x as usize);
+    let stored = u32::try_from(fragment.stored_id).ok();
+    let is_tie = fragment.new == fragment.stored;
+    let key = match (fragment.kept, stored) {
+        (true, None) => "depth-fragment-first",
+        (true, Some(_)) => "depth-fragment-kept",
+        (false, None) => "depth-fragment-lost-to-nothing",
+        (false, Some(_)) if is_tie => "depth-fragment-tie",
+        (false, Some(_)) => "depth-fragment-lost",
+    };
+    let message = Message::new(key)
+        .with("triangle", name_of(input, fragment.id))
+        .with(
+            "other",
+            stored.map_or(Value::Term("depth-nothing"), |id| name_of(input, id)),
+        )
+        .with("column", column)
+        .with("row", row);
+    Caption::new(message).so(comparison(&input.own.format, fragment))
+}
+
+fn done(tally: FragmentTally) -> Caption {
+    let [fragments, writes, pixels] = [tally.fragments, tally.writes, tally.pixels];
+    let message = Message::new("depth-done")
+        .with("fragments", fragments as usize)
+        .with("writes", writes as usize)
+        .with("pixels", pixels as usize);
+    let caption = Caption::new(message);
+    if pixels == 0 {
+        return caption;
+    }
+    let formula = Formula::decimals().num(fragments as f64).sym(" / ");
+    let formula = formula.num(pixels as f64);
+    caption.so(formula.equals(fragments as f64 / pixels as f64))
+}

@@ -1,0 +1,149 @@
+//! The depth buffer, shown: the ray in space, the picture with its depths, and the story of the pixel in hand.
+
+mod captions;
+mod numbers;
+mod variant;
+mod views;
+
+use serde_json::{Value as Json, json};
+
+use crate::{
+    algo::{
+        ring::Right,
+        surface::{
+            DepthBuffer, DepthBufferEvent as Event, DepthBufferInput, DepthBufferOutput,
+            DepthBufferState as State, DepthSteps,
+        },
+    },
+    figure::{Caption, Run, Tick, View, Watch, WatchRow, WatchSection},
+    labs::{
+        Answer, CodeLine, Demo, Step, record_beside,
+        space::{OnScene, OnSceneInput, Scene, Subject, demo::SpaceDemo},
+        surfaces::soup::{order, surfaces_of},
+        words::name,
+    },
+    text::{Formula, Value},
+    trace::silent,
+};
+
+use captions::{Input, name_of};
+use variant::Variant;
+
+/// More steps than these are not recorded: a step is then a row, or a whole triangle.
+const MOST_STEPS: u64 = 100_000;
+
+type Shown<L> = OnScene<DepthBuffer<L>>;
+
+impl Answer for DepthBufferOutput {
+    fn json(&self) -> Json {
+        let depth = |&depth: &f64| depth.is_finite().then_some(depth);
+        let depth: Vec<Option<f64>> = self.depth.iter().map(depth).collect();
+        json!({ "ids": self.picture, "depth": depth })
+    }
+}
+
+impl<L: Variant> SpaceDemo for Shown<L> {
+    const SUBJECT: Subject = Subject::Surfaces;
+
+    fn input(scene: &Scene) -> Input {
+        let surfaces = surfaces_of(scene);
+        let plan = &scene.raster;
+        let mut own = DepthBufferInput {
+            order: order(surfaces.triangles().len(), plan.shuffle),
+            format: plan.format,
+            steps: DepthSteps::Triangles,
+            pixel: plan.pixel,
+            surfaces,
+        };
+        let fragments = silent::<DepthBuffer<L>>(&own).tally.fragments;
+        let [_, rows] = own.surfaces.size();
+        own.steps = match plan.steps {
+            DepthSteps::Fragments if fragments <= MOST_STEPS => DepthSteps::Fragments,
+            DepthSteps::Fragments | DepthSteps::Spans
+                if own.order.len() as u64 * u64::from(rows) <= MOST_STEPS =>
+            {
+                DepthSteps::Spans
+            }
+            DepthSteps::Fragments | DepthSteps::Spans | DepthSteps::Triangles => {
+                DepthSteps::Triangles
+            }
+        };
+        OnSceneInput::of(scene, own)
+    }
+
+    fn record(scene: &Scene) -> Box<dyn Run> {
+        record_beside::<Self, Shown<Right>>(Self::input(scene))
+    }
+}
+
+impl<L: Variant> Demo for Shown<L> {
+    const ID: &'static str = L::ID;
+    const NAME_KEY: &'static str = L::NAME_KEY;
+    const SOURCE: &'static str = "Catmull, 1974";
+    const CODE: &'static [CodeLine] = L::CODE;
+    const DIFFERS_KEY: Option<&'static str> = L::DIFFERS_KEY;
+
+    fn tick(event: &Event) -> Tick {
+        match event {
+            Event::Clear { .. } => Tick::Phase,
+            Event::Triangle { drawn: false, .. } => Tick::Reject,
+            Event::Triangle { .. } => Tick::Phase,
+            Event::Span { .. } => Tick::Test,
+            Event::Fragment { fragment, .. } if fragment.kept => Tick::Cut,
+            Event::Fragment { .. } => Tick::Test,
+            Event::Done => Tick::Accept,
+        }
+    }
+
+    fn code_line(event: &Event, _: &State) -> usize {
+        match event {
+            Event::Clear { .. } => variant::CLEAR,
+            Event::Triangle { .. } => variant::TRIANGLE,
+            Event::Span { .. } => variant::FRAGMENT,
+            Event::Fragment { fragment, .. } if fragment.kept => variant::WRITE,
+            Event::Fragment { .. } | Event::Done => variant::COMPARE,
+        }
+    }
+
+    fn caption(event: &Event, before: &State, input: &Input) -> Caption {
+        captions::caption(event, before, input)
+    }
+
+    fn opening(input: &Input) -> Caption {
+        captions::opening(input)
+    }
+
+    fn views(step: &Step<'_, Self>) -> Vec<View> {
+        views::views(step)
+    }
+
+    fn watch(step: &Step<'_, Self>) -> Watch {
+        let state = step.state;
+        let tally = state.so_far.tally;
+        let format = &step.input.own.format;
+        let triangle = state.triangle.map(|(id, _)| name_of(step.input, id));
+        let pixel = views::pixel_of(step).map(|pixel| {
+            let pixel = pixel.map(f64::from);
+            Value::Formula(Formula::decimals().sym("[").list(&pixel).sym("]"))
+        });
+        let count = |n: u64| Some(Value::Count(n as usize));
+        let term = |key| Value::Term(key);
+        let fragment = state.fragment;
+        let rows = vec![
+            WatchRow::new(term("watch-triangle"), triangle),
+            WatchRow::new(term("watch-pixel"), pixel),
+            WatchRow::new(
+                name("z"),
+                fragment.map(|fragment| numbers::value(format, fragment.new)),
+            ),
+            WatchRow::new(
+                term("story-stored"),
+                fragment.map(|fragment| numbers::value(format, fragment.stored)),
+            ),
+            WatchRow::new(term("watch-fragments"), count(tally.fragments)),
+            WatchRow::new(term("watch-writes"), count(tally.writes)),
+            WatchRow::new(term("watch-pixels"), count(tally.pixels)),
+        ];
+        vec![WatchSection::list(rows)]
+    }
+}

@@ -1,0 +1,93 @@
+//! What tells the depth buffer from itself with a mistake: its names and its pseudocode.
+
+use crate::{
+    algo::{
+        ring::Right,
+        surface::{
+            SurfaceRules,
+            faulty::{ClearsToNear, StraightDistance, TurnsComparison, WritesAlways},
+        },
+    },
+    labs::{CodeLine, code_line},
+};
+
+pub const CLEAR: usize = 0;
+pub const TRIANGLE: usize = 1;
+pub const FRAGMENT: usize = 2;
+pub const COMPARE: usize = 3;
+pub const WRITE: usize = 4;
+
+/// The pseudocode of any variant.
+type Pseudocode = [CodeLine; WRITE + 1];
+
+const RIGHT: Pseudocode = [
+    code_line(0, "code-depth-clear", "words-depth-clear"),
+    code_line(0, "code-depth-triangle", "words-depth-triangle"),
+    code_line(1, "code-depth-fragment", "words-depth-fragment"),
+    code_line(2, "code-depth-compare", "words-depth-compare"),
+    code_line(3, "code-depth-write", "words-depth-write"),
+];
+
+const fn but_for(line: usize, wrong: CodeLine) -> Pseudocode {
+    let mut lines = RIGHT;
+    lines[line] = wrong;
+    lines
+}
+
+/// The depth buffer by some rules.
+pub trait Variant: SurfaceRules {
+    const ID: &'static str;
+    const NAME_KEY: &'static str;
+    const CODE: &'static [CodeLine];
+    const DIFFERS_KEY: Option<&'static str> = None;
+}
+
+impl Variant for Right {
+    const ID: &'static str = "depth-buffer";
+    const NAME_KEY: &'static str = "alg-depth-buffer";
+    const CODE: &'static [CodeLine] = &RIGHT;
+}
+
+impl Variant for ClearsToNear {
+    const ID: &'static str = "faulty-depth-clear";
+    const NAME_KEY: &'static str = "alg-faulty-depth-clear";
+    const CODE: &'static [CodeLine] = &but_for(
+        CLEAR,
+        code_line(0, "code-faulty-depth-clear", "words-faulty-depth-clear"),
+    );
+    const DIFFERS_KEY: Option<&'static str> = Some("faulty-depth-clear-differs");
+}
+
+impl Variant for TurnsComparison {
+    const ID: &'static str = "faulty-depth-compare";
+    const NAME_KEY: &'static str = "alg-faulty-depth-compare";
+    const CODE: &'static [CodeLine] = &but_for(
+        COMPARE,
+        code_line(2, "code-faulty-depth-compare", "words-faulty-depth-compare"),
+    );
+    const DIFFERS_KEY: Option<&'static str> = Some("faulty-depth-compare-differs");
+}
+
+impl Variant for WritesAlways {
+    const ID: &'static str = "faulty-depth-always";
+    const NAME_KEY: &'static str = "alg-faulty-depth-always";
+    const CODE: &'static [CodeLine] = &but_for(
+        COMPARE,
+        code_line(2, "code-faulty-depth-always", "words-faulty-depth-always"),
+    );
+    const DIFFERS_KEY: Option<&'static str> = Some("faulty-depth-always-differs");
+}
+
+impl Variant for StraightDistance {
+    const ID: &'static str = "faulty-depth-straight";
+    const NAME_KEY: &'static str = "alg-faulty-depth-straight";
+    const CODE: &'static [CodeLine] = &but_for(
+        FRAGMENT,
+        code_line(
+            1,
+            "code-faulty-depth-straight",
+            "words-faulty-depth-straight",
+        ),
+    );
+    const DIFFERS_KEY: Option<&'static str> = Some("faulty-depth-straight-differs");
+}

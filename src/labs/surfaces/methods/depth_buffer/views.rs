@@ -1,0 +1,174 @@
+//! The scene with the ray of the pixel in hand, the picture with its depths, and what has come to that pixel.
+
+use crate::{
+    algo::surface::{
+        DepthBuffer, DepthBufferInput, DepthNumber, Fragment, Rays, SurfaceRules, pixel_story,
+    },
+    figure::{Body, Cell, Mark3, Raster, Role, Shape3, Table, TableRow, View},
+    labs::{
+        Step,
+        space::stage::{FaceLook, Fate, Scenery},
+        surfaces::{
+            methods::on_raster::{outline, pixels, sight},
+            soup::{place_of, surface_link},
+        },
+    },
+    text::{Formula, Message, Value},
+    trace::silent,
+};
+
+use super::{
+    Shown,
+    captions::name_of,
+    numbers::{in_pixel, value},
+    variant::Variant,
+};
+
+const RASTER_VIEW: &str = "raster";
+const STORY_VIEW: &str = "story";
+
+/// The pixel that the step is about.
+pub fn pixel_of<L: Variant>(step: &Step<'_, Shown<L>>) -> Option<[u32; 2]> {
+    let [width, height] = step.input.own.surfaces.size();
+    let asked = step.state.fragment.map(|fragment| fragment.pixel);
+    let pixel = asked.or(step.input.own.pixel);
+    pixel.filter(|&[column, row]| column < width && row < height)
+}
+
+pub fn views<L: Variant>(step: &Step<'_, Shown<L>>) -> Vec<View> {
+    let Some(scenery) = step.input.scenery.as_deref() else {
+        return Vec::new();
+    };
+    let scene = scenery.scene();
+    let own = step.state.triangle.map(|(id, _)| id);
+    let place = own.and_then(|id| place_of(scene, id));
+    let look = |object: usize, face: usize| {
+        if place == Some([object, face]) {
+            FaceLook::Own(Role::Accent)
+        } else {
+            FaceLook::Whole
+        }
+    };
+    let mut views = vec![
+        scenery.observer_with(|_| Fate::ToCome, look, marks(step, scenery)),
+        View::new(RASTER_VIEW, Body::Raster(raster(step))),
+    ];
+    if let Some(pixel) = pixel_of(step) {
+        let table = story(step, scenery, pixel);
+        views.push(View::new(STORY_VIEW, Body::Table(table)));
+    }
+    views
+}
+
+/// The line of sight to the fragment, and to what stands before or behind it.
+fn marks<L: Variant>(step: &Step<'_, Shown<L>>, scenery: &Scenery) -> Vec<Mark3> {
+    let surfaces = &step.input.own.surfaces;
+    let camera = scenery.scene().camera.camera();
+    let rays = Rays::of(surfaces);
+    let Some(fragment) = step.state.fragment else {
+        let far = |pixel| sight(surfaces, camera, pixel, rays.far());
+        return pixel_of(step).map(far).unwrap_or_default();
+    };
+    let stored = if step.input.own.format.is_reversed {
+        1.0 - fragment.stored
+    } else {
+        fragment.stored
+    };
+    let ray = rays.through(fragment.pixel);
+    let at = |depth: f64| camera.world_from_view(ray.at(rays.t_at(depth)));
+    let mut marks = sight(surfaces, camera, fragment.pixel, rays.t_at(fragment.depth));
+    if fragment.stored_id >= 0 && (0.0..=1.0).contains(&stored) {
+        marks.push(Mark3::new(Role::Ink, Shape3::Ring(at(stored))));
+    }
+    let dot = at(fragment.depth);
+    marks.push(Mark3::new(
+        Role::Signal,
+        if fragment.kept {
+            Shape3::Dot(dot)
+        } else {
+            Shape3::Ring(dot)
+        },
+    ));
+    marks
+}
+
+/// The picture so far; where one pixel is looked at, the whole picture, so that it is known where that is.
+fn raster<L: Variant>(step: &Step<'_, Shown<L>>) -> Raster {
+    let own = &step.input.own;
+    let whole = own.pixel.map(|_| {
+        silent::<DepthBuffer<L>>(&DepthBufferInput {
+            pixel: None,
+            ..own.clone()
+        })
+    });
+    let so_far = whole.as_ref().unwrap_or(&step.state.so_far);
+    let current = step.state.triangle.map(|(id, _)| id);
+    let depth = |place: usize| in_pixel(&own.format, *so_far.depth.get(place)?);
+    let [columns, rows] = own.surfaces.size().map(|side| side as usize);
+    let key = match own.format.number {
+        DepthNumber::Double | DepthNumber::Single => "raster-depth",
+        DepthNumber::Fixed(_) => "raster-depth-steps",
+    };
+    let title = Message::new(key)
+        .with("columns", columns)
+        .with("rows", rows);
+    let title = match own.format.number {
+        DepthNumber::Double | DepthNumber::Single => title,
+        DepthNumber::Fixed(bits) => title
+            .with("bits", bits.get() as usize)
+            .with("last", bits.largest() as usize),
+    };
+    Raster {
+        title: Value::Message(title),
+        size: [columns, rows],
+        pixels: pixels(&so_far.picture, current, depth),
+        current: pixel_of(step).map(|pixel| pixel.map(|x| x as usize)),
+        over: current.map_or_else(Vec::new, |id| outline(&own.surfaces, id, Role::Ink)),
+    }
+}
+
+/// Every fragment that reaches a pixel, in order of arrival; what has not come yet is pale.
+fn story<L: SurfaceRules + Variant>(
+    step: &Step<'_, Shown<L>>,
+    scenery: &Scenery,
+    pixel: [u32; 2],
+) -> Table {
+    let own = &step.input.own;
+    let order_of = |id: u32| own.order.iter().position(|&other| other == id);
+    let now = step.state.triangle.and_then(|(id, _)| order_of(id));
+    let (is_done, fragment) = (step.state.is_done, step.state.fragment);
+    let format = &own.format;
+    let row = |told: Fragment| {
+        let is_current = fragment.is_some_and(|now| now.id == told.id);
+        let has_come = is_done || is_current || order_of(told.id) < now;
+        let role = if is_current { Role::Signal } else { Role::Ink };
+        let cell = |value: Value| Cell::new(role, has_come.then_some(value));
+        let key = if told.kept {
+            "story-kept"
+        } else {
+            "story-lost"
+        };
+        TableRow {
+            name: name_of(step.input, told.id),
+            cells: vec![
+                cell(value(format, told.new)),
+                cell(value(format, told.stored)),
+                cell(Value::Term(key)),
+            ],
+            is_current,
+            link: surface_link(scenery.scene(), told.id),
+        }
+    };
+    let [column, line] = pixel.map(f64::from);
+    let at = Formula::decimals().sym("[").list(&[column, line]).sym("]");
+    Table {
+        header: vec![
+            at,
+            Formula::default().sym("z"),
+            Formula::default().term("story-stored"),
+            Formula::default().term("story-fate"),
+        ],
+        rows: pixel_story::<L>(own, pixel).into_iter().map(row).collect(),
+        notes: Vec::new(),
+    }
+}

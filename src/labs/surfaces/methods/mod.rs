@@ -1,0 +1,4 @@
+//! One file or folder a method: its sentences, its views, what is watched.
+
+mod depth_buffer;
+mod on_raster;

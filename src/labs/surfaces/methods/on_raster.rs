@@ -1,0 +1,98 @@
+//! What all methods draw: the picture in large pixels, the ray through one of them in space.
+
+use crate::{
+    algo::{
+        surface::{Picture, Rays, Surfaces},
+        volume::{ClipVertex, HomogeneousTriangle},
+    },
+    figure::{Mark3, Pixel, RasterMark, RasterShape, Role, Shape3},
+    geom::Camera,
+    text::Value,
+    trace::silent,
+};
+
+/// Greys of neighbouring triangles, a clear step apart.
+const TONES: [f64; 4] = [0.35, 0.75, 0.15, 0.55];
+/// The one that the step is about.
+const OWN_TONE: f64 = 0.9;
+
+/// The picture so far; `own` is the triangle that the step is about, `value` what a pixel says of itself.
+pub fn pixels(
+    picture: &Picture,
+    own: Option<u32>,
+    value: impl Fn(usize) -> Option<Value>,
+) -> Vec<Pixel> {
+    let pixel = |(place, &id): (usize, &i32)| {
+        let Ok(id) = u32::try_from(id) else {
+            return Pixel::EMPTY;
+        };
+        let is_own = Some(id) == own;
+        Pixel {
+            role: Some(if is_own { Role::Accent } else { Role::Soft }),
+            shade: if is_own {
+                OWN_TONE
+            } else {
+                TONES[id as usize % TONES.len()]
+            },
+            value: value(place),
+        }
+    };
+    picture.ids().iter().enumerate().map(pixel).collect()
+}
+
+/// The outline of what is seen of a triangle, over the pixels.
+pub fn outline(surfaces: &Surfaces, id: u32, role: Role) -> Vec<RasterMark> {
+    let Some(triangle) = surfaces.triangles().get(id as usize) else {
+        return Vec::new();
+    };
+    let clip_from_view = surfaces.volume().clip_from_view();
+    let corners = triangle.map(|[x, y, z]| ClipVertex {
+        at: clip_from_view.times([x, y, z, 1.0]),
+        attributes: [],
+    });
+    let seen = silent::<HomogeneousTriangle<[f32; 0]>>(&corners);
+    let places: Vec<[f64; 2]> = seen
+        .vertices()
+        .iter()
+        .map(|vertex| {
+            let [x, y, _, w] = vertex.at;
+            surfaces.viewport().screen_from_ndc([x / w, y / w])
+        })
+        .collect();
+    let next = places.iter().cycle().skip(1);
+    let edges = places.iter().zip(next);
+    edges
+        .map(|(&a, &b)| RasterMark {
+            role,
+            shape: RasterShape::Line([a, b]),
+        })
+        .collect()
+}
+
+/// A pixel on the near plane, and the line of sight through its middle as far as t.
+pub fn sight(surfaces: &Surfaces, camera: &Camera, pixel: [u32; 2], t: f64) -> Vec<Mark3> {
+    let rays = Rays::of(surfaces);
+    let ray = rays.through(pixel);
+    let to = camera.world_from_view(ray.at(t));
+    let from = camera.world_from_view(ray.origin);
+    vec![
+        Mark3::new(
+            Role::Signal,
+            Shape3::Outline(on_near(surfaces, camera, pixel).to_vec()),
+        ),
+        Mark3::new(Role::Signal, Shape3::Segment([from, to])),
+    ]
+}
+
+/// The corners of a pixel on the near plane, in the world.
+fn on_near(surfaces: &Surfaces, camera: &Camera, [column, row]: [u32; 2]) -> [[f64; 3]; 4] {
+    let [width, height] = surfaces.size().map(f64::from);
+    let corners = camera.corners_in_world();
+    let corner = |dx: u32, dy: u32| {
+        let u = f64::from(column + dx) / width;
+        let v = 1.0 - f64::from(row + dy) / height;
+        let [a, b, c] = [corners[0], corners[1], corners[2]];
+        std::array::from_fn(|i| a[i] + u * (b[i] - a[i]) + v * (c[i] - a[i]))
+    };
+    [corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)]
+}

@@ -1,0 +1,7 @@
+//! The surfaces lab: of all that a camera sees, which surface is in front.
+
+mod methods;
+mod registry;
+mod soup;
+
+pub use registry::{LAB, METHODS, SURFACES, first_scene};

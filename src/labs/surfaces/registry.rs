@@ -1,0 +1,91 @@
+//! The lab and its methods. To add one: a file in `algo::surface`, its [`SpaceDemo`] in `methods/` beside the others, one
+//! line below.
+
+use std::sync::Arc;
+
+use crate::{
+    algo::surface::{
+        DepthBuffer,
+        faulty::{ClearsToNear, StraightDistance, TurnsComparison, WritesAlways},
+    },
+    geom::{Mesh, Orbit},
+    labs::{
+        Lab, MethodCard,
+        space::{
+            MethodInfo, Model, NamedMesh, Object, OnScene, Opening, Scene, SpaceLab, TaughtCamera,
+            demo::SpaceDemo,
+        },
+    },
+};
+
+/// Surfaces before a camera, some behind others.
+pub static SURFACES: SpaceLab = SpaceLab {
+    id: "surfaces",
+    name_key: "lab-surfaces",
+    about_key: "lab-surfaces-about",
+    lock_groups: &["camera", "volume", "object"],
+    methods: || &METHODS,
+    first_scene,
+};
+
+/// The same, for whoever knows no lab by name.
+pub static LAB: &dyn Lab = &SURFACES;
+
+const fn info<A: SpaceDemo>() -> MethodInfo<Scene> {
+    MethodInfo {
+        lab: &SURFACES,
+        siblings: || &METHODS,
+        card: MethodCard::of::<A>(),
+        subject: A::SUBJECT,
+        tells_faces: A::TELLS_FACES,
+        record: A::record,
+        face_fate: A::face_fate,
+        verdict: |_, _, _| None,
+    }
+}
+
+/// Every method, in the order in which they are taught; the mistakes last.
+pub static METHODS: [MethodInfo<Scene>; 5] = [
+    info::<OnScene<DepthBuffer>>(),
+    info::<OnScene<DepthBuffer<ClearsToNear>>>(),
+    info::<OnScene<DepthBuffer<TurnsComparison>>>(),
+    info::<OnScene<DepthBuffer<WritesAlways>>>(),
+    info::<OnScene<DepthBuffer<StraightDistance>>>(),
+];
+
+/// What the lab opens on where there is no lesson: two triangles, one through the other.
+///
+/// # Panics
+/// Never: its numbers are valid.
+#[must_use]
+pub fn first_scene() -> Scene {
+    let method = SURFACES.method("depth-buffer").expect("in the registry");
+    let camera = TaughtCamera::new(
+        [[0.0, 0.0, 6.0], [0.0; 3], [0.0, 1.0, 0.0]],
+        Opening::FovY(40.0),
+        4.0 / 3.0,
+        [3.0, 9.0],
+    );
+    let eye = Orbit::new([0.0, 0.0, 1.0], [52.0, 22.0], 20.0, 26.0);
+    let triangle = |name: &str, corners: [[f32; 3]; 3]| {
+        let mesh = Mesh::new(corners.to_vec(), Vec::new(), vec![[0, 1, 2]]).expect("a triangle");
+        let named = NamedMesh {
+            name: name.to_owned(),
+            mesh,
+            picture: None,
+        };
+        Object::new(Model::Mesh(Arc::new(named)), [0.0; 3], [0.0; 3], 1.0).expect("finite")
+    };
+    let objects = vec![
+        triangle(
+            "A",
+            [[-2.0, -1.5, 1.0], [1.5, -1.0, -2.0], [-1.0, 1.75, -1.0]],
+        ),
+        triangle(
+            "B",
+            [[-1.75, 0.25, -1.5], [2.0, -1.25, 1.0], [1.75, 1.5, 1.0]],
+        ),
+    ];
+    let camera = camera.expect("constants that are valid");
+    Scene::new(method, camera, eye, objects).expect("objects")
+}

@@ -1,0 +1,93 @@
+//! All faces of a scene as triangles in view space, and what they are called.
+
+use crate::{
+    algo::surface::Surfaces,
+    figure::Link,
+    labs::{
+        space::{
+            Scene,
+            stage::{face_link, object_link},
+        },
+        split_mix::SplitMix64,
+        words::subscript,
+    },
+    text::Value,
+};
+
+/// More faces than these are not drawn step by step: the rest is left out.
+const MOST_FACES: usize = 20_000;
+
+/// The faces of a scene, object after object, as its camera sees them.
+///
+/// # Panics
+/// Never: a valid scene has finite vertices, and its raster a size.
+pub fn surfaces_of(scene: &Scene) -> Surfaces {
+    let camera = scene.camera.camera();
+    let view_from_world = camera.view_from_world();
+    let faces = scene.objects().iter().flat_map(|object| {
+        let points: Vec<[f64; 3]> = object
+            .points()
+            .map(|at| view_from_world.point(at))
+            .collect();
+        let faces = object.model().mesh().faces().iter();
+        faces.map(move |face| face.map(|i| points[i as usize]))
+    });
+    let triangles: Vec<[[f64; 3]; 3]> = faces.take(MOST_FACES).collect();
+    let plan = &scene.raster;
+    let size = plan.size(scene.camera.aspect());
+    let surfaces = Surfaces::new(size, *camera.volume(), triangles, plan.culls_backs);
+    surfaces.expect("finite vertices, and pixels")
+}
+
+/// The ids of so many triangles in the order in which they come.
+pub fn order(n_triangles: usize, shuffle: Option<u64>) -> Vec<u32> {
+    let mut order: Vec<u32> = (0..).take(n_triangles).collect();
+    if let Some(seed) = shuffle {
+        let mut random = SplitMix64(seed);
+        for i in (1..order.len()).rev() {
+            order.swap(i, (random.unit() * (i + 1) as f64) as usize);
+        }
+    }
+    order
+}
+
+/// The object that a triangle is a face of, and which of its faces it is.
+pub fn place_of(scene: &Scene, id: u32) -> Option<[usize; 2]> {
+    let mut face_idx = id as usize;
+    for (object_idx, object) in scene.objects().iter().enumerate() {
+        let n_faces = object.model().mesh().faces().len();
+        if face_idx < n_faces {
+            return Some([object_idx, face_idx]);
+        }
+        face_idx -= n_faces;
+    }
+    None
+}
+
+/// `A`, or of an object of several faces `A₇`; without a scene, its number.
+pub fn surface_name(scene: Option<&Scene>, id: u32) -> Value {
+    let Some((scene, [object_idx, face_idx])) =
+        scene.and_then(|scene| Some((scene, place_of(scene, id)?)))
+    else {
+        return Value::Count(id as usize);
+    };
+    let object = scene.object_name(object_idx);
+    if scene.objects()[object_idx].model().mesh().faces().len() == 1 {
+        return object;
+    }
+    let face = subscript(face_idx + 1);
+    Value::Name(match object {
+        Value::Name(letter) => letter + &face,
+        _ => format!("{}.{}", object_idx + 1, face_idx + 1),
+    })
+}
+
+/// What marks of a triangle have in common: a face of the object in focus is itself, all others are their objects.
+pub fn surface_link(scene: &Scene, id: u32) -> Option<Link> {
+    let [object_idx, face_idx] = place_of(scene, id)?;
+    Some(if object_idx == scene.focus() {
+        face_link(face_idx)
+    } else {
+        object_link(object_idx)
+    })
+}
