@@ -2,5 +2,6 @@
 
 mod depth_buffer;
 mod oracle;
+mod painter;
 mod ray_casting;
 mod soup;

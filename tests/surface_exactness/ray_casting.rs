@@ -5,14 +5,14 @@ use clipscope::{
         DepthBuffer, DepthBufferInput, Hierarchy, Meeting, Picture, RayCasting, RayCastingInput,
         Rays, Surfaces,
     },
-    geom::{Matrix, Solid, ViewVolume},
+    geom::{Solid, ViewVolume},
     trace::{Trace, laws, silent},
 };
 use proptest::prelude::*;
 
 use crate::{
     oracle::{Seen, pixels, seen},
-    soup::{cases, placed, soup, surfaces, volume},
+    soup::{cases, of_mesh, placed, soup, surfaces, volume, volumes},
 };
 
 fn all(surfaces: Surfaces) -> RayCastingInput {
@@ -67,26 +67,11 @@ proptest! {
     }
 }
 
-/// A mesh before the eye, its picture a parallel or a perspective one.
-fn of_mesh(solid: Solid, volume: ViewVolume, size: [u32; 2]) -> Surfaces {
-    let mesh = solid.mesh();
-    let placed = Matrix::translation([0.1, -0.2, -4.0]).after(&Matrix::rotation([0.4, 0.7, 0.1]));
-    let corners = mesh
-        .faces()
-        .iter()
-        .map(|&face| mesh.corners(face).map(|p| placed.point(p)));
-    Surfaces::new(size, volume, corners.collect::<Vec<_>>(), true).expect("finite")
-}
-
 #[test]
 fn solids_are_the_same_by_depths_and_by_rays() {
-    let volumes = [
-        ViewVolume::perspective(50.0, 1.5, 0.5, 9.0).expect("a volume"),
-        ViewVolume::parallel(3.0, 1.5, -1.0, 9.0).expect("a volume"),
-    ];
     for solid in Solid::ALL {
-        for volume in volumes {
-            let surfaces = of_mesh(solid, volume, [48, 32]);
+        for volume in volumes() {
+            let surfaces = of_mesh(solid, volume, [48, 32], true);
             let depths = silent::<DepthBuffer>(&DepthBufferInput::new(surfaces.clone()));
             let rays = Hierarchy::new(&surfaces).picture(&surfaces);
             // Nothing here has an edge through a middle.

@@ -2,10 +2,14 @@
 
 use std::ops::Range;
 
-use crate::{algo::volume::ClipVertex, geom::Sight, trace::Real};
+use crate::{
+    algo::{ring::Right, volume::ClipVertex},
+    geom::Sight,
+    trace::Real,
+};
 
 use super::{
-    Rays, ScreenTriangle, SurfaceRules, Surfaces, Viewport,
+    Picture, Rays, ScreenTriangle, SurfaceRules, Surfaces, Viewport,
     assembly::{Seen, for_each_piece},
     scan::for_each_span,
     screen_triangle::{Corner, Linear},
@@ -128,4 +132,32 @@ pub(super) fn plane([v0, v1, v2]: &[[f64; 3]; 3]) -> ([f64; 3], f64) {
         a[0] * b[1] - a[1] * b[0],
     ];
     (n, -(n[0] * v0[0] + n[1] * v0[1] + n[2] * v0[2]))
+}
+
+/// The rows of pixels that a triangle covers.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub(super) struct Rows(pub Vec<(u32, [u32; 2])>);
+
+impl Rows {
+    /// Of one of some surfaces.
+    pub fn of(surfaces: &Surfaces, id: u32) -> Self {
+        let mut rows = Vec::new();
+        let triangle = surfaces.triangles().get(id as usize);
+        if let Some(coverage) = triangle.and_then(|t| Coverage::of::<Right>(surfaces, t)) {
+            let [_, height] = surfaces.size();
+            coverage.for_each_span(surfaces.viewport(), &(0..height), |span| {
+                rows.push((span.row, span.columns));
+            });
+        }
+        Self(rows)
+    }
+
+    /// Puts an id over whatever is there.
+    pub fn paint(&self, picture: &mut Picture, id: u32) {
+        for &(row, [first, end]) in &self.0 {
+            for column in first..end {
+                picture.put([column, row], id);
+            }
+        }
+    }
 }

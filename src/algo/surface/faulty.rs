@@ -4,7 +4,7 @@
 //! They run through the very same loops with one choice changed ([`SurfaceRules`] says which can be), and report the same events, so
 //! that the first differing step is the first differing event. Only the lab's "what is wrong here?" knows this room.
 
-use super::{DepthBuffer, SurfaceRules};
+use super::{DepthBuffer, Painter, SurfaceRules};
 
 /// The buffer is cleared to the depth of the near plane: nothing is ever nearer, and the picture stays empty.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -39,5 +39,25 @@ impl SurfaceRules for StraightDistance {
     const STRAIGHT_DISTANCE: bool = true;
 }
 
+/// The list is painted as it is sorted: no key of one number a triangle tells which of two hides the other.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct KeysOnly;
+
+impl SurfaceRules for KeysOnly {
+    const KEYS_ONLY: bool = true;
+}
+
+/// The same, sorted by the nearest vertex: a floor that begins before the feet of what stands on it is painted over it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct NearestKeys;
+
+impl SurfaceRules for NearestKeys {
+    const SORTS_BY_NEAREST: bool = true;
+    const KEYS_ONLY: bool = true;
+}
+
 /// The depth buffer with the mistake `L`.
 pub type FaultyDepthBuffer<L> = DepthBuffer<L>;
+
+/// The painter with the mistake `L`.
+pub type FaultyPainter<L> = Painter<L>;

@@ -16,7 +16,10 @@ mod depth_drawing;
 mod depth_format;
 pub mod faulty;
 mod hierarchy;
+mod painter;
+mod painting_order;
 mod picture;
+mod precedence;
 mod ray_casting;
 mod ray_plane;
 mod rays;
@@ -32,7 +35,9 @@ pub use depth_buffer_input::{DepthBufferInput, DepthSteps};
 pub use depth_drawing::{Fragment, FragmentTally, pixel_story};
 pub use depth_format::{DepthBits, DepthFormat, DepthNumber};
 pub use hierarchy::Hierarchy;
+pub use painter::{Painter, PainterAnswer, PainterEvent, PainterOutput, PainterState, PairTally};
 pub use picture::Picture;
+pub use precedence::{Occupant, PairTest};
 pub use ray_casting::{
     RayCasting, RayCastingEvent, RayCastingInput, RayCastingOutput, RayCastingState, RayHit,
 };

@@ -1,0 +1,188 @@
+//! The painter: where there is an order it is right, and where there is none there is a reason.
+
+use clipscope::{
+    algo::surface::{
+        DepthBuffer, DepthBufferInput, Painter, PainterAnswer, Surfaces,
+        faulty::{FaultyPainter, KeysOnly, NearestKeys},
+    },
+    geom::Solid,
+    trace::{Trace, laws, silent},
+};
+use proptest::prelude::*;
+
+use crate::{
+    oracle::{Seen, pixels, seen},
+    soup::{Whole, ahead, cases, of_mesh, soup, surfaces, three_bars, volume, volumes},
+};
+
+/// Columns and rows, to look more closely.
+const FINE: [u32; 2] = [320, 320];
+
+/// Can the second be nearer than the first somewhere? The difference of their depths is linear over the screen, so it is the largest
+/// in a corner of the area that they share: it cannot be where it is far below zero at all pixels. None where they share too few.
+fn can_hide(triangles: &[Whole], first: u32, second: u32) -> Option<bool> {
+    let pair = crate::soup::placed(&[first, second].map(|id| triangles[id as usize]));
+    let of = |one: [[f64; 3]; 3]| {
+        let surfaces = Surfaces::new(FINE, volume(), [one], false).expect("finite");
+        silent::<DepthBuffer>(&DepthBufferInput::new(surfaces)).depth
+    };
+    let [one, other] = [of(pair[0]), of(pair[1])];
+    let nearer: Vec<f64> = one.iter().zip(&other).map(|(a, b)| a - b).collect();
+    let known = |place: usize| nearer.get(place).copied().filter(|x| x.is_finite());
+    let (mut n, mut most, mut slope) = (0, f64::NEG_INFINITY, 0.0_f64);
+    for place in 0..nearer.len() {
+        let Some(here) = known(place) else { continue };
+        n += 1;
+        most = most.max(here);
+        for next in [known(place + 1), known(place + FINE[0] as usize)] {
+            slope = slope.max(next.map_or(0.0, |next| (next - here).abs()));
+        }
+    }
+    // A corner may be so sharp that no pixel's middle lies near its end.
+    (n > 40).then_some(most >= -20.0 * slope)
+}
+
+proptest! {
+    #![proptest_config(cases(300))]
+
+    #[test]
+    fn an_order_is_right_and_a_cycle_has_reasons(triangles in prop_oneof![
+        soup(7), prop::collection::vec(ahead(), 1..5), prop::collection::vec(ahead(), 1..3)
+    ], culls in any::<bool>()) {
+        match silent::<Painter>(&surfaces(&triangles, culls)).answer {
+            PainterAnswer::Order { order, picture } => {
+                let mut ids = order;
+                ids.sort_unstable();
+                ids.dedup();
+                prop_assert!(culls || ids.len() == triangles.len());
+                for pixel in pixels() {
+                    match seen(&triangles, culls, pixel) {
+                        Seen::Unsure => {}
+                        Seen::Nothing => prop_assert_eq!(picture.at(pixel), None, "{:?}", pixel),
+                        Seen::Surface { id, .. } => prop_assert_eq!(picture.at(pixel), Some(id), "{:?}", pixel),
+                    }
+                }
+            }
+            PainterAnswer::Cycle { cycle } => {
+                prop_assert!(cycle.len() >= 2 && cycle.iter().all(|id| *id >= cycle[0]));
+                for (i, &before) in cycle.iter().enumerate() {
+                    let after = cycle[(i + 1) % cycle.len()];
+                    prop_assert!(can_hide(&triangles, before, after) != Some(false), "{before} {after} of {cycle:?}");
+                }
+            }
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(24))]
+
+    #[test]
+    fn the_laws(triangles in soup(6), culls in any::<bool>()) {
+        let surfaces = surfaces(&triangles, culls);
+        laws::check::<Painter>(&surfaces);
+        laws::check::<FaultyPainter<KeysOnly>>(&surfaces);
+        laws::check::<FaultyPainter<NearestKeys>>(&surfaces);
+    }
+}
+
+#[test]
+fn solids_have_an_order() {
+    for solid in Solid::ALL {
+        for volume in volumes() {
+            for culls in [false, true] {
+                let surfaces = of_mesh(solid, volume, [48, 32], culls);
+                let depths = silent::<DepthBuffer>(&DepthBufferInput::new(surfaces.clone()));
+                let painted = silent::<Painter>(&surfaces);
+                let PainterAnswer::Order { picture, .. } = painted.answer else {
+                    panic!("{solid:?} {culls}: {:?}", painted.answer);
+                };
+                assert_eq!(picture, depths.picture, "{solid:?} {culls}");
+            }
+        }
+    }
+}
+
+#[test]
+fn three_bars_have_no_order() {
+    for turned in 0..3 {
+        let mut bars = three_bars();
+        bars.rotate_left(turned);
+        let surfaces = Surfaces::new([16, 16], volume(), bars, false).expect("finite");
+        let trace = Trace::<Painter>::record(surfaces.clone());
+        let expected = PainterAnswer::Cycle {
+            cycle: vec![0, 2, 1],
+        };
+        assert_eq!(trace.output().answer, expected);
+        assert_eq!(trace.state_at(usize::MAX).constraints.len(), 3);
+        // Any two of them have one.
+        for left_out in 0..3 {
+            let mut two = bars.to_vec();
+            two.remove(left_out);
+            let surfaces = Surfaces::new([16, 16], volume(), two, false).expect("finite");
+            let depths = silent::<DepthBuffer>(&DepthBufferInput::new(surfaces.clone()));
+            let PainterAnswer::Order { picture, .. } = silent::<Painter>(&surfaces).answer else {
+                panic!("two bars have an order");
+            };
+            assert_eq!(picture, depths.picture);
+        }
+    }
+}
+
+#[test]
+fn two_that_pierce_are_a_cycle_of_two() {
+    let one = [[-2.0, -1.0, -4.0], [2.0, -1.0, -6.0], [0.0, 2.0, -5.0]];
+    let other = [[-2.0, -1.0, -6.0], [2.0, -1.0, -4.0], [0.0, 2.0, -5.0]];
+    let surfaces = Surfaces::new([16, 16], volume(), [one, other], false).expect("finite");
+    let cycle = vec![0, 1];
+    assert_eq!(
+        silent::<Painter>(&surfaces).answer,
+        PainterAnswer::Cycle { cycle }
+    );
+}
+
+#[test]
+fn in_one_plane_the_lower_id_is_seen() {
+    let wall = |x: f64| [[x - 2.0, -2.0, -4.0], [x + 2.0, -2.0, -4.0], [x, 2.0, -4.0]];
+    for walls in [[wall(0.0), wall(0.5)], [wall(0.5), wall(0.0)]] {
+        let surfaces = Surfaces::new([16, 16], volume(), walls, false).expect("finite");
+        let depths = silent::<DepthBuffer>(&DepthBufferInput::new(surfaces.clone()));
+        let PainterAnswer::Order { order, picture } = silent::<Painter>(&surfaces).answer else {
+            panic!("a tie is no cycle");
+        };
+        assert_eq!(order, [1, 0]);
+        assert_eq!(picture, depths.picture);
+    }
+}
+
+#[test]
+fn keys_alone_are_not_enough() {
+    // A long floor, its farthest vertex beyond the wall that stands on it; the second wall's nearest is behind the floor's.
+    let floor = [[-6.0, -1.0, -2.0], [6.0, -1.0, -2.0], [0.0, -1.0, -15.0]];
+    let wall = [[-2.0, -2.5, -8.0], [2.0, -2.5, -8.0], [0.0, 2.0, -8.0]];
+    let low = [[-1.0, -0.9, -4.0], [1.0, -0.9, -4.0], [0.0, 0.5, -4.0]];
+    // Under the floor, and seen through nothing: it hangs deeper than the floor's middle.
+    let surfaces = Surfaces::new([32, 32], volume(), [floor, low], false).expect("finite");
+    let depths = silent::<DepthBuffer>(&DepthBufferInput::new(surfaces.clone()));
+    let picture = |answer: PainterAnswer| match answer {
+        PainterAnswer::Order { picture, .. } => picture,
+        PainterAnswer::Cycle { cycle } => panic!("{cycle:?}"),
+    };
+    assert_eq!(picture(silent::<Painter>(&surfaces).answer), depths.picture);
+    let by_farthest = picture(silent::<FaultyPainter<KeysOnly>>(&surfaces).answer);
+    assert_eq!(by_farthest, depths.picture, "this time");
+    let by_nearest = picture(silent::<FaultyPainter<NearestKeys>>(&surfaces).answer);
+    assert_ne!(
+        by_nearest, depths.picture,
+        "the floor is painted over what stands on it"
+    );
+    // A wall whose foot is under the floor: its key is smaller, and the floor hides it.
+    let under = [wall[0], wall[1], [0.0, -1.0, -8.0]];
+    let surfaces = Surfaces::new([32, 32], volume(), [floor, under], false).expect("finite");
+    let depths = silent::<DepthBuffer>(&DepthBufferInput::new(surfaces.clone()));
+    assert_eq!(picture(silent::<Painter>(&surfaces).answer), depths.picture);
+    assert_ne!(
+        picture(silent::<FaultyPainter<KeysOnly>>(&surfaces).answer),
+        depths.picture
+    );
+}
