@@ -42,11 +42,11 @@ depth-triangle = { $triangle } comes, { $place } of { $triangles }.
 depth-triangle-unseen = Nothing of { $triangle } is drawn: it lies outside of the volume, is edge-on, or shows its back.
 depth-triangle-whole = { $triangle } is drawn: of { $fragments } fragments { $writes } are nearer than what stood there.
 depth-span = Row { $row } of { $triangle }, columns { $first } to { $last }: of { $fragments } fragments { $writes } are written.
-depth-fragment-first = Pixel [{ $column }, { $row }] is still empty: { $triangle } is written.
-depth-fragment-kept = { $triangle } is nearer than { $other } at pixel [{ $column }, { $row }]: it is written.
-depth-fragment-lost = { $triangle } is not nearer than { $other } at pixel [{ $column }, { $row }]: { $other } stays.
-depth-fragment-tie = { $triangle } is as near as { $other } at pixel [{ $column }, { $row }]: { $other } came first and stays.
-depth-fragment-lost-to-nothing = { $triangle } is not written at pixel [{ $column }, { $row }], though nothing has been there.
+depth-fragment-first = Pixel { $at } is still empty: { $triangle } is written.
+depth-fragment-kept = { $triangle } is nearer than { $other } at pixel { $at }: it is written.
+depth-fragment-lost = { $triangle } is not nearer than { $other } at pixel { $at }: { $other } stays.
+depth-fragment-tie = { $triangle } is as near as { $other } at pixel { $at }: { $other } came first and stays.
+depth-fragment-lost-to-nothing = { $triangle } is not written at pixel { $at }, though nothing has been there.
 depth-nothing = nothing
 depth-done = Done: { $fragments } fragments, { $writes } of them written, for { $pixels } pixels. So often each was computed on average:
 
@@ -63,6 +63,57 @@ watch-pixel = pixel
 watch-fragments = fragments
 watch-writes = written
 watch-pixels = pixels
+
+## Ray casting
+
+alg-ray-casting = Ray casting
+code-ray-pixel = for each pixel: ray o + t · r through its middle
+words-ray-pixel = For each pixel take the ray from the eye through its middle.
+code-ray-triangle = for each triangle T with plane n·p + d = 0
+words-ray-triangle = Ask every triangle.
+code-ray-plane = t ← −(n·o + d) / (n·r)
+words-ray-plane = Find where the ray meets its plane; parallel or behind the eye it does not count.
+code-ray-inside = if o + t · r in T: hit
+words-ray-inside = If that point lies in the triangle, it is hit.
+code-ray-nearest = picture[pixel] ← T of the smallest t
+words-ray-nearest = The hit with the smallest t is seen.
+ray-opening = { $rays ->
+    [one] One ray
+   *[other] { $rays } rays
+  } for { $columns } × { $rows } pixels, each asks { $triangles ->
+    [one] one triangle.
+   *[other] { $triangles } triangles.
+  }
+ray-pixel = The ray through the middle of pixel { $at }: from the eye at t = 0, on the near plane at t = 1.
+ray-hit-first = The ray meets { $triangle }: the nearest hit so far.
+ray-hit-nearer = The ray meets { $triangle } before { $other } at t = { $t }: now the nearest.
+ray-hit-farther = The ray meets { $triangle } too, behind { $other } at t = { $t }.
+ray-says-culled = { $triangle } is not asked: it is edge-on, or shows its back.
+ray-says-parallel = The ray is parallel to the plane of { $triangle }: n·r = 0, they never meet.
+ray-says-behind = The plane of { $triangle } is met behind the eye: t < 0.
+ray-says-before-near = { $triangle } is met before the near plane: t < 1.
+ray-says-beyond-far = { $triangle } is met beyond the far plane.
+ray-says-beside = The ray meets the plane of { $triangle } beside the triangle: no hit.
+ray-seen = Pixel { $at } takes { $triangle }: the smallest t of { $hits ->
+    [one] one hit.
+   *[other] { $hits } hits.
+  }
+ray-seen-nothing = Pixel { $at } stays background: no triangle is hit.
+ray-done = Done: { $rays } rays, each asked { $triangles } triangles.
+ray-culled = not asked
+ray-parallel = parallel
+ray-behind = behind the eye
+ray-before-near = before near
+ray-beyond-far = beyond far
+ray-beside = beside
+ray-hit = behind
+ray-nearest = nearest
+ray-eye = eye
+ray-raster = raster
+raster-rays = Picture so far, { $columns } × { $rows }
+watch-hits = hits
+watch-nearest = nearest
+watch-asked = asked
 
 ## The raster's form
 

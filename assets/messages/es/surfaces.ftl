@@ -42,11 +42,11 @@ depth-triangle = Llega { $triangle }, { $place } de { $triangles }.
 depth-triangle-unseen = De { $triangle } no se dibuja nada: está fuera del volumen, de canto o de espaldas.
 depth-triangle-whole = Dibujado { $triangle }: de { $fragments } fragmentos, { $writes } están más cerca que lo que había.
 depth-span = Fila { $row } de { $triangle }, columnas { $first } a { $last }: de { $fragments } fragmentos se escriben { $writes }.
-depth-fragment-first = El píxel [{ $column }, { $row }] aún está vacío: se escribe { $triangle }.
-depth-fragment-kept = En el píxel [{ $column }, { $row }], { $triangle } está más cerca que { $other }: se escribe.
-depth-fragment-lost = En el píxel [{ $column }, { $row }], { $triangle } no está más cerca que { $other }: { $other } se queda.
-depth-fragment-tie = En el píxel [{ $column }, { $row }], { $triangle } está tan cerca como { $other }: { $other } llegó antes y se queda.
-depth-fragment-lost-to-nothing = En el píxel [{ $column }, { $row }] no se escribe { $triangle }, aunque allí no había nada.
+depth-fragment-first = El píxel { $at } aún está vacío: se escribe { $triangle }.
+depth-fragment-kept = En el píxel { $at }, { $triangle } está más cerca que { $other }: se escribe.
+depth-fragment-lost = En el píxel { $at }, { $triangle } no está más cerca que { $other }: { $other } se queda.
+depth-fragment-tie = En el píxel { $at }, { $triangle } está tan cerca como { $other }: { $other } llegó antes y se queda.
+depth-fragment-lost-to-nothing = En el píxel { $at } no se escribe { $triangle }, aunque allí no había nada.
 depth-nothing = nada
 depth-done = Terminado: { $fragments } fragmentos, { $writes } escritos, para { $pixels } píxeles. Veces que se calculó cada uno, en promedio:
 
@@ -63,6 +63,57 @@ watch-pixel = píxel
 watch-fragments = fragmentos
 watch-writes = escritos
 watch-pixels = píxeles
+
+## Ray casting
+
+alg-ray-casting = Lanzamiento de rayos
+code-ray-pixel = for each pixel: ray o + t · r through its middle
+words-ray-pixel = Para cada píxel toma el rayo desde el ojo por su centro.
+code-ray-triangle = for each triangle T with plane n·p + d = 0
+words-ray-triangle = Pregunta a cada triángulo.
+code-ray-plane = t ← −(n·o + d) / (n·r)
+words-ray-plane = Halla dónde corta el rayo su plano; paralelo o detrás del ojo no cuenta.
+code-ray-inside = if o + t · r in T: hit
+words-ray-inside = Si ese punto está en el triángulo, hay impacto.
+code-ray-nearest = picture[pixel] ← T of the smallest t
+words-ray-nearest = Se ve el impacto de menor t.
+ray-opening = { $rays ->
+    [one] Un rayo
+   *[other] { $rays } rayos
+  } para { $columns } × { $rows } píxeles; cada uno pregunta a { $triangles ->
+    [one] un triángulo.
+   *[other] { $triangles } triángulos.
+  }
+ray-pixel = El rayo por el centro del píxel { $at }: en t = 0 el ojo, en t = 1 el plano cercano.
+ray-hit-first = El rayo da en { $triangle }: el impacto más cercano hasta ahora.
+ray-hit-nearer = El rayo da en { $triangle } antes que en { $other }, que está en t = { $t }: ahora es el más cercano.
+ray-hit-farther = El rayo da también en { $triangle }, detrás de { $other }, que está en t = { $t }.
+ray-says-culled = No se pregunta a { $triangle }: está de canto o de espaldas.
+ray-says-parallel = El rayo es paralelo al plano de { $triangle }: n·r = 0, nunca se cortan.
+ray-says-behind = El plano de { $triangle } se corta detrás del ojo: t < 0.
+ray-says-before-near = { $triangle } se corta antes del plano cercano: t < 1.
+ray-says-beyond-far = { $triangle } se corta más allá del plano lejano.
+ray-says-beside = El rayo corta el plano de { $triangle } fuera del triángulo: no hay impacto.
+ray-seen = El píxel { $at } toma { $triangle }: el menor t de { $hits ->
+    [one] un impacto.
+   *[other] { $hits } impactos.
+  }
+ray-seen-nothing = El píxel { $at } queda como fondo: ningún triángulo recibe el rayo.
+ray-done = Terminado: { $rays } rayos, cada uno preguntó a { $triangles } triángulos.
+ray-culled = sin preguntar
+ray-parallel = paralelo
+ray-behind = tras el ojo
+ray-before-near = antes de cerca
+ray-beyond-far = tras lejos
+ray-beside = fuera
+ray-hit = detrás
+ray-nearest = el más cercano
+ray-eye = ojo
+ray-raster = ráster
+raster-rays = Imagen hasta ahora, { $columns } × { $rows }
+watch-hits = impactos
+watch-nearest = más cercano
+watch-asked = preguntas
 
 ## The raster's form
 

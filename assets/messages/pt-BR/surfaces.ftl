@@ -42,11 +42,11 @@ depth-triangle = Chega { $triangle }, { $place } de { $triangles }.
 depth-triangle-unseen = De { $triangle } nada se desenha: está fora do volume, de perfil ou de costas.
 depth-triangle-whole = Desenhado { $triangle }: de { $fragments } fragmentos, { $writes } estão mais próximos do que o que havia.
 depth-span = Linha { $row } de { $triangle }, colunas { $first } a { $last }: de { $fragments } fragmentos escrevem-se { $writes }.
-depth-fragment-first = O pixel [{ $column }, { $row }] ainda está vazio: escreve-se { $triangle }.
-depth-fragment-kept = No pixel [{ $column }, { $row }], { $triangle } está mais próximo que { $other }: escreve-se.
-depth-fragment-lost = No pixel [{ $column }, { $row }], { $triangle } não está mais próximo que { $other }: { $other } fica.
-depth-fragment-tie = No pixel [{ $column }, { $row }], { $triangle } está tão próximo quanto { $other }: { $other } chegou antes e fica.
-depth-fragment-lost-to-nothing = No pixel [{ $column }, { $row }] { $triangle } não é escrito, embora ali não houvesse nada.
+depth-fragment-first = O pixel { $at } ainda está vazio: escreve-se { $triangle }.
+depth-fragment-kept = No pixel { $at }, { $triangle } está mais próximo que { $other }: escreve-se.
+depth-fragment-lost = No pixel { $at }, { $triangle } não está mais próximo que { $other }: { $other } fica.
+depth-fragment-tie = No pixel { $at }, { $triangle } está tão próximo quanto { $other }: { $other } chegou antes e fica.
+depth-fragment-lost-to-nothing = No pixel { $at } { $triangle } não é escrito, embora ali não houvesse nada.
 depth-nothing = nada
 depth-done = Pronto: { $fragments } fragmentos, { $writes } escritos, para { $pixels } pixels. Vezes que cada um foi calculado, em média:
 
@@ -63,6 +63,57 @@ watch-pixel = pixel
 watch-fragments = fragmentos
 watch-writes = escritos
 watch-pixels = pixels
+
+## Ray casting
+
+alg-ray-casting = Lançamento de raios
+code-ray-pixel = for each pixel: ray o + t · r through its middle
+words-ray-pixel = Para cada pixel, pegue o raio que sai do olho pelo seu centro.
+code-ray-triangle = for each triangle T with plane n·p + d = 0
+words-ray-triangle = Pergunte a cada triângulo.
+code-ray-plane = t ← −(n·o + d) / (n·r)
+words-ray-plane = Ache onde o raio corta o plano; paralelo ou atrás do olho não conta.
+code-ray-inside = if o + t · r in T: hit
+words-ray-inside = Se o ponto está no triângulo, o raio o atinge.
+code-ray-nearest = picture[pixel] ← T of the smallest t
+words-ray-nearest = Vê-se o ponto atingido de menor t.
+ray-opening = { $rays ->
+    [one] Um raio
+   *[other] { $rays } raios
+  } para { $columns } × { $rows } pixels; cada um pergunta a { $triangles ->
+    [one] um triângulo.
+   *[other] { $triangles } triângulos.
+  }
+ray-pixel = O raio pelo centro do pixel { $at }: em t = 0 o olho, em t = 1 o plano próximo.
+ray-hit-first = O raio atinge { $triangle }: o mais próximo até agora.
+ray-hit-nearer = O raio atinge { $triangle } antes de { $other }, que está em t = { $t }: agora é o mais próximo.
+ray-hit-farther = O raio também atinge { $triangle }, atrás de { $other }, que está em t = { $t }.
+ray-says-culled = { $triangle } não é perguntado: está de perfil ou de costas.
+ray-says-parallel = O raio é paralelo ao plano de { $triangle }: n·r = 0, nunca se cortam.
+ray-says-behind = O plano de { $triangle } é cortado atrás do olho: t < 0.
+ray-says-before-near = { $triangle } é cortado antes do plano próximo: t < 1.
+ray-says-beyond-far = { $triangle } é cortado além do plano distante.
+ray-says-beside = O raio corta o plano de { $triangle } fora do triângulo: não o atinge.
+ray-seen = O pixel { $at } fica com { $triangle }: o menor t de { $hits ->
+    [one] um ponto atingido.
+   *[other] { $hits } pontos atingidos.
+  }
+ray-seen-nothing = O pixel { $at } continua fundo: nenhum triângulo é atingido.
+ray-done = Pronto: { $rays } raios, cada um perguntou a { $triangles } triângulos.
+ray-culled = não perguntado
+ray-parallel = paralelo
+ray-behind = atrás do olho
+ray-before-near = antes do próximo
+ray-beyond-far = além do distante
+ray-beside = fora
+ray-hit = atrás
+ray-nearest = mais próximo
+ray-eye = olho
+ray-raster = raster
+raster-rays = Imagem até agora, { $columns } × { $rows }
+watch-hits = atingidos
+watch-nearest = mais próximo
+watch-asked = perguntas
 
 ## The raster's form
 

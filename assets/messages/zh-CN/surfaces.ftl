@@ -39,11 +39,11 @@ depth-triangle = 轮到 { $triangle }，第 { $place } 个，共 { $triangles } 
 depth-triangle-unseen = { $triangle } 什么也不画：它在视见体之外，或侧对相机，或背向相机。
 depth-triangle-whole = 画完 { $triangle }：{ $fragments } 个片元中有 { $writes } 个比原有的近。
 depth-span = { $triangle } 的第 { $row } 行，第 { $first } 到 { $last } 列：{ $fragments } 个片元中写入 { $writes } 个。
-depth-fragment-first = 像素 [{ $column }, { $row }] 还空着：写入 { $triangle }。
-depth-fragment-kept = 在像素 [{ $column }, { $row }]，{ $triangle } 比 { $other } 近：写入。
-depth-fragment-lost = 在像素 [{ $column }, { $row }]，{ $triangle } 不比 { $other } 近：{ $other } 保留。
-depth-fragment-tie = 在像素 [{ $column }, { $row }]，{ $triangle } 与 { $other } 一样近：{ $other } 先到，保留。
-depth-fragment-lost-to-nothing = 像素 [{ $column }, { $row }] 虽然还空着，{ $triangle } 却没有写入。
+depth-fragment-first = 像素 { $at } 还空着：写入 { $triangle }。
+depth-fragment-kept = 在像素 { $at }，{ $triangle } 比 { $other } 近：写入。
+depth-fragment-lost = 在像素 { $at }，{ $triangle } 不比 { $other } 近：{ $other } 保留。
+depth-fragment-tie = 在像素 { $at }，{ $triangle } 与 { $other } 一样近：{ $other } 先到，保留。
+depth-fragment-lost-to-nothing = 像素 { $at } 虽然还空着，{ $triangle } 却没有写入。
 depth-nothing = 空
 depth-done = 完成：{ $fragments } 个片元，写入 { $writes } 次，占 { $pixels } 个像素。平均每个像素计算的次数：
 
@@ -60,6 +60,48 @@ watch-pixel = 像素
 watch-fragments = 片元
 watch-writes = 写入
 watch-pixels = 像素数
+
+## Ray casting
+
+alg-ray-casting = 光线投射
+code-ray-pixel = for each pixel: ray o + t · r through its middle
+words-ray-pixel = 对每个像素，取从视点穿过其中心的光线。
+code-ray-triangle = for each triangle T with plane n·p + d = 0
+words-ray-triangle = 逐个询问三角形。
+code-ray-plane = t ← −(n·o + d) / (n·r)
+words-ray-plane = 求光线与其平面的交点；平行或在视点之后的不算。
+code-ray-inside = if o + t · r in T: hit
+words-ray-inside = 若交点在三角形内，就是命中。
+code-ray-nearest = picture[pixel] ← T of the smallest t
+words-ray-nearest = t 最小的命中可见。
+ray-opening = { $columns } × { $rows } 个像素，{ $rays } 条光线，每条询问 { $triangles } 个三角形。
+ray-pixel = 穿过像素 { $at } 中心的光线：t = 0 在视点，t = 1 在近平面上。
+ray-hit-first = 光线命中 { $triangle }：目前最近。
+ray-hit-nearer = 光线命中 { $triangle }，在 t = { $t } 的 { $other } 之前：现在它最近。
+ray-hit-farther = 光线也命中 { $triangle }，在 t = { $t } 的 { $other } 之后。
+ray-says-culled = 不询问 { $triangle }：它侧对或背向视点。
+ray-says-parallel = 光线与 { $triangle } 的平面平行：n·r = 0，永不相交。
+ray-says-behind = 与 { $triangle } 的平面交于视点之后：t < 0。
+ray-says-before-near = 与 { $triangle } 交于近平面之前：t < 1。
+ray-says-beyond-far = 与 { $triangle } 交于远平面之外。
+ray-says-beside = 光线与 { $triangle } 的平面交于三角形之外：未命中。
+ray-seen = 像素 { $at } 取 { $triangle }：{ $hits } 个命中中 t 最小。
+ray-seen-nothing = 像素 { $at } 保持背景：没有命中任何三角形。
+ray-done = 完成：{ $rays } 条光线，每条询问 { $triangles } 个三角形。
+ray-culled = 不询问
+ray-parallel = 平行
+ray-behind = 视点之后
+ray-before-near = 近平面之前
+ray-beyond-far = 远平面之外
+ray-beside = 三角形外
+ray-hit = 在后面
+ray-nearest = 最近
+ray-eye = 视点
+ray-raster = 光栅
+raster-rays = 目前的画面，{ $columns } × { $rows }
+watch-hits = 命中数
+watch-nearest = 最近
+watch-asked = 询问次数
 
 ## The raster's form
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::{
     algo::surface::{
-        DepthBuffer,
+        DepthBuffer, RayCasting,
         faulty::{ClearsToNear, StraightDistance, TurnsComparison, WritesAlways},
     },
     geom::{Mesh, Orbit},
@@ -45,8 +45,9 @@ const fn info<A: SpaceDemo>() -> MethodInfo<Scene> {
 }
 
 /// Every method, in the order in which they are taught; the mistakes last.
-pub static METHODS: [MethodInfo<Scene>; 5] = [
+pub static METHODS: [MethodInfo<Scene>; 6] = [
     info::<OnScene<DepthBuffer>>(),
+    info::<OnScene<RayCasting>>(),
     info::<OnScene<DepthBuffer<ClearsToNear>>>(),
     info::<OnScene<DepthBuffer<TurnsComparison>>>(),
     info::<OnScene<DepthBuffer<WritesAlways>>>(),

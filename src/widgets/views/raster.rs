@@ -19,7 +19,7 @@ const MOST_WIDTH: f32 = 40.0;
 /// Room for the title.
 const TITLE: f32 = 28.0;
 /// What is stored is written in pixels of at least this width, in points.
-const READABLE: f32 = 26.0;
+const READABLE: f32 = 20.0;
 /// The darkest that a shade may be under ink.
 const DARKEST: f32 = 0.45;
 

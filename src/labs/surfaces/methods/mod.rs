@@ -2,3 +2,4 @@
 
 mod depth_buffer;
 mod on_raster;
+mod ray_casting;

@@ -7,7 +7,7 @@ use crate::{
     },
     figure::{Mark3, Pixel, RasterMark, RasterShape, Role, Shape3},
     geom::Camera,
-    text::Value,
+    text::{Formula, Value},
     trace::silent,
 };
 
@@ -15,6 +15,18 @@ use crate::{
 const TONES: [f64; 4] = [0.35, 0.75, 0.15, 0.55];
 /// The one that the step is about.
 const OWN_TONE: f64 = 0.9;
+
+/// `[7, 6]`: column and row, from the top left.
+pub fn pixel_formula(pixel: [u32; 2]) -> Formula {
+    let formula = Formula::decimals().sym("[");
+    formula.list(&pixel.map(f64::from)).sym("]")
+}
+
+/// Depths as JSON has them: none where nothing is seen.
+pub fn depth_list(depths: &[f64]) -> Vec<Option<f64>> {
+    let depth = |&depth: &f64| depth.is_finite().then_some(depth);
+    depths.iter().map(depth).collect()
+}
 
 /// The picture so far; `own` is the triangle that the step is about, `value` what a pixel says of itself.
 pub fn pixels(

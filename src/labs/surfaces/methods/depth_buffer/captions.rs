@@ -6,7 +6,10 @@ use crate::{
         Fragment, FragmentTally,
     },
     figure::Caption,
-    labs::{space::OnSceneInput, surfaces::soup::surface_name},
+    labs::{
+        space::OnSceneInput,
+        surfaces::{methods::on_raster::pixel_formula, soup::surface_name},
+    },
     text::{Formula, Message, Value},
 };
 
@@ -79,7 +82,6 @@ fn since(message: Message, before: FragmentTally, tally: FragmentTally) -> Messa
 }
 
 fn fragment_caption(fragment: &Fragment, input: &Input) -> Caption {
-    let [column, row] = fragment.pixel.map(|x| x as usize);
     let stored = u32::try_from(fragment.stored_id).ok();
     let is_tie = fragment.new == fragment.stored;
     let key = match (fragment.kept, stored) {
@@ -95,8 +97,7 @@ fn fragment_caption(fragment: &Fragment, input: &Input) -> Caption {
             "other",
             stored.map_or(Value::Term("depth-nothing"), |id| name_of(input, id)),
         )
-        .with("column", column)
-        .with("row", row);
+        .with("at", pixel_formula(fragment.pixel));
     Caption::new(message).so(comparison(&input.own.format, fragment))
 }
 

@@ -22,9 +22,11 @@ use crate::{
         surfaces::soup::{order, surfaces_of},
         words::name,
     },
-    text::{Formula, Value},
+    text::Value,
     trace::silent,
 };
+
+use super::on_raster::{depth_list, pixel_formula};
 
 use captions::{Input, name_of};
 use variant::Variant;
@@ -36,9 +38,7 @@ type Shown<L> = OnScene<DepthBuffer<L>>;
 
 impl Answer for DepthBufferOutput {
     fn json(&self) -> Json {
-        let depth = |&depth: &f64| depth.is_finite().then_some(depth);
-        let depth: Vec<Option<f64>> = self.depth.iter().map(depth).collect();
-        json!({ "ids": self.picture, "depth": depth })
+        json!({ "ids": self.picture, "depth": depth_list(&self.depth) })
     }
 }
 
@@ -122,10 +122,7 @@ impl<L: Variant> Demo for Shown<L> {
         let tally = state.so_far.tally;
         let format = &step.input.own.format;
         let triangle = state.triangle.map(|(id, _)| name_of(step.input, id));
-        let pixel = views::pixel_of(step).map(|pixel| {
-            let pixel = pixel.map(f64::from);
-            Value::Formula(Formula::decimals().sym("[").list(&pixel).sym("]"))
-        });
+        let pixel = views::pixel_of(step).map(|at| Value::Formula(pixel_formula(at)));
         let count = |n: u64| Some(Value::Count(n as usize));
         let term = |key| Value::Term(key);
         let fragment = state.fragment;

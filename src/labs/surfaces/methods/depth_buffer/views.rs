@@ -9,7 +9,7 @@ use crate::{
         Step,
         space::stage::{FaceLook, Fate, Scenery},
         surfaces::{
-            methods::on_raster::{outline, pixels, sight},
+            methods::on_raster::{outline, pixel_formula, pixels, sight},
             soup::{place_of, surface_link},
         },
     },
@@ -123,7 +123,7 @@ fn raster<L: Variant>(step: &Step<'_, Shown<L>>) -> Raster {
         size: [columns, rows],
         pixels: pixels(&so_far.picture, current, depth),
         current: pixel_of(step).map(|pixel| pixel.map(|x| x as usize)),
-        over: current.map_or_else(Vec::new, |id| outline(&own.surfaces, id, Role::Ink)),
+        over: current.map_or_else(Vec::new, |id| outline(&own.surfaces, id, Role::Accent)),
     }
 }
 
@@ -159,11 +159,9 @@ fn story<L: SurfaceRules + Variant>(
             link: surface_link(scenery.scene(), told.id),
         }
     };
-    let [column, line] = pixel.map(f64::from);
-    let at = Formula::decimals().sym("[").list(&[column, line]).sym("]");
     Table {
         header: vec![
-            at,
+            pixel_formula(pixel),
             Formula::default().sym("z"),
             Formula::default().term("story-stored"),
             Formula::default().term("story-fate"),

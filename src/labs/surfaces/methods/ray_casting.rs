@@ -1,0 +1,393 @@
+//! Ray casting, shown: the ray with its hits in space and on its own axis, every question, the picture so far.
+
+use serde_json::{Value as Json, json};
+
+use crate::{
+    algo::surface::{
+        Meeting, PlaneHit, RayCasting, RayCastingEvent as Event, RayCastingInput, RayCastingOutput,
+        RayCastingState as State, Rays,
+    },
+    figure::{
+        Body, Caption, Cell, LineTick, Mark3, NumberLine, Raster, Role, Shape3, Side, Table,
+        TableRow, Tick, View, Watch, WatchRow, WatchSection,
+    },
+    labs::{
+        Answer, CodeLine, Demo, Step, code_line,
+        space::{
+            OnScene, OnSceneInput, Scene, Subject,
+            demo::SpaceDemo,
+            stage::{FaceLook, Fate, Scenery},
+        },
+        surfaces::soup::{place_of, surface_link, surface_name, surfaces_of},
+        words::name,
+    },
+    text::{Formula, Message, Value},
+};
+
+use super::on_raster::{depth_list, pixel_formula, pixels, sight};
+
+type Input = OnSceneInput<RayCastingInput>;
+type Shown = OnScene<RayCasting>;
+
+const RASTER_VIEW: &str = "raster";
+const ASKED_VIEW: &str = "asked";
+const AXIS_VIEW: &str = "axis";
+/// Of more triangles the table has only those that were hit.
+const MOST_ROWS: usize = 12;
+/// More questions than these are not recorded: one ray is, through the pixel that is looked at.
+const MOST_QUESTIONS: usize = 100_000;
+
+impl Answer for RayCastingOutput {
+    fn json(&self) -> Json {
+        json!({ "ids": self.picture, "depth": depth_list(&self.depth) })
+    }
+}
+
+impl SpaceDemo for Shown {
+    const SUBJECT: Subject = Subject::Surfaces;
+
+    fn input(scene: &Scene) -> Input {
+        let surfaces = surfaces_of(scene);
+        let size = surfaces.size();
+        let is_long = surfaces.n_pixels() * surfaces.triangles().len() > MOST_QUESTIONS;
+        let middle = is_long.then_some(size.map(|side| side / 2));
+        let asked = scene
+            .raster
+            .pixel
+            .filter(|at| (0..2).all(|i| at[i] < size[i]));
+        let pixel = asked.or(middle);
+        OnSceneInput::of(scene, RayCastingInput { surfaces, pixel })
+    }
+}
+
+fn name_of(input: &Input, id: u32) -> Value {
+    let scenery = input.scenery.as_deref();
+    surface_name(scenery.map(|scenery| scenery.scene()), id)
+}
+
+/// `t = −(n·o + d) / (n·r) = 3.012 / 1.025 = 2.94`
+fn quotient(found: &PlaneHit) -> Formula {
+    let formula = Formula::decimals().sym("t = −(n·o + d) / (n·r) = ");
+    let formula = formula
+        .num(-found.numerator)
+        .sym(" / ")
+        .divisor(found.denominator);
+    match found.t {
+        Some(t) => formula.equals(t),
+        None => formula,
+    }
+}
+
+const fn meeting_key(meeting: Meeting) -> &'static str {
+    match meeting {
+        Meeting::Culled => "ray-culled",
+        Meeting::Parallel => "ray-parallel",
+        Meeting::Behind => "ray-behind",
+        Meeting::BeforeNear => "ray-before-near",
+        Meeting::BeyondFar => "ray-beyond-far",
+        Meeting::Beside => "ray-beside",
+        Meeting::Hit => "ray-hit",
+    }
+}
+
+impl Demo for Shown {
+    const ID: &'static str = "ray-casting";
+    const NAME_KEY: &'static str = "alg-ray-casting";
+    const SOURCE: &'static str = "Appel, 1968";
+    const CODE: &'static [CodeLine] = &[
+        code_line(0, "code-ray-pixel", "words-ray-pixel"),
+        code_line(1, "code-ray-triangle", "words-ray-triangle"),
+        code_line(2, "code-ray-plane", "words-ray-plane"),
+        code_line(2, "code-ray-inside", "words-ray-inside"),
+        code_line(1, "code-ray-nearest", "words-ray-nearest"),
+    ];
+
+    fn tick(event: &Event) -> Tick {
+        match event {
+            Event::Pixel { .. } => Tick::Phase,
+            Event::Ask { nearest: true, .. } => Tick::Cut,
+            Event::Ask { .. } => Tick::Test,
+            Event::Seen { hit: Some(_), .. } | Event::Done => Tick::Accept,
+            Event::Seen { hit: None, .. } => Tick::Reject,
+        }
+    }
+
+    fn code_line(event: &Event, _: &State) -> usize {
+        match event {
+            Event::Pixel { .. } => 0,
+            Event::Ask { found, .. } => match found.meeting {
+                Meeting::Culled => 1,
+                Meeting::Parallel | Meeting::Behind | Meeting::BeforeNear | Meeting::BeyondFar => 2,
+                Meeting::Beside | Meeting::Hit => 3,
+            },
+            Event::Seen { .. } | Event::Done => 4,
+        }
+    }
+
+    fn caption(event: &Event, before: &State, input: &Input) -> Caption {
+        match *event {
+            Event::Pixel { pixel, ray } => {
+                let message = Message::new("ray-pixel").with("at", pixel_formula(pixel));
+                let direction = Formula::decimals().sym("r = ").place(ray.direction);
+                Caption::new(message).so(direction)
+            }
+            Event::Ask {
+                id, found, nearest, ..
+            } => {
+                let key = match (found.meeting, before.nearest) {
+                    (Meeting::Hit, None) => "ray-hit-first",
+                    (Meeting::Hit, Some(_)) if nearest => "ray-hit-nearer",
+                    (Meeting::Hit, Some(_)) => "ray-hit-farther",
+                    (other, _) => meeting_said(other),
+                };
+                let message = Message::new(key).with("triangle", name_of(input, id));
+                let message = match before.nearest {
+                    Some(hit) => message
+                        .with("other", name_of(input, hit.id))
+                        .with("t", Formula::decimals().num(hit.t)),
+                    None => message,
+                };
+                let caption = Caption::new(message);
+                match found.meeting {
+                    Meeting::Culled => caption,
+                    _ => caption.so(quotient(&found)),
+                }
+            }
+            Event::Seen { pixel, hit, .. } => {
+                let hits = before.hits.len();
+                let message = match hit {
+                    Some(hit) => Message::new("ray-seen").with("triangle", name_of(input, hit.id)),
+                    None => Message::new("ray-seen-nothing"),
+                };
+                let message = message.with("hits", hits).with("at", pixel_formula(pixel));
+                let caption = Caption::new(message);
+                match hit {
+                    Some(hit) => caption.so(Formula::decimals().sym("t = ").num(hit.t)),
+                    None => caption,
+                }
+            }
+            Event::Done => {
+                let rays = input.own.pixel.map_or(input.own.surfaces.n_pixels(), |_| 1);
+                let triangles = input.own.surfaces.triangles().len();
+                let message = Message::new("ray-done").with("rays", rays);
+                let message = message.with("triangles", triangles);
+                let product = Formula::decimals().num(rays as f64).sym(" · ");
+                let product = product.num(triangles as f64);
+                Caption::new(message).so(product.equals(before.so_far.n_asked as f64))
+            }
+        }
+    }
+
+    fn opening(input: &Input) -> Caption {
+        let [columns, rows] = input.own.surfaces.size().map(|side| side as usize);
+        let message = Message::new("ray-opening")
+            .with("columns", columns)
+            .with("rows", rows)
+            .with("rays", input.own.pixel.map_or(columns * rows, |_| 1))
+            .with("triangles", input.own.surfaces.triangles().len());
+        Caption::new(message)
+    }
+
+    fn views(step: &Step<'_, Self>) -> Vec<View> {
+        let Some(scenery) = step.input.scenery.as_deref() else {
+            return Vec::new();
+        };
+        let scene = scenery.scene();
+        let own = now(step).or(step.state.nearest.map(|hit| hit.id));
+        let place = own.and_then(|id| place_of(scene, id));
+        let look = |object: usize, face: usize| {
+            if place == Some([object, face]) {
+                FaceLook::Own(Role::Accent)
+            } else {
+                FaceLook::Whole
+            }
+        };
+        vec![
+            scenery.observer_with(|_| Fate::ToCome, look, marks(step, scenery)),
+            View::new(RASTER_VIEW, Body::Raster(raster(step, own))),
+            View::new(ASKED_VIEW, Body::Table(asked(step, scenery))),
+            View::new(AXIS_VIEW, Body::NumberLine(axis(step, scenery))),
+        ]
+    }
+
+    fn watch(step: &Step<'_, Self>) -> Watch {
+        let state = step.state;
+        let pixel = state.pixel.map(|(at, _)| Value::Formula(pixel_formula(at)));
+        let direction = state
+            .pixel
+            .map(|(_, ray)| Value::Formula(Formula::decimals().place(ray.direction)));
+        let nearest = state.nearest.map(|hit| name_of(step.input, hit.id));
+        let t = state
+            .nearest
+            .map(|hit| Value::Formula(Formula::decimals().num(hit.t)));
+        let rows = vec![
+            WatchRow::new(Value::Term("watch-pixel"), pixel),
+            WatchRow::new(name("r"), direction),
+            WatchRow::new(
+                Value::Term("watch-hits"),
+                Some(Value::Count(state.hits.len())),
+            ),
+            WatchRow::new(Value::Term("watch-nearest"), nearest),
+            WatchRow::new(name("t"), t),
+            WatchRow::new(
+                Value::Term("watch-asked"),
+                Some(Value::Count(state.so_far.n_asked as usize)),
+            ),
+        ];
+        vec![WatchSection::list(rows)]
+    }
+}
+
+const fn meeting_said(meeting: Meeting) -> &'static str {
+    match meeting {
+        Meeting::Culled => "ray-says-culled",
+        Meeting::Parallel => "ray-says-parallel",
+        Meeting::Behind => "ray-says-behind",
+        Meeting::BeforeNear => "ray-says-before-near",
+        Meeting::BeyondFar => "ray-says-beyond-far",
+        Meeting::Beside => "ray-says-beside",
+        Meeting::Hit => "ray-hit-first",
+    }
+}
+
+/// The triangle that is asked at this step.
+fn now(step: &Step<'_, Shown>) -> Option<u32> {
+    match step.event {
+        Some(Event::Ask { id, .. }) => Some(id),
+        None | Some(Event::Pixel { .. } | Event::Seen { .. } | Event::Done) => None,
+    }
+}
+
+/// The ray as far as it has been followed, and where it meets planes: the nearest hit filled, others hollow.
+fn marks(step: &Step<'_, Shown>, scenery: &Scenery) -> Vec<Mark3> {
+    let Some((pixel, ray)) = step
+        .state
+        .pixel
+        .filter(|_| !step.state.is_done || step.input.own.pixel.is_some())
+    else {
+        return Vec::new();
+    };
+    let (surfaces, camera) = (&step.input.own.surfaces, scenery.scene().camera.camera());
+    let far = Rays::of(surfaces).far();
+    let nearest = step.state.nearest;
+    let mut marks = sight(surfaces, camera, pixel, nearest.map_or(far, |hit| hit.t));
+    let at = |t: f64| camera.world_from_view(ray.at(t));
+    if let Some(hit) = nearest {
+        let beyond = Shape3::Segment([at(hit.t), at(far)]);
+        marks.push(Mark3::new(Role::Signal, beyond).fine().dashed());
+    }
+    let hits = step.state.hits.iter().map(|hit| {
+        let is_nearest = nearest.is_some_and(|nearest| nearest.id == hit.id);
+        let shape = if is_nearest {
+            Shape3::Dot
+        } else {
+            Shape3::Ring
+        };
+        Mark3::new(Role::Signal, shape(at(hit.t)))
+    });
+    marks.extend(hits);
+    if let Some(Event::Ask { found, .. }) = step.event
+        && let (Meeting::Beside, Some(t)) = (found.meeting, found.t)
+    {
+        marks.push(Mark3::new(Role::Soft, Shape3::Ring(at(t))));
+    }
+    marks
+}
+
+fn raster(step: &Step<'_, Shown>, own: Option<u32>) -> Raster {
+    let [columns, rows] = step.input.own.surfaces.size().map(|side| side as usize);
+    let title = Message::new("raster-rays")
+        .with("columns", columns)
+        .with("rows", rows);
+    let current = step.state.pixel.filter(|_| !step.state.is_done);
+    Raster {
+        title: Value::Message(title),
+        size: [columns, rows],
+        pixels: pixels(&step.state.so_far.picture, own, |_| None),
+        current: current.map(|(pixel, _)| pixel.map(|x| x as usize)),
+        over: Vec::new(),
+    }
+}
+
+/// Every triangle, or of many those that were hit: what its plane said.
+fn asked(step: &Step<'_, Shown>, scenery: &Scenery) -> Table {
+    let n = step.input.own.surfaces.triangles().len();
+    let state = step.state;
+    let found_of = |id: u32| state.asked.iter().find(|(asked, _)| *asked == id);
+    let ids: Vec<u32> = if n <= MOST_ROWS {
+        step.input.own.surfaces.ids().collect()
+    } else {
+        state.hits.iter().map(|hit| hit.id).collect()
+    };
+    let nearest = state.nearest.map(|hit| hit.id);
+    let row = |id: u32| {
+        let found = found_of(id).map(|(_, found)| *found);
+        let is_current = now(step) == Some(id);
+        let role = match found.map(|found| found.meeting) {
+            _ if is_current => Role::Signal,
+            Some(Meeting::Hit) => Role::Ink,
+            _ => Role::Soft,
+        };
+        let number = |x: f64| Value::Formula(Formula::decimals().num(x));
+        let met = found.filter(|found| found.meeting != Meeting::Culled);
+        let word = found.map(|found| match found.meeting {
+            Meeting::Hit if nearest == Some(id) => Value::Term("ray-nearest"),
+            other => Value::Term(meeting_key(other)),
+        });
+        let t = met.and_then(|found| found.t).map(number);
+        TableRow {
+            name: name_of(step.input, id),
+            cells: vec![
+                Cell::new(role, met.map(|found| number(-found.numerator))),
+                Cell::new(role, met.map(|found| number(found.denominator))),
+                Cell {
+                    strong: nearest == Some(id),
+                    ..Cell::new(role, t)
+                },
+                Cell::new(role, word),
+            ],
+            is_current,
+            link: surface_link(scenery.scene(), id),
+        }
+    };
+    let title = state
+        .pixel
+        .map_or_else(Formula::default, |(at, _)| pixel_formula(at));
+    Table {
+        header: vec![
+            title,
+            Formula::default().sym("−(n·o + d)"),
+            Formula::default().sym("n·r"),
+            Formula::default().sym("t"),
+            Formula::default().term("story-fate"),
+        ],
+        rows: ids.into_iter().map(row).collect(),
+        notes: Vec::new(),
+    }
+}
+
+/// The ray's own axis: the eye at 0, the raster at 1, what is hit, and as far as the ray is followed.
+fn axis(step: &Step<'_, Shown>, scenery: &Scenery) -> NumberLine {
+    let far = Rays::of(&step.input.own.surfaces).far();
+    let state = step.state;
+    let nearest = state.nearest;
+    let until = nearest.map_or(far, |hit| hit.t);
+    let ticks = state.hits.iter().map(|hit| LineTick {
+        u: hit.t,
+        value: Formula::decimals().num(hit.t),
+        side: Side::Leaving,
+        holds: nearest.is_some_and(|nearest| nearest.id == hit.id),
+        current: now(step) == Some(hit.id),
+        name: name_of(step.input, hit.id),
+        link: surface_link(scenery.scene(), hit.id),
+    });
+    NumberLine {
+        symbol: "t",
+        ends: [Value::Term("ray-eye"), Value::Term("ray-raster")],
+        shown: [0.0, far],
+        interval: [0.0, until],
+        values: [0.0, until].map(|t| Formula::decimals().num(t)),
+        empty: false,
+        ticks: ticks.collect(),
+    }
+}
