@@ -115,6 +115,62 @@ watch-hits = hits
 watch-nearest = nearest
 watch-asked = asked
 
+## Painter's algorithm
+
+alg-painter = Painter’s algorithm
+alg-faulty-painter-nearest = Painter, sorted by the nearest vertex
+alg-faulty-painter-keys = Painter, sorted and nothing else asked
+code-paint-key = for each triangle T: key ← its farthest z
+words-paint-key = The key of a triangle is the distance of its farthest vertex.
+code-paint-sort = sort by key, farthest first
+words-paint-sort = Sort the triangles, the farthest first.
+code-paint-ask = for each P in the list: may P come before all Q that are left?
+words-paint-ask = Take the first that is left, and ask all others whether it may come before them.
+code-paint-object = if P hides part of Q: Q must come before P
+words-paint-object = If it hides part of one, that one must come first and asks in its turn.
+code-paint-cycle = if Q waits for P: cycle
+words-paint-cycle = If that one is waiting itself, there is no order.
+code-paint-place = else P is next
+words-paint-place = If nobody objects, it is the next.
+code-paint-paint = paint all, in that order
+words-paint-paint = Paint them in that order, each over what is there.
+code-faulty-painter-nearest = for each triangle T: key ← its nearest z
+words-faulty-painter-nearest = The key of a triangle is the distance of its nearest vertex.
+code-faulty-painter-keys = for each P in the list: P is next
+words-faulty-painter-keys = Take the list as it is sorted, and ask nobody.
+faulty-painter-nearest-differs = Step { $step } is the first that differs: the key is the nearest vertex, not the farthest.
+faulty-painter-keys-differs = Step { $step } is the first that differs: nobody is asked whether this one may come next.
+painter-opening = { $triangles ->
+    [one] One triangle is
+   *[other] { $triangles } triangles are
+  } to be painted, the farthest first: what is painted later hides what is there.
+painter-key = { $triangle } has the key { $key }. It lies between these distances:
+painter-sort = { $triangle } is number { $place } in the list, farthest first.
+painter-pair-depths = { $triangle } lies deeper than all of { $other }: it may come first.
+painter-pair-screen = { $triangle } and { $other } are apart on the screen: either may come first.
+painter-pair-behind = { $triangle } lies behind the plane of { $other }: it may come first.
+painter-pair-before = { $other } lies before the plane of { $triangle }: { $triangle } may come first.
+painter-pair-overlap = { $triangle } is nowhere nearer than { $other } on the screen: it may come first.
+painter-pair-hides = { $triangle } hides a part of { $other }: it may not come first.
+painter-constraint = { $before } must be painted before { $after }.
+painter-place = Nobody that is left objects to { $triangle }: it is number { $place } of { $triangles }.
+painter-cycle-first = A cycle: { $triangle } is waiting for itself.
+painter-cycle-next = { $before } must be painted before { $triangle }.
+painter-paint = { $triangle } is painted over everything: { $place } of { $triangles }.
+painter-done = Done: { $pairs } pairs of { $triangles } triangles were asked.
+painter-done-cycle = No order exists: each of { $cycle } triangles must come before the next, and the last before the first.
+painter-sorted = sorted
+painter-must = before
+painter-arrow = { $before } → { $after }
+painter-order = order
+painter-cycle = cycle
+watch-pairs = pairs asked
+watch-depth-extents = by depth
+watch-screen-extents = by place on the screen
+watch-behind-plane = by the other’s plane
+watch-before-plane = by its own plane
+watch-overlap = by overlap
+
 ## The raster's form
 
 raster-title = Raster

@@ -115,6 +115,62 @@ watch-hits = impactos
 watch-nearest = más cercano
 watch-asked = preguntas
 
+## Painter's algorithm
+
+alg-painter = Algoritmo del pintor
+alg-faulty-painter-nearest = Pintor, ordenado por el vértice más cercano
+alg-faulty-painter-keys = Pintor, ordenado sin preguntar nada más
+code-paint-key = for each triangle T: key ← its farthest z
+words-paint-key = La clave de un triángulo es la distancia de su vértice más lejano.
+code-paint-sort = sort by key, farthest first
+words-paint-sort = Ordena los triángulos, primero el más lejano.
+code-paint-ask = for each P in the list: may P come before all Q that are left?
+words-paint-ask = Toma el primero que queda y pregunta a los demás si puede ir antes que ellos.
+code-paint-object = if P hides part of Q: Q must come before P
+words-paint-object = Si tapa parte de uno, ese debe ir antes y pregunta a su vez.
+code-paint-cycle = if Q waits for P: cycle
+words-paint-cycle = Si ese ya está esperando, no hay orden.
+code-paint-place = else P is next
+words-paint-place = Si nadie se opone, es el siguiente.
+code-paint-paint = paint all, in that order
+words-paint-paint = Píntalos en ese orden, cada uno sobre lo que hay.
+code-faulty-painter-nearest = for each triangle T: key ← its nearest z
+words-faulty-painter-nearest = La clave de un triángulo es la distancia de su vértice más cercano.
+code-faulty-painter-keys = for each P in the list: P is next
+words-faulty-painter-keys = Toma la lista tal como está ordenada, sin preguntar.
+faulty-painter-nearest-differs = El paso { $step } es el primero que difiere: la clave es el vértice más cercano, no el más lejano.
+faulty-painter-keys-differs = El paso { $step } es el primero que difiere: a nadie se le pregunta si este puede ser el siguiente.
+painter-opening = { $triangles ->
+    [one] Hay un triángulo
+   *[other] Hay { $triangles } triángulos
+  } por pintar, primero el más lejano: lo que se pinta después tapa lo que hay.
+painter-key = { $triangle } tiene la clave { $key }. Está entre estas distancias:
+painter-sort = { $triangle } es el número { $place } de la lista, primero el más lejano.
+painter-pair-depths = { $triangle } está más hondo que todo { $other }: puede ir antes.
+painter-pair-screen = { $triangle } y { $other } están separados en la pantalla: cualquiera puede ir antes.
+painter-pair-behind = { $triangle } está detrás del plano de { $other }: puede ir antes.
+painter-pair-before = { $other } está delante del plano de { $triangle }: { $triangle } puede ir antes.
+painter-pair-overlap = { $triangle } no está en ningún punto de la pantalla más cerca que { $other }: puede ir antes.
+painter-pair-hides = { $triangle } tapa una parte de { $other }: no puede ir antes.
+painter-constraint = { $before } debe pintarse antes que { $after }.
+painter-place = Nadie de los que quedan se opone a { $triangle }: es el número { $place } de { $triangles }.
+painter-cycle-first = Un ciclo: { $triangle } se espera a sí mismo.
+painter-cycle-next = { $before } debe pintarse antes que { $triangle }.
+painter-paint = { $triangle } se pinta sobre todo: { $place } de { $triangles }.
+painter-done = Terminado: se preguntó por { $pairs } pares de { $triangles } triángulos.
+painter-done-cycle = No existe ningún orden: cada uno de { $cycle } triángulos debe ir antes que el siguiente, y el último antes que el primero.
+painter-sorted = ordenados
+painter-must = antes
+painter-arrow = { $before } → { $after }
+painter-order = orden
+painter-cycle = ciclo
+watch-pairs = pares preguntados
+watch-depth-extents = por profundidad
+watch-screen-extents = por lugar en pantalla
+watch-behind-plane = por el plano del otro
+watch-before-plane = por su propio plano
+watch-overlap = por solapamiento
+
 ## The raster's form
 
 raster-title = Ráster

@@ -115,6 +115,62 @@ watch-hits = atingidos
 watch-nearest = mais próximo
 watch-asked = perguntas
 
+## Painter's algorithm
+
+alg-painter = Algoritmo do pintor
+alg-faulty-painter-nearest = Pintor, ordenado pelo vértice mais próximo
+alg-faulty-painter-keys = Pintor, ordenado sem perguntar mais nada
+code-paint-key = for each triangle T: key ← its farthest z
+words-paint-key = A chave de um triângulo é a distância do seu vértice mais distante.
+code-paint-sort = sort by key, farthest first
+words-paint-sort = Ordene os triângulos, primeiro o mais distante.
+code-paint-ask = for each P in the list: may P come before all Q that are left?
+words-paint-ask = Pegue o primeiro que resta e pergunte aos demais se ele pode vir antes deles.
+code-paint-object = if P hides part of Q: Q must come before P
+words-paint-object = Se ele esconde parte de um, esse deve vir antes e pergunta por sua vez.
+code-paint-cycle = if Q waits for P: cycle
+words-paint-cycle = Se esse já está esperando, não há ordem.
+code-paint-place = else P is next
+words-paint-place = Se ninguém se opõe, ele é o próximo.
+code-paint-paint = paint all, in that order
+words-paint-paint = Pinte-os nessa ordem, cada um sobre o que já está lá.
+code-faulty-painter-nearest = for each triangle T: key ← its nearest z
+words-faulty-painter-nearest = A chave de um triângulo é a distância do seu vértice mais próximo.
+code-faulty-painter-keys = for each P in the list: P is next
+words-faulty-painter-keys = Pegue a lista como está ordenada, sem perguntar.
+faulty-painter-nearest-differs = O passo { $step } é o primeiro que difere: a chave é o vértice mais próximo, não o mais distante.
+faulty-painter-keys-differs = O passo { $step } é o primeiro que difere: não se pergunta a ninguém se este pode ser o próximo.
+painter-opening = { $triangles ->
+    [one] Há um triângulo
+   *[other] Há { $triangles } triângulos
+  } para pintar, primeiro o mais distante: o que se pinta depois esconde o que está lá.
+painter-key = { $triangle } tem a chave { $key }. Fica entre estas distâncias:
+painter-sort = { $triangle } é o número { $place } da lista, primeiro o mais distante.
+painter-pair-depths = { $triangle } está mais fundo que todo o { $other }: pode vir antes.
+painter-pair-screen = { $triangle } e { $other } estão separados na tela: qualquer um pode vir antes.
+painter-pair-behind = { $triangle } está atrás do plano de { $other }: pode vir antes.
+painter-pair-before = { $other } está na frente do plano de { $triangle }: { $triangle } pode vir antes.
+painter-pair-overlap = Em nenhum ponto da tela { $triangle } está mais próximo que { $other }: pode vir antes.
+painter-pair-hides = { $triangle } esconde uma parte de { $other }: não pode vir antes.
+painter-constraint = { $before } deve ser pintado antes de { $after }.
+painter-place = Nenhum dos que restam se opõe a { $triangle }: ele é o número { $place } de { $triangles }.
+painter-cycle-first = Um ciclo: { $triangle } espera por si mesmo.
+painter-cycle-next = { $before } deve ser pintado antes de { $triangle }.
+painter-paint = { $triangle } é pintado sobre tudo: { $place } de { $triangles }.
+painter-done = Pronto: perguntou-se por { $pairs } pares de { $triangles } triângulos.
+painter-done-cycle = Não existe ordem: cada um de { $cycle } triângulos deve vir antes do seguinte, e o último antes do primeiro.
+painter-sorted = ordenados
+painter-must = antes
+painter-arrow = { $before } → { $after }
+painter-order = ordem
+painter-cycle = ciclo
+watch-pairs = pares perguntados
+watch-depth-extents = pela profundidade
+watch-screen-extents = pelo lugar na tela
+watch-behind-plane = pelo plano do outro
+watch-before-plane = pelo próprio plano
+watch-overlap = pela sobreposição
+
 ## The raster's form
 
 raster-title = Raster

@@ -103,6 +103,59 @@ watch-hits = 命中数
 watch-nearest = 最近
 watch-asked = 询问次数
 
+## Painter's algorithm
+
+alg-painter = 画家算法
+alg-faulty-painter-nearest = 画家算法，按最近顶点排序
+alg-faulty-painter-keys = 画家算法，只排序不询问
+code-paint-key = for each triangle T: key ← its farthest z
+words-paint-key = 三角形的键是其最远顶点的距离。
+code-paint-sort = sort by key, farthest first
+words-paint-sort = 排序，最远的在前。
+code-paint-ask = for each P in the list: may P come before all Q that are left?
+words-paint-ask = 取剩下的第一个，询问其余各个：它可以先画吗？
+code-paint-object = if P hides part of Q: Q must come before P
+words-paint-object = 若它遮住某个的一部分，那一个必须先画，轮到它询问。
+code-paint-cycle = if Q waits for P: cycle
+words-paint-cycle = 若那一个自己也在等待，就没有次序。
+code-paint-place = else P is next
+words-paint-place = 若无人反对，下一个就是它。
+code-paint-paint = paint all, in that order
+words-paint-paint = 按此次序绘制，后画的盖住先画的。
+code-faulty-painter-nearest = for each triangle T: key ← its nearest z
+words-faulty-painter-nearest = 三角形的键取其最近顶点的距离。
+code-faulty-painter-keys = for each P in the list: P is next
+words-faulty-painter-keys = 照排好的次序取，不作询问。
+faulty-painter-nearest-differs = 第 { $step } 步最先不同：键取了最近的顶点，而不是最远的。
+faulty-painter-keys-differs = 第 { $step } 步最先不同：没有询问它是否可以接着画。
+painter-opening = 要画 { $triangles } 个三角形，最远的先画：后画的遮住先画的。
+painter-key = { $triangle } 的键是 { $key }。它位于这两个距离之间：
+painter-sort = { $triangle } 在表中排第 { $place }，最远的在前。
+painter-pair-depths = { $triangle } 比整个 { $other } 都深：可以先画。
+painter-pair-screen = { $triangle } 与 { $other } 在屏幕上分开：谁先画都可以。
+painter-pair-behind = { $triangle } 在 { $other } 的平面之后：可以先画。
+painter-pair-before = { $other } 在 { $triangle } 的平面之前：{ $triangle } 可以先画。
+painter-pair-overlap = 在屏幕上 { $triangle } 处处不比 { $other } 近：可以先画。
+painter-pair-hides = { $triangle } 遮住 { $other } 的一部分：不能先画。
+painter-constraint = { $before } 必须先于 { $after } 绘制。
+painter-place = 剩下的都不反对 { $triangle }：它是第 { $place } 个，共 { $triangles } 个。
+painter-cycle-first = 出现循环：{ $triangle } 在等它自己。
+painter-cycle-next = { $before } 必须先于 { $triangle } 绘制。
+painter-paint = { $triangle } 画在最上面：第 { $place } 个，共 { $triangles } 个。
+painter-done = 完成：{ $triangles } 个三角形，询问了 { $pairs } 对。
+painter-done-cycle = 不存在次序：{ $cycle } 个三角形中每个都必须先于下一个，最后一个又先于第一个。
+painter-sorted = 排序
+painter-must = 先于
+painter-arrow = { $before } → { $after }
+painter-order = 次序
+painter-cycle = 循环
+watch-pairs = 询问的对数
+watch-depth-extents = 由深度
+watch-screen-extents = 由屏幕位置
+watch-behind-plane = 由对方的平面
+watch-before-plane = 由自己的平面
+watch-overlap = 由重叠
+
 ## The raster's form
 
 raster-title = 光栅

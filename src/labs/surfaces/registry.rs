@@ -5,8 +5,10 @@ use std::sync::Arc;
 
 use crate::{
     algo::surface::{
-        DepthBuffer, RayCasting,
-        faulty::{ClearsToNear, StraightDistance, TurnsComparison, WritesAlways},
+        DepthBuffer, Painter, RayCasting,
+        faulty::{
+            ClearsToNear, KeysOnly, NearestKeys, StraightDistance, TurnsComparison, WritesAlways,
+        },
     },
     geom::{Mesh, Orbit},
     labs::{
@@ -45,13 +47,16 @@ const fn info<A: SpaceDemo>() -> MethodInfo<Scene> {
 }
 
 /// Every method, in the order in which they are taught; the mistakes last.
-pub static METHODS: [MethodInfo<Scene>; 6] = [
+pub static METHODS: [MethodInfo<Scene>; 9] = [
     info::<OnScene<DepthBuffer>>(),
     info::<OnScene<RayCasting>>(),
+    info::<OnScene<Painter>>(),
     info::<OnScene<DepthBuffer<ClearsToNear>>>(),
     info::<OnScene<DepthBuffer<TurnsComparison>>>(),
     info::<OnScene<DepthBuffer<WritesAlways>>>(),
     info::<OnScene<DepthBuffer<StraightDistance>>>(),
+    info::<OnScene<Painter<NearestKeys>>>(),
+    info::<OnScene<Painter<KeysOnly>>>(),
 ];
 
 /// What the lab opens on where there is no lesson: two triangles, one through the other.

@@ -2,4 +2,5 @@
 
 mod depth_buffer;
 mod on_raster;
+mod painter;
 mod ray_casting;

@@ -1,0 +1,77 @@
+//! What tells painter's algorithm from itself with a mistake: its names and its pseudocode.
+
+use crate::{
+    algo::{
+        ring::Right,
+        surface::{
+            SurfaceRules,
+            faulty::{KeysOnly, NearestKeys},
+        },
+    },
+    labs::{CodeLine, code_line},
+};
+
+pub const KEY: usize = 0;
+pub const SORT: usize = 1;
+pub const ASK: usize = 2;
+pub const OBJECT: usize = 3;
+pub const CYCLE: usize = 4;
+pub const PLACE: usize = 5;
+pub const PAINT: usize = 6;
+
+/// The pseudocode of any variant.
+type Pseudocode = [CodeLine; PAINT + 1];
+
+const RIGHT: Pseudocode = [
+    code_line(0, "code-paint-key", "words-paint-key"),
+    code_line(0, "code-paint-sort", "words-paint-sort"),
+    code_line(0, "code-paint-ask", "words-paint-ask"),
+    code_line(1, "code-paint-object", "words-paint-object"),
+    code_line(1, "code-paint-cycle", "words-paint-cycle"),
+    code_line(1, "code-paint-place", "words-paint-place"),
+    code_line(0, "code-paint-paint", "words-paint-paint"),
+];
+
+const fn but_for(line: usize, wrong: CodeLine) -> Pseudocode {
+    let mut lines = RIGHT;
+    lines[line] = wrong;
+    lines
+}
+
+/// Painter's algorithm by some rules.
+pub trait Variant: SurfaceRules {
+    const ID: &'static str;
+    const NAME_KEY: &'static str;
+    const CODE: &'static [CodeLine];
+    const DIFFERS_KEY: Option<&'static str> = None;
+}
+
+impl Variant for Right {
+    const ID: &'static str = "painter";
+    const NAME_KEY: &'static str = "alg-painter";
+    const CODE: &'static [CodeLine] = &RIGHT;
+}
+
+impl Variant for NearestKeys {
+    const ID: &'static str = "faulty-painter-nearest";
+    const NAME_KEY: &'static str = "alg-faulty-painter-nearest";
+    const CODE: &'static [CodeLine] = &but_for(
+        KEY,
+        code_line(
+            0,
+            "code-faulty-painter-nearest",
+            "words-faulty-painter-nearest",
+        ),
+    );
+    const DIFFERS_KEY: Option<&'static str> = Some("faulty-painter-nearest-differs");
+}
+
+impl Variant for KeysOnly {
+    const ID: &'static str = "faulty-painter-keys";
+    const NAME_KEY: &'static str = "alg-faulty-painter-keys";
+    const CODE: &'static [CodeLine] = &but_for(
+        ASK,
+        code_line(0, "code-faulty-painter-keys", "words-faulty-painter-keys"),
+    );
+    const DIFFERS_KEY: Option<&'static str> = Some("faulty-painter-keys-differs");
+}

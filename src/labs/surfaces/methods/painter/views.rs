@@ -1,0 +1,197 @@
+//! The scene, the picture so far, and three lists: the sorted one, what must come before what, the order.
+
+use crate::{
+    algo::surface::{PainterEvent as Event, Picture},
+    figure::{Body, ItemMarker, Link, ListColumn, ListRow, Lists, Raster, Role, View},
+    labs::{
+        Step,
+        space::{
+            Scene,
+            stage::{FaceLook, Fate},
+        },
+        surfaces::{
+            methods::on_raster::{outline, pixels},
+            soup::{place_of, surface_link},
+        },
+    },
+    text::{Formula, Message, Value},
+};
+
+use super::{Shown, captions::name_of, variant::Variant};
+
+const RASTER_VIEW: &str = "raster";
+const LISTS_VIEW: &str = "lists";
+
+/// The triangle that the step is about.
+fn own<L: Variant>(step: &Step<'_, Shown<L>>) -> Option<u32> {
+    match step.event? {
+        Event::Key { id, .. }
+        | Event::Sort { id }
+        | Event::Pair { id, .. }
+        | Event::Place { id }
+        | Event::Cycle { id }
+        | Event::Paint { id } => Some(id),
+        Event::Constraint { before, .. } => Some(before),
+        Event::Done => None,
+    }
+}
+
+/// The one that is asked beside it.
+fn other<L: Variant>(step: &Step<'_, Shown<L>>) -> Option<u32> {
+    match step.event? {
+        Event::Pair { other, .. } => Some(other),
+        Event::Constraint { after, .. } => Some(after),
+        Event::Key { .. }
+        | Event::Sort { .. }
+        | Event::Place { .. }
+        | Event::Cycle { .. }
+        | Event::Paint { .. }
+        | Event::Done => None,
+    }
+}
+
+pub fn views<L: Variant>(step: &Step<'_, Shown<L>>) -> Vec<View> {
+    let Some(scenery) = step.input.scenery.as_deref() else {
+        return Vec::new();
+    };
+    let scene = scenery.scene();
+    let [own, other] = [own(step), other(step)].map(|id| id.and_then(|id| place_of(scene, id)));
+    let look = |object: usize, face: usize| {
+        let here = Some([object, face]);
+        if here == own {
+            FaceLook::Own(Role::Accent)
+        } else if here == other {
+            FaceLook::Own(Role::Signal)
+        } else {
+            FaceLook::Whole
+        }
+    };
+    vec![
+        scenery.observer_with(|_| Fate::ToCome, look, Vec::new()),
+        View::new(RASTER_VIEW, Body::Raster(raster(step))),
+        View::new(LISTS_VIEW, Body::Lists(lists(step, scene))),
+    ]
+}
+
+fn raster<L: Variant>(step: &Step<'_, Shown<L>>) -> Raster {
+    let surfaces = &step.input.own;
+    let [columns, rows] = surfaces.size().map(|side| side as usize);
+    let title = Message::new("raster-rays")
+        .with("columns", columns)
+        .with("rows", rows);
+    let (own, other) = (own(step), other(step));
+    // Before anything is painted, outlines say where everything will be.
+    let is_empty = step
+        .state
+        .picture
+        .ids()
+        .iter()
+        .all(|&id| id == Picture::BACKGROUND);
+    let waiting = surfaces.ids().filter(|_| is_empty && !step.state.is_done);
+    let mut over: Vec<_> = waiting
+        .filter(|id| Some(*id) != own && Some(*id) != other)
+        .flat_map(|id| outline(surfaces, id, Role::Soft))
+        .collect();
+    over.extend(
+        other
+            .into_iter()
+            .flat_map(|id| outline(surfaces, id, Role::Signal)),
+    );
+    over.extend(
+        own.into_iter()
+            .flat_map(|id| outline(surfaces, id, Role::Accent)),
+    );
+    Raster {
+        title: Value::Message(title),
+        size: [columns, rows],
+        pixels: pixels(&step.state.picture, own, |_| None),
+        current: None,
+        over,
+    }
+}
+
+fn lists<L: Variant>(step: &Step<'_, Shown<L>>, scene: &Scene) -> Lists {
+    let state = step.state;
+    let (own, other) = (own(step), other(step));
+    let link = |id: u32| -> Option<Link> { surface_link(scene, id) };
+    let role_of = |id: u32| {
+        if own == Some(id) || other == Some(id) {
+            Role::Signal
+        } else if state.placed.contains(&id) {
+            Role::Accepted
+        } else {
+            Role::Ink
+        }
+    };
+    let row = |id: u32, detail: Option<Value>| ListRow {
+        details: vec![detail],
+        role: role_of(id),
+        link: link(id),
+        ..ListRow::new(name_of(step.input, id))
+    };
+    let of_keys = if state.sorted.is_empty() {
+        state.keys.iter().map(|(id, ..)| *id).collect()
+    } else {
+        state.sorted.clone()
+    };
+    let range = |id: u32| {
+        let known = state.keys.iter().find(|(of, ..)| *of == id);
+        let [near, far] = known?.2;
+        Some(Value::Formula(
+            Formula::decimals().num(far).sym(" … ").num(near),
+        ))
+    };
+    let focus = |ids: &[u32]| ids.iter().position(|&id| own == Some(id));
+    let column = |title, ids: &[u32], detail: &dyn Fn(u32) -> Option<Value>| {
+        let at = focus(ids);
+        let reach = ListColumn::reach(ids.len(), at);
+        let (first, last) = (reach.start, reach.end);
+        let entries = ids[reach].iter().map(|&id| row(id, detail(id))).collect();
+        ListColumn {
+            n_before: first,
+            n_after: ids.len() - last,
+            focus: at.map(|at| at - first),
+            ..ListColumn::new(Value::Term(title), entries)
+        }
+    };
+    let sorted = ListColumn {
+        columns: vec![Value::Name("z".to_owned())],
+        ..column("painter-sorted", &of_keys, &range)
+    };
+    let first = state.constraints.len().saturating_sub(12);
+    let constraint = |&[before, after]: &[u32; 2]| {
+        let pair = [before, after].map(|id| name_of(step.input, id));
+        let message = Message::new("painter-arrow").with("before", pair[0].clone());
+        let in_cycle = state.cycle.contains(&before) && state.cycle.contains(&after);
+        ListRow {
+            role: if in_cycle || own == Some(before) && other == Some(after) {
+                Role::Signal
+            } else {
+                Role::Ink
+            },
+            link: link(before),
+            ..ListRow::new(Value::Message(message.with("after", pair[1].clone())))
+        }
+    };
+    let constraints = state.constraints[first..].iter().map(constraint).collect();
+    let must = ListColumn {
+        n_before: first,
+        ..ListColumn::new(Value::Term("painter-must"), constraints)
+    };
+    let last = if state.cycle.is_empty() {
+        column("painter-order", &state.placed, &|_| None)
+    } else {
+        let mut cycle = column("painter-cycle", &state.cycle, &|_| None);
+        cycle.is_ring = true;
+        for entry in &mut cycle.entries {
+            entry.role = Role::Signal;
+            entry.marker = Some(ItemMarker::Dot);
+        }
+        cycle
+    };
+    Lists {
+        lists: vec![sorted, must, last],
+        links: Vec::new(),
+        legend: Vec::new(),
+    }
+}
