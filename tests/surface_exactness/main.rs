@@ -1,5 +1,6 @@
 //! Which surface is in front: every algorithm against exact arithmetic of another kind, and against each other.
 
+mod bsp;
 mod depth_buffer;
 mod oracle;
 mod painter;

@@ -9,6 +9,8 @@
 //! clipper, the same snapping and the same walk over a triangle's rows.
 
 mod assembly;
+mod bsp;
+mod bsp_tree;
 mod coverage;
 mod depth_buffer;
 mod depth_buffer_input;
@@ -30,6 +32,8 @@ mod surfaces;
 mod viewport;
 
 pub use assembly::{Cull, MeshRef, assemble};
+pub use bsp::{Bsp, BspChoice, BspEvent, BspInput, BspOutput, BspState, BspTooLarge};
+pub use bsp_tree::{BspNode, BspPiece, BspSide};
 pub use depth_buffer::{DepthBuffer, DepthBufferEvent, DepthBufferOutput, DepthBufferState};
 pub use depth_buffer_input::{DepthBufferInput, DepthSteps};
 pub use depth_drawing::{Fragment, FragmentTally, pixel_story};

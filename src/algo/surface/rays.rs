@@ -171,4 +171,30 @@ impl Rays {
         let numbers = [depth.at, depth.by_column, depth.by_row];
         numbers.iter().all(|x| x.is_finite()).then_some(depth)
     }
+
+    /// On which side of another plane the points of a plane lie that are seen at each pixel: positive where that one's normal points.
+    pub(super) fn side_of_plane(
+        &self,
+        (n, d): ([f64; 3], f64),
+        (other, other_d): ([f64; 3], f64),
+    ) -> Linear<f64> {
+        let first = self.through([0, 0]);
+        let [half_x, half_y] = self.volume.half_size();
+        // What the plane's own equation is subtracted, so often that what is unknown of the point falls out: its t, or its z.
+        match self.volume.sight() {
+            Sight::Perspective => {
+                let times = other_d / d;
+                let rest = std::array::from_fn(|i| other[i] - times * n[i]);
+                let near = self.volume.near();
+                self.over_pixels(rest, first.direction, [half_x * near, half_y * near])
+            }
+            Sight::Parallel => {
+                let times = other[2] / n[2];
+                let rest = [other[0] - times * n[0], other[1] - times * n[1], 0.0];
+                let mut side = self.over_pixels(rest, first.origin, [half_x, half_y]);
+                side.at += other_d - times * d;
+                side
+            }
+        }
+    }
 }
