@@ -75,6 +75,7 @@ pub fn ask(
     let click = Click {
         place: lens.world_from_drawing(place, [0.0; 3]),
         inserts: click.is_double || click.has_ctrl,
+        picture: shown.picture,
         ..click_at(&shown.viewport, lens, locks, (click.at, shown.pointed))
     };
     let document = model.scene.document();
@@ -108,6 +109,7 @@ pub fn click_at<'a>(
         place: at,
         reach: CLICK_REACH / viewport.scale,
         inserts: false,
+        picture: None,
         link,
         locks,
     }

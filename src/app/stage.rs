@@ -8,14 +8,14 @@ use egui::{
 };
 
 use crate::{
-    figure::{Caption, ColumnLayout, Frame, Layout, Lens, Mark, Role, Seer, Sheet, ViewId},
+    figure::{Body, Caption, ColumnLayout, Frame, Layout, Lens, Mark, Role, Seer, Sheet, ViewId},
     labs::{Edit, Handle, Lock, MethodCard, Sketch},
     paint::{Typeset, Viewport},
     panels::{Reach, spots},
     text::Message,
     widgets::{
         Canvas, CanvasShown, Spot, StepWords, TEXT_PTS, beside_the_drawing, caption_text, covered,
-        gripped, headline, link_at, projected, rect_of, slot_of, title_of_space,
+        gripped, headline, link_at, picture_viewport, projected, rect_of, slot_of, title_of_space,
     },
 };
 
@@ -199,7 +199,25 @@ impl Column<'_> {
         state.pointed_on_stage = state.pointed_on_stage.or(pointed);
         // A click in an inset is a click on what is seen there.
         shown.pointed = shown.pointed.or(pointed);
+        shown.picture = self.on_picture(ui, frame);
         shown
+    }
+
+    /// Where in the picture of the scene's camera the pointer is, if that stands on the drawing.
+    fn on_picture(&self, ui: &Ui, frame: &Frame) -> Option<[f64; 2]> {
+        let pointer = ui.input(|input| input.pointer.interact_pos())?;
+        frame.views.iter().skip(1).find_map(|view| {
+            let Body::Space(space) = &view.body else {
+                return None;
+            };
+            let Seer::Camera(_) = space.seer else {
+                return None;
+            };
+            let rect = rect_of(self.places.slot(view.id)?);
+            let seen = picture_viewport(rect, &space.seer.into()).rect;
+            let at = (pointer - seen.center()) / (0.5 * seen.size());
+            seen.contains(pointer).then(|| [at.x, -at.y].map(f64::from))
+        })
     }
 
     fn spots(

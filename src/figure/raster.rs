@@ -61,6 +61,9 @@ impl Pixel {
 }
 
 impl Raster {
+    /// Each pixel is about the one with its number under this name, row by row.
+    pub const LINK: &'static str = "raster-pixel";
+
     /// The pixel in this column and row.
     #[must_use]
     pub fn at(&self, [column, row]: [usize; 2]) -> Option<&Pixel> {

@@ -206,6 +206,8 @@ pub struct Click<'a> {
     pub reach: f64,
     /// The second of two, or with Ctrl held: puts something in.
     pub inserts: bool,
+    /// Where in a camera's picture it is, if in one: x and y from −1 to 1, y up.
+    pub picture: Option<[f64; 2]>,
     /// What is there is about this: the nearest mark, or the face of a solid.
     pub link: Option<Link>,
     /// What the open lesson step locks.

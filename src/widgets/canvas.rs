@@ -92,6 +92,8 @@ pub struct CanvasShown {
     pub clicked: Option<StageClick>,
     /// What the pointer is on.
     pub pointed: Option<Link>,
+    /// Where in a camera's picture that stands on the stage: x and y from −1 to 1, y up.
+    pub picture: Option<[f64; 2]>,
     /// The handle that has the keyboard's focus, by its index.
     pub focused: Option<usize>,
     /// Of the whole surface.
@@ -174,6 +176,7 @@ impl Canvas<'_> {
                 indices.find(|&i| handles.id_of(i) == id)
             }),
             response,
+            picture: None,
         }
     }
 

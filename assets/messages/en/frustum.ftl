@@ -253,3 +253,23 @@ culling-axis-millis = Milliseconds
 culling-best-always = Fastest at every number measured: { $way }.
 culling-best-changes = Fastest at first: { $first }. From { $many } objects on: { $last } (at { $few } not yet).
 culling-note = The fastest of five passes, at 320 × 200 pixels; spheres are asked many at once. Times belong to this machine and this moment: exported figures show counts.
+
+## A pixel of the camera's picture
+
+pixel-seen = Pixel { $at } shows face { $face } of object { $object }: { $count ->
+    [one] the only one there, at this depth.
+   *[other] the nearest of { $count } there. Its depth, and the next one’s:
+  }
+pixel-empty = No face covers pixel { $at }.
+pixel-other = { $count ->
+    [one] One pixel
+   *[other] { $count } pixels
+  } { $direction } face { $face } of object { $object } is seen.
+pixel-other-nothing = { $count ->
+    [one] One pixel
+   *[other] { $count } pixels
+  } { $direction } nothing is seen.
+pixel-right = to the right
+pixel-left = to the left
+pixel-down = down
+pixel-up = up

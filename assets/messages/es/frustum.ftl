@@ -253,3 +253,23 @@ culling-axis-millis = Milisegundos
 culling-best-always = Lo más rápido en todas las cantidades medidas: { $way }.
 culling-best-changes = Lo más rápido al principio: { $first }. A partir de { $many } objetos: { $last } (con { $few } todavía no).
 culling-note = La más rápida de cinco pasadas, a 320 × 200 píxeles; las esferas se consultan muchas a la vez. Los tiempos son de esta máquina y de este momento: las figuras exportadas muestran recuentos.
+
+## A pixel of the camera's picture
+
+pixel-seen = El píxel { $at } muestra la cara { $face } del objeto { $object }: { $count ->
+    [one] la única que hay allí, a esta profundidad.
+   *[other] la más cercana de { $count }. Su profundidad y la de la siguiente:
+  }
+pixel-empty = Ninguna cara cubre el píxel { $at }.
+pixel-other = { $count ->
+    [one] Un píxel
+   *[other] { $count } píxeles
+  } { $direction } se ve la cara { $face } del objeto { $object }.
+pixel-other-nothing = { $count ->
+    [one] Un píxel
+   *[other] { $count } píxeles
+  } { $direction } no se ve nada.
+pixel-right = a la derecha
+pixel-left = a la izquierda
+pixel-down = hacia abajo
+pixel-up = hacia arriba

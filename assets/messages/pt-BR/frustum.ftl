@@ -253,3 +253,23 @@ culling-axis-millis = Milissegundos
 culling-best-always = O mais rápido em todas as quantidades medidas: { $way }.
 culling-best-changes = O mais rápido no início: { $first }. A partir de { $many } objetos: { $last } (com { $few } ainda não).
 culling-note = A mais rápida de cinco passagens, em 320 × 200 pixels; as esferas são testadas muitas de uma vez. Os tempos são desta máquina e deste momento: as figuras exportadas mostram contagens.
+
+## A pixel of the camera's picture
+
+pixel-seen = O pixel { $at } mostra a face { $face } do objeto { $object }: { $count ->
+    [one] a única que há ali, a esta profundidade.
+   *[other] a mais próxima de { $count }. Sua profundidade e a da seguinte:
+  }
+pixel-empty = Nenhuma face cobre o pixel { $at }.
+pixel-other = { $count ->
+    [one] Um pixel
+   *[other] { $count } pixels
+  } { $direction } vê-se a face { $face } do objeto { $object }.
+pixel-other-nothing = { $count ->
+    [one] Um pixel
+   *[other] { $count } pixels
+  } { $direction } não se vê nada.
+pixel-right = à direita
+pixel-left = à esquerda
+pixel-down = para baixo
+pixel-up = para cima

@@ -249,3 +249,17 @@ culling-axis-millis = 毫秒
 culling-best-always = 在测过的所有数目下最快的都是：{ $way }。
 culling-best-changes = 起初最快：{ $first }。从 { $many } 个物体起：{ $last }（{ $few } 个时还不是）。
 culling-note = 取五遍中最快的一遍，画面为 320 × 200 像素；包围球成批询问。时间只属于这台机器和这一刻：导出的图只显示计数。
+
+## A pixel of the camera's picture
+
+pixel-seen = 像素 { $at } 显示物体 { $object } 的面 { $face }：{ $count ->
+    [one] 该处只有它，其深度为
+   *[other] 该处 { $count } 个面中它最近。它与下一个的深度：
+  }
+pixel-empty = 没有面覆盖像素 { $at }。
+pixel-other = { $direction } { $count } 个像素，看到的是物体 { $object } 的面 { $face }。
+pixel-other-nothing = { $direction } { $count } 个像素，什么也看不到。
+pixel-right = 向右
+pixel-left = 向左
+pixel-down = 向下
+pixel-up = 向上

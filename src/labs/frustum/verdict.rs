@@ -10,7 +10,7 @@ use crate::{
     },
     figure::{Caption, Link, Moment, Run},
     geom::VolumeSide,
-    labs::Verdict,
+    labs::{Verdict, space::pixel_verdict},
     text::{Message, Value},
 };
 
@@ -21,6 +21,9 @@ use super::{
 
 /// The verdict on the object that is asked about, or on the face of the object in focus.
 pub fn verdict(scene: &Scene, about: Link, run: &dyn Run) -> Option<Verdict> {
+    if let Some(pixel) = pixel_verdict(scene, about) {
+        return Some(pixel);
+    }
     let mut faces = 0..scene.focused().model().mesh().faces().len();
     match faces.find(|&i| about == face_link(i)) {
         Some(face_idx) => face_verdict(scene, face_idx, run),

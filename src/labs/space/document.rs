@@ -3,14 +3,15 @@
 use std::sync::Arc;
 
 use crate::{
-    figure::{Link, Mark, Run},
+    figure::{Link, Mark, Raster, Run},
     labs::{Click, Document, Handle, Lab, MethodCard, Own, Verdict},
     text::{Diagnostic, Value},
 };
 
 use super::{
-    Method, Scene, SpaceChange, Subject,
+    Method, RasterPlan, Scene, SpaceChange, Subject,
     change::beside,
+    pixel::pixel_link,
     stage::{face_link, object_link, vertex_link},
 };
 
@@ -46,6 +47,16 @@ impl Scene {
             }
             _ => Value::Count(object_idx + 1),
         }
+    }
+
+    /// The raster with this pixel looked at, or none any more where it is already.
+    fn looking_at(&self, place: usize) -> RasterPlan {
+        let [columns, _] = self.raster.size(self.camera.aspect());
+        let place = place as u32;
+        let pixel = Some([place % columns, place / columns]);
+        let mut plan = self.raster;
+        plan.pixel = pixel.filter(|_| self.raster.pixel != pixel);
+        plan
     }
 
     /// Do objects stand in the picture?
@@ -86,6 +97,11 @@ impl Document for Scene {
         self.on_stage().map(record).collect()
     }
 
+    /// In the camera's picture, about the pixel; elsewhere about what is there.
+    fn asked(&self, click: &Click<'_>) -> Option<Link> {
+        click.picture.map(|at| pixel_link(self, at)).or(click.link)
+    }
+
     fn verdict(&self, about: Link, run: &dyn Run) -> Option<Verdict> {
         (self.method.info().verdict)(self, about, run)
     }
@@ -124,6 +140,10 @@ impl Document for Scene {
 
     fn click(&self, click: &Click<'_>) -> Option<Own> {
         let clicked = click.link?;
+        let on_raster = clicked.number_of(Raster::LINK);
+        if let Some(place) = on_raster.filter(|_| self.asks(Subject::Surfaces)) {
+            return Some(Arc::new(SpaceChange::Raster(self.looking_at(place))));
+        }
         let mut objects = 0..self.objects().len();
         let mut faces = 0..self.focused().model().mesh().faces().len();
         let mut vertices = 0..self.focused().model().mesh().positions().len();

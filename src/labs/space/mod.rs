@@ -8,9 +8,11 @@ mod handles;
 mod method_info;
 mod object;
 mod on_scene;
+mod pixel;
 mod raster_plan;
 mod scene;
 pub(in crate::labs) mod screen;
+pub(in crate::labs) mod soup;
 mod space_lab;
 pub(in crate::labs) mod stage;
 mod street;
@@ -29,3 +31,5 @@ pub use subject::{Places, Subject};
 pub use taught_camera::{Opening, TaughtCamera};
 
 pub(in crate::labs) use demo::SpaceDemo;
+
+pub(in crate::labs) use pixel::pixel_verdict;

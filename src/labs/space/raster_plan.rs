@@ -34,6 +34,8 @@ impl Default for RasterPlan {
 impl RasterPlan {
     /// As many rows as a raster for teaching may have.
     pub const ROWS: std::ops::RangeInclusive<u32> = 4..=120;
+    /// As many has a whole picture, where its pixels are asked about.
+    pub const PICTURE_ROWS: u32 = 480;
     /// And columns at most.
     const MOST_COLUMNS: f64 = 160.0;
 

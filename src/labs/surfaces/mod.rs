@@ -2,6 +2,5 @@
 
 mod methods;
 mod registry;
-mod soup;
 
 pub use registry::{LAB, METHODS, SURFACES, first_scene};

@@ -3,7 +3,7 @@
 use egui::{Align2, Color32, Painter, Pos2, Rect, Stroke, StrokeKind, Vec2, vec2};
 
 use crate::{
-    figure::{Pixel, Raster, RasterMark, RasterShape, Role},
+    figure::{Link, Pixel, Raster, RasterMark, RasterShape, Role},
     paint::Theme,
     widgets::Look,
 };
@@ -19,7 +19,7 @@ const MOST_WIDTH: f32 = 40.0;
 /// Room for the title.
 const TITLE: f32 = 28.0;
 /// What is stored is written in pixels of at least this width, in points.
-const READABLE: f32 = 20.0;
+const READABLE: f32 = 18.0;
 /// The darkest that a shade may be under ink.
 const DARKEST: f32 = 0.45;
 
@@ -28,7 +28,7 @@ impl OnSlate for Raster {
         Slate::new(painter, look)
     }
 
-    fn draw(&self, slate: &mut Slate<'_>, rect: Rect, _links: &mut Links) {
+    fn draw(&self, slate: &mut Slate<'_>, rect: Rect, links: &mut Links) {
         let theme = slate.theme();
         let title = slate.value(&self.title, (Face::Strong, 13.0, theme.ink));
         slate.put(&title, rect.min, Align2::LEFT_TOP);
@@ -42,6 +42,11 @@ impl OnSlate for Raster {
                     draw_pixel(slate, place, pixel, hairline);
                 }
             }
+        }
+        if let Some(at) = links.pointer
+            && let Some(pixel) = self.pixel_at(origin, width, at)
+        {
+            links.pointed = Some(Link::nth(Self::LINK, pixel[1] * self.size[0] + pixel[0]));
         }
         if let Some(current) = self.current {
             ring(slate, square(origin, width, current));
@@ -63,6 +68,15 @@ impl OnSlate for Raster {
 }
 
 impl Raster {
+    /// The pixel at a place on the screen.
+    fn pixel_at(&self, origin: Pos2, width: f32, at: Pos2) -> Option<[usize; 2]> {
+        let place = (at - origin.round()) / width;
+        let [column, row] = [place.x, place.y].map(f32::floor);
+        let is_in = column >= 0.0 && row >= 0.0;
+        let pixel = [column as usize, row as usize];
+        (is_in && (0..2).all(|i| pixel[i] < self.size[i])).then_some(pixel)
+    }
+
     /// Whole pixels of the screen, so that all squares are alike.
     fn pixel_width(&self, slate: &Slate<'_>, rect: Rect) -> f32 {
         let [columns, rows] = self.size.map(|n| n.max(1) as f32);
@@ -90,8 +104,8 @@ fn draw_pixel(slate: &mut Slate<'_>, place: Rect, pixel: &Pixel, hairline: Strok
     let Some(value) = pixel.value.as_ref().filter(|_| place.width() >= READABLE) else {
         return;
     };
-    let text = slate.low(value, (Face::Mono, 11.0, slate.theme().ink));
-    if text.size().x + 2.0 <= place.width() {
+    let text = slate.low(value, (Face::Mono, 9.5, slate.theme().ink));
+    if text.size().x + 1.0 <= place.width() {
         slate.put(&text, place.center(), Align2::CENTER_CENTER);
     }
 }

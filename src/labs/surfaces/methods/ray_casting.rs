@@ -13,12 +13,12 @@ use crate::{
     },
     labs::{
         Answer, CodeLine, Demo, Step, code_line,
+        space::soup::{place_of, surface_link, surface_name, surfaces_on_raster},
         space::{
             OnScene, OnSceneInput, Scene, Subject,
             demo::SpaceDemo,
             stage::{FaceLook, Fate, Scenery},
         },
-        surfaces::soup::{place_of, surface_link, surface_name, surfaces_of},
         words::name,
     },
     text::{Formula, Message, Value},
@@ -47,7 +47,7 @@ impl SpaceDemo for Shown {
     const SUBJECT: Subject = Subject::Surfaces;
 
     fn input(scene: &Scene) -> Input {
-        let surfaces = surfaces_of(scene);
+        let surfaces = surfaces_on_raster(scene);
         let size = surfaces.size();
         let is_long = surfaces.n_pixels() * surfaces.triangles().len() > MOST_QUESTIONS;
         let middle = is_long.then_some(size.map(|side| side / 2));

@@ -7,8 +7,7 @@ use crate::{
     },
     figure::Caption,
     labs::{
-        space::OnSceneInput,
-        surfaces::{methods::on_raster::pixel_formula, soup::surface_name},
+        space::OnSceneInput, space::soup::surface_name, surfaces::methods::on_raster::pixel_formula,
     },
     text::{Formula, Message, Value},
 };

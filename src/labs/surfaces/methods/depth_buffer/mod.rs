@@ -18,8 +18,8 @@ use crate::{
     figure::{Caption, Run, Tick, View, Watch, WatchRow, WatchSection},
     labs::{
         Answer, CodeLine, Demo, Step, record_beside,
+        space::soup::{order, surfaces_on_raster},
         space::{OnScene, OnSceneInput, Scene, Subject, demo::SpaceDemo},
-        surfaces::soup::{order, surfaces_of},
         words::name,
     },
     text::Value,
@@ -46,7 +46,7 @@ impl<L: Variant> SpaceDemo for Shown<L> {
     const SUBJECT: Subject = Subject::Surfaces;
 
     fn input(scene: &Scene) -> Input {
-        let surfaces = surfaces_of(scene);
+        let surfaces = surfaces_on_raster(scene);
         let plan = &scene.raster;
         let mut own = DepthBufferInput {
             order: order(surfaces.triangles().len(), plan.shuffle),

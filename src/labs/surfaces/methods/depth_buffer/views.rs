@@ -7,11 +7,9 @@ use crate::{
     figure::{Body, Cell, Mark3, Raster, Role, Shape3, Table, TableRow, View},
     labs::{
         Step,
+        space::soup::{place_of, surface_link},
         space::stage::{FaceLook, Fate, Scenery},
-        surfaces::{
-            methods::on_raster::{outline, pixel_formula, pixels, sight},
-            soup::{place_of, surface_link},
-        },
+        surfaces::methods::on_raster::{outline, pixel_formula, pixels, sight},
     },
     text::{Formula, Message, Value},
     trace::silent,

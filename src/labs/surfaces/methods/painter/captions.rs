@@ -3,7 +3,7 @@
 use crate::{
     algo::surface::{PainterEvent as Event, PainterState as State, PairTest, Surfaces},
     figure::Caption,
-    labs::{space::OnSceneInput, surfaces::soup::surface_name},
+    labs::{space::OnSceneInput, space::soup::surface_name},
     text::{Formula, Message, Value},
 };
 

@@ -17,8 +17,8 @@ use crate::{
     figure::{Caption, Run, Tick, View, Watch, WatchRow, WatchSection},
     labs::{
         Answer, CodeLine, Demo, Step, record_beside,
+        space::soup::surfaces_on_raster,
         space::{OnScene, OnSceneInput, Scene, Subject, demo::SpaceDemo},
-        surfaces::soup::surfaces_of,
     },
     text::Value,
 };
@@ -41,7 +41,7 @@ impl<L: Variant> SpaceDemo for Shown<L> {
     const SUBJECT: Subject = Subject::Surfaces;
 
     fn input(scene: &Scene) -> Input {
-        OnSceneInput::of(scene, surfaces_of(scene))
+        OnSceneInput::of(scene, surfaces_on_raster(scene))
     }
 
     fn record(scene: &Scene) -> Box<dyn Run> {

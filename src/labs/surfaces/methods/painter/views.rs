@@ -5,14 +5,12 @@ use crate::{
     figure::{Body, ItemMarker, Link, ListColumn, ListRow, Lists, Raster, Role, View},
     labs::{
         Step,
+        space::soup::{place_of, surface_link},
         space::{
             Scene,
             stage::{FaceLook, Fate},
         },
-        surfaces::{
-            methods::on_raster::{outline, pixels},
-            soup::{place_of, surface_link},
-        },
+        surfaces::methods::on_raster::{outline, pixels},
     },
     text::{Formula, Message, Value},
 };

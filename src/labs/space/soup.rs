@@ -3,25 +3,23 @@
 use crate::{
     algo::surface::Surfaces,
     figure::Link,
-    labs::{
-        space::{
-            Scene,
-            stage::{face_link, object_link},
-        },
-        split_mix::SplitMix64,
-        words::subscript,
-    },
+    labs::{split_mix::SplitMix64, words::subscript},
     text::Value,
+};
+
+use super::{
+    Scene,
+    stage::{face_link, object_link},
 };
 
 /// More faces than these are not drawn step by step: the rest is left out.
 const MOST_FACES: usize = 20_000;
 
-/// The faces of a scene, object after object, as its camera sees them.
+/// The faces of a scene, object after object, as its camera sees them with so many pixels.
 ///
 /// # Panics
-/// Never: a valid scene has finite vertices, and its raster a size.
-pub fn surfaces_of(scene: &Scene) -> Surfaces {
+/// Never: a valid scene has finite vertices; sides are from 1 to [`Viewport::MAX_SIDE`](crate::algo::surface::Viewport::MAX_SIDE).
+pub fn surfaces_of(scene: &Scene, size: [u32; 2]) -> Surfaces {
     let camera = scene.camera.camera();
     let view_from_world = camera.view_from_world();
     let faces = scene.objects().iter().flat_map(|object| {
@@ -33,10 +31,14 @@ pub fn surfaces_of(scene: &Scene) -> Surfaces {
         faces.map(move |face| face.map(|i| points[i as usize]))
     });
     let triangles: Vec<[[f64; 3]; 3]> = faces.take(MOST_FACES).collect();
-    let plan = &scene.raster;
-    let size = plan.size(scene.camera.aspect());
-    let surfaces = Surfaces::new(size, *camera.volume(), triangles, plan.culls_backs);
+    let culls_backs = scene.raster.culls_backs;
+    let surfaces = Surfaces::new(size, *camera.volume(), triangles, culls_backs);
     surfaces.expect("finite vertices, and pixels")
+}
+
+/// The same with the large pixels of its raster.
+pub fn surfaces_on_raster(scene: &Scene) -> Surfaces {
+    surfaces_of(scene, scene.raster.size(scene.camera.aspect()))
 }
 
 /// The ids of so many triangles in the order in which they come.

@@ -1,0 +1,196 @@
+//! Why a pixel of the camera's picture shows what it shows: all that covers it, the nearest of it, and how far beside it
+//! something else is seen.
+
+use crate::{
+    algo::{
+        ring::Right,
+        surface::{DepthBufferInput, Fragment, pixel_story},
+    },
+    figure::{Caption, Link},
+    labs::Verdict,
+    text::{Formula, Message, Value},
+};
+
+use super::{
+    RasterPlan, Scene,
+    soup::{place_of, surfaces_of},
+};
+
+/// Rows of the picture that pixels are counted in.
+const ROWS: u32 = RasterPlan::PICTURE_ROWS;
+/// Columns are told apart in links by this many.
+const STRIDE: usize = 1 << 12;
+/// So far something else is looked for, in pixels.
+const REACH: u32 = 120;
+/// In a scene of more faces nothing else is looked for: it would take too long.
+const MOST_FACES: usize = 2000;
+
+/// To the right, to the left, down, up.
+const DIRECTIONS: [([i64; 2], &str); 4] = [
+    ([1, 0], "pixel-right"),
+    ([-1, 0], "pixel-left"),
+    ([0, 1], "pixel-down"),
+    ([0, -1], "pixel-up"),
+];
+
+/// What is about a place of the picture: x and y from −1 to 1, y up.
+pub fn pixel_link(scene: &Scene, [x, y]: [f64; 2]) -> Link {
+    let size = picture_size(scene);
+    let place = |along: f64, side: u32| {
+        let at = 0.5 * (along + 1.0) * f64::from(side);
+        (at.max(0.0) as usize).min(side as usize - 1)
+    };
+    let [column, row] = [place(x, size[0]), place(-y, size[1])];
+    Link::nth("pixel", row * STRIDE + column)
+}
+
+/// The pixel that a link is about.
+fn pixel_of(scene: &Scene, about: Link) -> Option<[u32; 2]> {
+    let [width, height] = picture_size(scene);
+    let is_it = |[column, row]: [u32; 2]| {
+        Link::nth("pixel", row as usize * STRIDE + column as usize) == about
+    };
+    let nth = about.number_of("pixel")?;
+    let pixel = [(nth % STRIDE) as u32, (nth / STRIDE) as u32];
+    (pixel[0] < width && pixel[1] < height && is_it(pixel)).then_some(pixel)
+}
+
+fn picture_size(scene: &Scene) -> [u32; 2] {
+    super::screen::screen(scene.camera.aspect(), ROWS).size()
+}
+
+/// Why the pixel that a link is about shows what it shows.
+pub fn pixel_verdict(scene: &Scene, about: Link) -> Option<Verdict> {
+    let pixel = pixel_of(scene, about)?;
+    let input = DepthBufferInput::new(surfaces_of(scene, picture_size(scene)));
+    let story = pixel_story::<Right>(&input, pixel);
+    let seen = story.iter().rfind(|fragment| fragment.kept);
+    let at = Formula::decimals()
+        .sym("[")
+        .list(&pixel.map(f64::from))
+        .sym("]");
+    let message = Message::new(match seen {
+        Some(_) => "pixel-seen",
+        None => "pixel-empty",
+    });
+    let message = message.with("at", at).with("count", story.len());
+    let why = match seen {
+        Some(fragment) => {
+            let caption = Caption::new(told_of(scene, fragment.id, message));
+            caption.so(depths(&story, fragment))
+        }
+        None => Caption::new(message),
+    };
+    let notes = other_beside(scene, &input, pixel, seen.map(|fragment| fragment.id));
+    Some(Verdict {
+        why,
+        notes: notes.into_iter().collect(),
+        step: None,
+    })
+}
+
+/// `0.834 < 0.861`: of what is seen, and of the next behind it.
+fn depths(story: &[Fragment], seen: &Fragment) -> Formula {
+    let others = story.iter().filter(|fragment| fragment.id != seen.id);
+    let next = others.map(|fragment| fragment.depth).reduce(f64::min);
+    let formula = Formula::decimals().sym("z = ").num(seen.depth);
+    match next {
+        Some(next) if next == seen.depth => formula.sym(" = ").num(next),
+        Some(next) => formula.sym(" < ").num(next),
+        None => formula,
+    }
+}
+
+fn told_of(scene: &Scene, id: u32, message: Message) -> Message {
+    let [object_idx, face_idx] = place_of(scene, id).unwrap_or_default();
+    let message = message.with("object", scene.object_name(object_idx));
+    message.with("face", Value::Count(face_idx + 1))
+}
+
+/// The fewest pixels to a side at which something else is seen.
+fn other_beside(
+    scene: &Scene,
+    input: &DepthBufferInput,
+    pixel: [u32; 2],
+    seen: Option<u32>,
+) -> Option<Message> {
+    if input.order.len() > MOST_FACES {
+        return None;
+    }
+    let [by, key, other] = shift(input, pixel, seen)?;
+    let (_, key) = DIRECTIONS[key as usize];
+    let direction = Value::Term(key);
+    let message = match u32::try_from(other) {
+        Ok(id) => told_of(scene, id, Message::new("pixel-other")),
+        Err(_) => Message::new("pixel-other-nothing"),
+    };
+    Some(
+        message
+            .with("count", by as usize)
+            .with("direction", direction),
+    )
+}
+
+/// By how many pixels, in which direction, and what is seen there: −1 for nothing.
+fn shift(input: &DepthBufferInput, [column, row]: [u32; 2], seen: Option<u32>) -> Option<[i64; 3]> {
+    let [width, height] = input.surfaces.size().map(i64::from);
+    for by in 1..=i64::from(REACH) {
+        for (direction, ([dx, dy], _)) in (0..).zip(DIRECTIONS) {
+            let at = [i64::from(column) + dx * by, i64::from(row) + dy * by];
+            if !(0..width).contains(&at[0]) || !(0..height).contains(&at[1]) {
+                continue;
+            }
+            let story = pixel_story::<Right>(input, at.map(|x| x as u32));
+            let there = story.iter().rfind(|fragment| fragment.kept).map(|it| it.id);
+            if there != seen {
+                return Some([by, direction, there.map_or(-1, i64::from)]);
+            }
+        }
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::labs::frustum::first_scene;
+
+    #[test]
+    fn as_many_pixels_beside_something_else_is_seen_and_one_pixel_less_it_is_the_same() {
+        let scene = first_scene();
+        let size = picture_size(&scene);
+        let input = DepthBufferInput::new(surfaces_of(&scene, size));
+        let seen_at = |pixel: [u32; 2]| {
+            let story = pixel_story::<Right>(&input, pixel);
+            story.iter().rfind(|fragment| fragment.kept).map(|it| it.id)
+        };
+        let mut n_shifted = 0;
+        for pixel in (0..12).map(|i| [size[0] * (2 * i + 1) / 24, size[1] / 2]) {
+            let seen = seen_at(pixel);
+            let Some([by, direction, other]) = shift(&input, pixel, seen) else {
+                continue;
+            };
+            let ([dx, dy], _) = DIRECTIONS[direction as usize];
+            let moved = |by: i64| {
+                let along = |at: u32, d: i64| (i64::from(at) + d * by) as u32;
+                seen_at([along(pixel[0], dx), along(pixel[1], dy)])
+            };
+            assert_eq!(moved(by).map_or(-1, i64::from), other);
+            assert_ne!(moved(by), seen);
+            assert_eq!(moved(by - 1), seen);
+            n_shifted += 1;
+        }
+        assert!(n_shifted > 6);
+    }
+
+    #[test]
+    fn a_place_of_the_picture_is_its_pixel() {
+        let scene = first_scene();
+        let [width, height] = picture_size(&scene);
+        let corner = |at| pixel_of(&scene, pixel_link(&scene, at));
+        assert_eq!(corner([-1.0, 1.0]), Some([0, 0]));
+        assert_eq!(corner([1.0, -1.0]), Some([width - 1, height - 1]));
+        assert!(pixel_verdict(&scene, pixel_link(&scene, [0.0, 0.0])).is_some());
+        assert!(pixel_verdict(&scene, Link::nth("face", 3)).is_none());
+    }
+}
