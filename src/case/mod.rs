@@ -34,6 +34,7 @@ mod line;
 mod lines;
 mod parts;
 mod path;
+mod picture;
 mod polygons;
 mod raw;
 mod read;
@@ -43,6 +44,7 @@ mod solver;
 mod stream;
 mod style;
 mod surfaces;
+mod volume;
 
 pub use fields::{Field, Fields, Presence};
 pub use given::Given;

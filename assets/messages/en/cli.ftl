@@ -60,6 +60,11 @@ case-not-finite = { $number } is beyond the range of a 64-bit number: every coor
 case-too-many = The list has { $found } entries: a report of every step takes at most { $max }. With --events false any number is taken, and the answer given alone.
 case-too-many-pairs = { $found } pairs of an edge and a clip edge: a report of every step takes at most { $max }. With --events false any number is taken, and the answer given alone.
 case-uv-length = Expected one [u, v] for each of the { $expected } vertices, found { $found }.
+object-triangles = triangles
+object-culled = left out
+case-backs = what shows its back
+case-too-many-raster-pixels = { $found } pixels: a report of every step takes at most { $max }. With --events false any number is taken, and the answer given alone.
+case-too-many-steps = { $found } steps: a report takes at most { $max }. With --events false any number is taken, and the answer given alone.
 json-number = a number
 json-numbers = a list of numbers
 json-points = a list of points
@@ -90,6 +95,10 @@ case-polygons =
         [one] One polygon: { $rings }
        *[other] { $n } polygons: { $rings }
     }
+case-surfaces-seen = { $seen } of { $pixels } pixels show a surface.
+case-painted = Painted in this order: { $ids }.
+case-painter-cycle = No order is right: each of { $ids } must be painted before the next, and the last before the first.
+case-bsp-pieces = The tree holds { $pieces } pieces; { $seen } of { $pixels } pixels show a surface.
 case-triangles =
     { $n ->
         [one] One triangle: { $triangles }

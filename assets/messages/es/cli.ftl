@@ -60,6 +60,11 @@ case-not-finite = { $number } excede el rango de un número de 64 bits: toda coo
 case-too-many = La lista tiene { $found } entradas: un informe de todos los pasos admite { $max } como máximo. Con --events false se admite cualquier número y se da solo la respuesta.
 case-too-many-pairs = { $found } pares de arista y arista de recorte: un informe de todos los pasos admite { $max } como máximo. Con --events false se admite cualquier cantidad y se da solo la respuesta.
 case-uv-length = Se esperaba un [u, v] para cada uno de los { $expected } vértices; hay { $found }.
+object-triangles = triángulos
+object-culled = se descarta
+case-backs = lo que muestra su cara trasera
+case-too-many-raster-pixels = { $found } píxeles: un informe de cada paso admite como máximo { $max }. Con --events false se admite cualquier número y se da solo la respuesta.
+case-too-many-steps = { $found } pasos: un informe admite como máximo { $max }. Con --events false se admite cualquier número y se da solo la respuesta.
 json-number = un número
 json-numbers = una lista de números
 json-points = una lista de puntos
@@ -90,6 +95,10 @@ case-polygons =
         [one] Un polígono: { $rings }
        *[other] { $n } polígonos: { $rings }
     }
+case-surfaces-seen = { $seen } de { $pixels } píxeles muestran una superficie.
+case-painted = Se pintan en este orden: { $ids }.
+case-painter-cycle = Ningún orden es correcto: cada uno de { $ids } debe pintarse antes que el siguiente, y el último antes que el primero.
+case-bsp-pieces = El árbol contiene { $pieces } piezas; { $seen } de { $pixels } píxeles muestran una superficie.
 case-triangles =
     { $n ->
         [one] Un triángulo: { $triangles }

@@ -60,6 +60,11 @@ case-not-finite = { $number } excede o intervalo de um número de 64 bits: toda 
 case-too-many = A lista tem { $found } itens: um relatório de todos os passos aceita no máximo { $max }. Com --events false qualquer número é aceito, e só a resposta é dada.
 case-too-many-pairs = { $found } pares de aresta e aresta de recorte: um relatório de todos os passos aceita no máximo { $max }. Com --events false qualquer quantidade é aceita, e só a resposta é dada.
 case-uv-length = Era esperado um [u, v] para cada um dos { $expected } vértices; há { $found }.
+object-triangles = triângulos
+object-culled = descartado
+case-backs = o que mostra sua face traseira
+case-too-many-raster-pixels = { $found } pixels: um relatório de cada passo aceita no máximo { $max }. Com --events false qualquer número é aceito, e só a resposta é dada.
+case-too-many-steps = { $found } passos: um relatório aceita no máximo { $max }. Com --events false qualquer número é aceito, e só a resposta é dada.
 json-number = um número
 json-numbers = uma lista de números
 json-points = uma lista de pontos
@@ -90,6 +95,10 @@ case-polygons =
         [one] Um polígono: { $rings }
        *[other] { $n } polígonos: { $rings }
     }
+case-surfaces-seen = { $seen } de { $pixels } pixels mostram uma superfície.
+case-painted = Pintados nesta ordem: { $ids }.
+case-painter-cycle = Nenhuma ordem está certa: cada um de { $ids } deve ser pintado antes do seguinte, e o último antes do primeiro.
+case-bsp-pieces = A árvore contém { $pieces } peças; { $seen } de { $pixels } pixels mostram uma superfície.
 case-triangles =
     { $n ->
         [one] Um triângulo: { $triangles }

@@ -44,6 +44,11 @@ case-not-finite = { $number } 超出 64 位浮点数的范围：每个坐标都�
 case-too-many = 该列表有 { $found } 项：输出每一步的报告最多接受 { $max } 项。使用 --events false 则不限数量，只给出答案。
 case-too-many-pairs = 边与裁剪边共有 { $found } 对：逐步报告最多 { $max } 对。加上 --events false 则数目不限，只给出答案。
 case-uv-length = 应为 { $expected } 个顶点各给出一个 [u, v]，这里有 { $found } 个。
+object-triangles = 三角形
+object-culled = 剔除
+case-backs = 背面朝向眼睛的三角形
+case-too-many-raster-pixels = 共 { $found } 个像素：逐步报告最多 { $max } 个。加上 --events false 则不限数量，只给出答案。
+case-too-many-steps = 共 { $found } 步：报告最多 { $max } 步。加上 --events false 则不限步数，只给出答案。
 json-number = 数
 json-numbers = 数的列表
 json-points = 点的列表
@@ -70,6 +75,10 @@ case-cull-in-vain = 按各平面判定为跨界，但它没有任何一点在内
 case-front = 可见正面：n·e = { $dot }。
 case-back = 看不到正面：n·e = { $dot }。
 case-polygons = { $n } 个多边形：{ $rings }
+case-surfaces-seen = { $pixels } 个像素中有 { $seen } 个显示出表面。
+case-painted = 绘制顺序：{ $ids }。
+case-painter-cycle = 没有正确的顺序：{ $ids } 中每一个都必须先于下一个绘制，最后一个又必须先于第一个。
+case-bsp-pieces = 树中共有 { $pieces } 块；{ $pixels } 个像素中有 { $seen } 个显示出表面。
 case-triangles = { $n } 个三角形：{ $triangles }
 
 ## Reports: the step table of a case

@@ -7,7 +7,6 @@ mod segment;
 mod solve;
 mod solve_line;
 mod triangles;
-mod volume;
 
 use crate::{
     algo::{

@@ -1,23 +1,21 @@
 //! A vertex on its way to the screen.
 
 use crate::{
-    algo::{
-        pipeline::{
-            BresenhamInput, LineToPixels, LineToPixelsInput, ViewingPipeline, ViewingPipelineInput,
-            ViewingPipelineOutput,
-        },
-        surface::Viewport,
+    algo::pipeline::{
+        BresenhamInput, LineToPixels, LineToPixelsInput, ViewingPipeline, ViewingPipelineInput,
+        ViewingPipelineOutput,
     },
-    case::{Code, Detail, Field, Fields, Given, Node, Path, Refusal, Solve, Told},
+    case::{
+        Code, Detail, Field, Fields, Given, Node, Path, Refusal, Solve, Told,
+        picture::read_picture,
+        volume::{VOLUME_FIELDS, read_volume_of, refused},
+    },
     geom::{Camera, Matrix},
     labs::space::OnScene,
     text::{Formula, Message, Value},
 };
 
-use super::{
-    reader::Reader,
-    volume::{VOLUME_FIELDS, read_volume_of, refused},
-};
+use super::reader::Reader;
 
 impl Solve for OnScene<ViewingPipeline> {
     const FIELDS: &'static [Field] = &[
@@ -35,7 +33,7 @@ impl Solve for OnScene<ViewingPipeline> {
             None => Matrix::IDENTITY,
         };
         let camera = camera(&fields.need("camera")?, fields.detail(), &mut reader)?;
-        let viewport = told(&mut reader, picture(&fields.need("size")?)?);
+        let viewport = told(&mut reader, read_picture(&fields.need("size")?)?);
         let input = ViewingPipelineInput {
             point,
             world_from_model,
@@ -126,36 +124,4 @@ fn camera(node: &Node<'_>, detail: Detail, reader: &mut Reader<'_>) -> Result<Ca
     let values: Vec<Value> = formulas.chain(numbers).collect();
     let given = Given::new("object-camera", values.into_iter());
     Ok(told(reader, (camera, given)))
-}
-
-/// Columns and rows.
-fn picture(node: &Node<'_>) -> Result<(Viewport, Given), Refusal> {
-    let sides: [i64; 2] = node.wholes()?;
-    let mut size = [0_u32; 2];
-    for (i, (side, given)) in size.iter_mut().zip(sides).enumerate() {
-        let path = Path::Index(&node.path, i);
-        let problem = Message::new("case-picture-side")
-            .with("max", Viewport::MAX_SIDE as usize)
-            .with("found", given.to_string());
-        if given < 1 {
-            return Err(Refusal::at(Code::Degenerate, &path, problem));
-        }
-        *side = u32::try_from(given).unwrap_or(u32::MAX);
-        if *side > Viewport::MAX_SIDE {
-            return Err(Refusal::at(Code::TooLarge, &path, problem));
-        }
-    }
-    let viewport = Viewport::new(size, Viewport::ANSWER_BITS);
-    let viewport = viewport.ok_or_else(|| {
-        let problem = Message::new("case-picture-side").with("max", Viewport::MAX_SIDE as usize);
-        Refusal::at(
-            Code::TooLarge,
-            &node.path,
-            problem.with("found", String::new()),
-        )
-    })?;
-    let pixels = Formula::default().num(f64::from(size[0])).sym(" × ");
-    let pixels = pixels.num(f64::from(size[1]));
-    let told = [Value::Formula(pixels)].into_iter();
-    Ok((viewport, Given::new("object-picture", told)))
 }

@@ -2,16 +2,13 @@
 
 use crate::{
     algo::cull::Viewer,
-    case::{Code, Fields, Given, Node, Path, Refusal, Told},
+    case::{Code, Fields, Given, Node, Path, Refusal, Told, volume::read_volume},
     geom::{AlignedBox, Plane, Sphere},
     labs::plane_symbol,
     text::{Formula, Message, Value},
 };
 
-use super::{
-    segment::{read_clip_segment, read_segment, read_solid_box},
-    volume::read_volume,
-};
+use super::segment::{read_clip_segment, read_segment, read_solid_box};
 
 /// A report of more planes than this is refused: a step's table of values has a row a plane, and a report a step a plane,
 /// so that its length grows with the square.

@@ -1,6 +1,18 @@
 //! The surfaces lab's cases: triangles in view space on a raster.
 
+mod reader;
+mod solve;
+
+use crate::{
+    algo::surface::{DepthBuffer, Painter, RayCasting},
+    labs::space::OnScene,
+};
+
 use super::Solver;
 
 /// The lab's methods that have one case each; those that are wrong on purpose left out.
-pub(super) static SOLVERS: [Solver; 0] = [];
+pub(super) static SOLVERS: [Solver; 3] = [
+    Solver::of::<OnScene<DepthBuffer>>(),
+    Solver::of::<OnScene<RayCasting>>(),
+    Solver::of::<OnScene<Painter>>(),
+];

@@ -2,13 +2,14 @@
 //! sight lines are parallel.
 
 use crate::{
-    case::{Detail, Field, Fields, Given, Node, Path, Refusal},
     geom::{SpaceError, ViewVolume},
     text::{Formula, Value},
 };
 
+use super::{Detail, Field, Fields, Given, Node, Path, Refusal};
+
 /// Of a view volume.
-pub const VOLUME_FIELDS: [Field; 5] = [
+pub(super) const VOLUME_FIELDS: [Field; 5] = [
     Field::choice("fov_y_deg"),
     Field::choice("height"),
     Field::required("aspect"),
@@ -17,14 +18,14 @@ pub const VOLUME_FIELDS: [Field; 5] = [
 ];
 
 /// The volume, and what is told of it.
-pub fn read_volume(node: &Node<'_>, detail: Detail) -> Result<(ViewVolume, Given), Refusal> {
+pub(super) fn read_volume(node: &Node<'_>, detail: Detail) -> Result<(ViewVolume, Given), Refusal> {
     let fields = Fields::of(node, "object-view-volume", &VOLUME_FIELDS, detail)?;
     let (volume, told) = read_volume_of(&fields, &node.path)?;
     Ok((volume, Given::new("object-view-volume", told.into_iter())))
 }
 
 /// The same from the fields of an object that has others too.
-pub fn read_volume_of(
+pub(super) fn read_volume_of(
     fields: &Fields<'_>,
     place: &Path<'_>,
 ) -> Result<(ViewVolume, Vec<Value>), Refusal> {
@@ -50,7 +51,7 @@ pub fn read_volume_of(
 }
 
 /// At the field of the volume, or of the camera, that is to blame.
-pub fn refused(volume: &Path<'_>, error: SpaceError) -> Refusal {
+pub(super) fn refused(volume: &Path<'_>, error: SpaceError) -> Refusal {
     match error.camera_field() {
         Some(field) => Refusal::space(&Path::Member(volume, field), error),
         None => Refusal::space(volume, error),

@@ -1,0 +1,81 @@
+//! What each of the lab's algorithms reads, and how its answer is told.
+
+use crate::{
+    algo::surface::{
+        DepthBuffer, DepthBufferInput, DepthBufferOutput, Painter, PainterAnswer, PainterOutput,
+        Picture, RayCasting, RayCastingInput, RayCastingOutput,
+    },
+    case::{Field, Fields, Refusal, Solve, Told},
+    labs::space::OnScene,
+    text::Message,
+};
+
+use super::reader::{FIELDS, check_steps, read_surfaces};
+
+impl Solve for OnScene<DepthBuffer> {
+    const FIELDS: &'static [Field] = FIELDS;
+
+    fn read(fields: &Fields<'_>) -> Result<(Self::Input, Told), Refusal> {
+        let (surfaces, told) = read_surfaces(fields)?;
+        let input = DepthBufferInput::new(surfaces);
+        check_steps::<DepthBuffer>(&input, fields.detail())?;
+        Ok((input.into(), told))
+    }
+
+    fn verdict(output: &DepthBufferOutput) -> Message {
+        seen(&output.picture)
+    }
+}
+
+impl Solve for OnScene<RayCasting> {
+    const FIELDS: &'static [Field] = FIELDS;
+
+    fn read(fields: &Fields<'_>) -> Result<(Self::Input, Told), Refusal> {
+        let (surfaces, told) = read_surfaces(fields)?;
+        let input = RayCastingInput {
+            surfaces,
+            pixel: None,
+        };
+        check_steps::<RayCasting>(&input, fields.detail())?;
+        Ok((input.into(), told))
+    }
+
+    fn verdict(output: &RayCastingOutput) -> Message {
+        seen(&output.picture)
+    }
+}
+
+impl Solve for OnScene<Painter> {
+    const FIELDS: &'static [Field] = FIELDS;
+
+    fn read(fields: &Fields<'_>) -> Result<(Self::Input, Told), Refusal> {
+        let (surfaces, told) = read_surfaces(fields)?;
+        check_steps::<Painter>(&surfaces, fields.detail())?;
+        Ok((surfaces.into(), told))
+    }
+
+    fn verdict(output: &PainterOutput) -> Message {
+        match &output.answer {
+            PainterAnswer::Order { order, .. } => {
+                Message::new("case-painted").with("ids", listed(order))
+            }
+            PainterAnswer::Cycle { cycle } => {
+                Message::new("case-painter-cycle").with("ids", listed(cycle))
+            }
+        }
+    }
+}
+
+/// How many pixels show a surface.
+fn seen(picture: &Picture) -> Message {
+    let ids = picture.ids();
+    let n_seen = ids.iter().filter(|id| **id != Picture::BACKGROUND);
+    Message::new("case-surfaces-seen")
+        .with("seen", n_seen.count())
+        .with("pixels", ids.len())
+}
+
+fn listed(ids: &[u32]) -> String {
+    let ids: Vec<String> = ids.iter().map(u32::to_string).collect();
+    ids.join(", ")
+}

@@ -1,0 +1,171 @@
+//! Cases of visible surfaces and their answers: what every script and grader builds on.
+
+use clipscope::{
+    case::{Detail, Format, Solvers, Style, trace},
+    text::Lang,
+};
+use serde_json::{Value as Json, json};
+
+fn answer(case: &str, detail: Detail) -> Json {
+    let style = Style {
+        format: Format::Json,
+        detail,
+        lang: Lang::En,
+    };
+    let mut out = Vec::new();
+    trace(
+        Solvers::standard(),
+        case.as_bytes(),
+        &mut out,
+        style,
+        |_| {},
+    )
+    .expect("memory can be read and written");
+    serde_json::from_slice(&out).expect("one answer of JSON")
+}
+
+const ALGORITHMS: [&str; 3] = ["depth-buffer", "ray-casting", "painter"];
+const FRUSTUM: &str = r#"{"fov_y_deg":90,"aspect":1,"near":1,"far":9}"#;
+/// A wall that fills the picture, 3 before the eye, and half a wall before it: its upper edge is level with the eye.
+const WALLS: &str = "[[[-9,-9,-3],[9,-9,-3],[0,18,-3]],[[-6,0,-2],[0,-6,-2],[6,0,-2]]]";
+
+fn solved(algorithm: &str, size: &str, triangles: &str, more: &str) -> Json {
+    let case = format!(
+        r#"{{"algorithm":"{algorithm}","size":{size},"frustum":{FRUSTUM},"triangles":{triangles}{more}}}"#
+    );
+    answer(&case, Detail::Steps)
+}
+
+#[test]
+fn all_say_who_is_seen() {
+    let ids = json!([0, 0, 1, 1]);
+    for algorithm in ALGORITHMS {
+        let found = solved(algorithm, "[2,2]", WALLS, "");
+        assert_eq!(found["output"]["ids"], ids, "{found}");
+    }
+    // 9/8 · (1 − 1/3) and 9/8 · (1 − 1/2)
+    for algorithm in ["depth-buffer", "ray-casting"] {
+        let found = solved(algorithm, "[2,2]", WALLS, "");
+        let depth = found["output"]["depth"].as_array().expect("a list");
+        for (depth, expected) in depth.iter().zip([0.75, 0.75, 0.5625, 0.5625]) {
+            let depth = depth.as_f64().expect("a number");
+            assert!((depth - expected).abs() < 1e-15, "{algorithm}: {depth}");
+        }
+        assert_eq!(depth.len(), 4);
+    }
+    assert_eq!(
+        solved("painter", "[2,2]", WALLS, "")["output"]["order"],
+        json!([0, 1])
+    );
+}
+
+#[test]
+fn backs_are_left_out_where_they_are_culled() {
+    let turned = "[[[-9,-9,-3],[9,-9,-3],[0,18,-3]],[[-6,0,-2],[6,0,-2],[0,-6,-2]]]";
+    for algorithm in ALGORITHMS {
+        let [both, fronts] =
+            ["", r#","cull":"back""#].map(|more| solved(algorithm, "[2,2]", turned, more));
+        assert_eq!(both["output"]["ids"], json!([0, 0, 1, 1]), "{both}");
+        assert_eq!(fronts["output"]["ids"], json!([0, 0, 0, 0]), "{fronts}");
+    }
+    let order = solved("painter", "[2,2]", turned, r#","cull":"back""#);
+    assert_eq!(
+        order["output"]["order"],
+        json!([0]),
+        "what is culled is left out"
+    );
+}
+
+#[test]
+fn nothing_is_seen_where_nothing_is() {
+    let none = solved("depth-buffer", "[2,1]", "[]", "");
+    assert_eq!(
+        none["output"],
+        json!({"ids": [-1, -1], "depth": [null, null]})
+    );
+    let flat = "[[[0,0,-3],[1,1,-3],[2,2,-3]]]";
+    for algorithm in ["depth-buffer", "ray-casting"] {
+        let flat = solved(algorithm, "[2,1]", flat, "");
+        assert_eq!(flat["output"]["depth"], json!([null, null]), "{algorithm}");
+    }
+    let named = solved("painter", "[2,1]", flat, "");
+    assert_eq!(
+        named["output"]["order"],
+        json!([0]),
+        "every triangle is named"
+    );
+}
+
+#[test]
+fn a_cycle_has_no_order_and_no_picture() {
+    let pierced = "[[[-2,-1,-4],[2,-1,-6],[0,2,-5]],[[-2,-1,-6],[2,-1,-4],[0,2,-5]]]";
+    let found = solved("painter", "[4,4]", pierced, "");
+    assert_eq!(found["output"], json!({"cycle": [0, 1]}));
+}
+
+#[test]
+fn every_refusal_names_its_place() {
+    let cases = [
+        ("[0,2]", "[]", "", "degenerate", "size[0]"),
+        ("[2,4097]", "[]", "", "too-large", "size[1]"),
+        ("[2]", "[]", "", "wrong-length", "size"),
+        ("[2.5,2]", "[]", "", "wrong-type", "size[0]"),
+        ("[300,300]", "[]", "", "too-large", "size"),
+        (
+            "[2,2]",
+            "[[[0,0,-2],[1,0,-2]]]",
+            "",
+            "wrong-length",
+            "triangles[0]",
+        ),
+        (
+            "[2,2]",
+            "[[[0,0,-2],[1,0,-2],[1,1]]]",
+            "",
+            "wrong-length",
+            "triangles[0][2]",
+        ),
+        (
+            "[2,2]",
+            "[[[0,0,-2],[1,0,1e999],[1,1,0]]]",
+            "",
+            "not-finite",
+            "triangles[0][1][2]",
+        ),
+        ("[2,2]", "{}", "", "wrong-type", "triangles"),
+        ("[2,2]", "[]", r#","cull":"front""#, "wrong-type", "cull"),
+        ("[2,2]", "[]", r#","eye":[0,0,0]"#, "unknown-field", "eye"),
+    ];
+    for algorithm in ALGORITHMS {
+        for (size, triangles, more, code, field) in cases {
+            let error = &solved(algorithm, size, triangles, more)["error"];
+            assert_eq!(
+                (&error["code"], &error["field"]),
+                (&json!(code), &json!(field)),
+                "{error}"
+            );
+        }
+        let case = format!(
+            r#"{{"algorithm":"{algorithm}","size":[2,2],"triangles":[],"frustum":{{"fov_y_deg":90,"aspect":1,"near":2,"far":1}}}}"#
+        );
+        let error = &answer(&case, Detail::Steps)["error"];
+        assert_eq!(
+            (&error["code"], &error["field"]),
+            (&json!("degenerate"), &json!("frustum.far")),
+            "{error}"
+        );
+    }
+}
+
+#[test]
+fn an_answer_alone_may_be_large() {
+    let many = vec!["[[-9,-9,-3],[9,-9,-3],[0,18,-3]]"; 40].join(",");
+    let case = format!(
+        r#"{{"algorithm":"depth-buffer","size":[50,50],"frustum":{FRUSTUM},"triangles":[{many}]}}"#
+    );
+    let refused = answer(&case, Detail::Steps);
+    assert_eq!(refused["error"]["code"], "too-large");
+    assert_eq!(refused["error"]["field"], "triangles");
+    let solved = answer(&case, Detail::Answers);
+    assert_eq!(solved["output"]["ids"].as_array().map(Vec::len), Some(2500));
+}
