@@ -435,6 +435,11 @@ fn only_a_report_of_very_many_planes_is_refused() {
     assert_eq!(alone["output"]["class"], "inside");
 }
 
+const CUT_SEGMENT: &str = r#""box":[-1,-1,-1,1,1,1],"segment":[-2,-1,0,2,1,0.5]"#;
+const CUT_TRIANGLE: &str =
+    r#""planes":[[1,0,0,1],[0,-1,0,2]],"triangle":[[-3,0,0],[1,0,2],[1,4,0]]"#;
+const CAMERA_OF_REPORTS: &str = r#""model":[[1,0,0,2],[0,1,0,0],[0,0,1,-1],[0,0,0,1]],"camera":{"position":[0,1,4],"target":[0,1,0],"up":[0,1,0],"fov_y_deg":90,"aspect":1.6,"near":2,"far":10}"#;
+
 fn reported() -> String {
     [
         line("point-planes", r#""planes":[[3,4,0,5]],"point":[-3,1,2]"#),
@@ -449,6 +454,24 @@ fn reported() -> String {
         ),
         line("back-face", &format!(r#"{N1},"view_dir":[0,0,-5]"#)),
         line("back-face", &format!(r#"{N2},"eye":[1,2,3]"#)),
+        line("cohen-sutherland-3d", CUT_SEGMENT),
+        line("liang-barsky-3d", CUT_SEGMENT),
+        line(
+            "plane-line",
+            r#""planes":[[1,0,0,1],[1,1,0,1]],"segment":[-3,0,0,1,2,4]"#,
+        ),
+        line("homogeneous-line", r#""segment":[0,0,0,1,3,0,0,-1]"#),
+        line("plane-at-a-time", CUT_TRIANGLE),
+        line("intersection-polygon", CUT_TRIANGLE),
+        line(
+            "homogeneous-triangle",
+            r#""triangle":[[-4,-4,4,5],[4,1,4,5],[2,5,-8,-1]]"#,
+        ),
+        line(
+            "viewing-pipeline",
+            &format!(r#""point":[0.5,1,-2],{CAMERA_OF_REPORTS},"size":[640,400]"#),
+        ),
+        line("bresenham", r#""from":[1,2],"to":[7,5]"#),
     ]
     .join("\n")
 }

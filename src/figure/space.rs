@@ -88,6 +88,8 @@ pub struct Mark3 {
     pub is_fine: bool,
     /// Dashed whatever its role: not there to stay, and yet what the step is about.
     pub is_dashed: bool,
+    /// Is it an edge of an outline, and as light as that?
+    pub is_edge: bool,
 }
 
 /// Something to draw, at world coordinates.
@@ -126,7 +128,15 @@ impl Mark3 {
             link: None,
             is_fine: false,
             is_dashed: false,
+            is_edge: false,
         }
+    }
+
+    /// One edge of an outline, drawn as that.
+    #[must_use]
+    pub const fn edge(mut self) -> Self {
+        self.is_edge = true;
+        self
     }
 
     /// With a label in the text face.

@@ -6,9 +6,12 @@ use clipscope::{
             BackFace, BackFaceInput, Containment, FaceTurn, SphereCull, SphereCullInput, Viewer,
             face_turn, sphere_verdict, triangle_move,
         },
-        volume::{SideCode, signed_distance},
+        volume::{
+            IntersectionPolygon, LineInput, PlaneLine, SideCode, SpaceVertex, TrianglePlanes,
+            part_move_in, part_move_out, signed_distance,
+        },
     },
-    geom::{Camera, Sphere, ViewVolume},
+    geom::{Camera, Plane, Sphere, ViewVolume},
     trace::silent,
 };
 use glam::{DQuat, DVec3};
@@ -107,5 +110,61 @@ proptest! {
         let beyond = turned(triangle, axis, 1.01 * degrees + degrees.signum() * 1e-6);
         prop_assert_eq!(is_front(beyond), !is_front(triangle));
         prop_assert_eq!(is_front(turned(triangle, axis, 0.99 * degrees)), is_front(triangle));
+    }
+}
+
+/// Is something of a point, a segment or a triangle inside all planes? Asked of the clippers.
+fn is_met(planes: &[Plane], corners: &[[f64; 3]]) -> bool {
+    match *corners {
+        [a, b, c] => {
+            let planes = planes.to_vec();
+            let triangle = [a, b, c].map(SpaceVertex::new);
+            let left = silent::<IntersectionPolygon>(&TrianglePlanes { planes, triangle });
+            !left.triangles.is_empty()
+        }
+        [a, .., b] | [a @ b] => {
+            let bounds = planes.to_vec();
+            let ends = [a, b];
+            silent::<PlaneLine>(&LineInput { bounds, ends }).is_some()
+        }
+        [] => false,
+    }
+}
+
+proptest! {
+    #[test]
+    fn a_point_a_segment_and_a_triangle_turn_where_it_is_said(
+        corners in prop::array::uniform3(prop::array::uniform3(-9.0..9.0_f64)),
+        fov in 20.0..100.0_f64,
+    ) {
+        let volume = ViewVolume::perspective(fov, 1.5, 1.0, 12.0).expect("a volume");
+        let camera = Camera::new([0.5, 1.0, 6.0], [0.0; 3], [0.0, 1.0, 0.0], volume).expect("a camera");
+        let planes = camera.planes_in_world();
+        for corners in [&corners[..1], &corners[..2], &corners] {
+            let met_after = |plane_idx: usize, by: f64| {
+                let normal = planes[plane_idx].unit_normal();
+                let moved = |at: &[f64; 3]| std::array::from_fn(|i| at[i] + by * normal[i]);
+                let moved: Vec<[f64; 3]> = corners.iter().map(moved).collect();
+                is_met(&planes, &moved)
+            };
+            let is_there = is_met(&planes, corners);
+            let turns: Vec<(usize, Option<f64>)> = if is_there {
+                let turn = part_move_out(&planes, corners).expect("a volume is bounded");
+                prop_assert!(turn.by <= 0.0);
+                vec![(turn.plane_idx, Some(turn.by))]
+            } else {
+                (0..6).map(|i| (i, part_move_in(&planes, corners, i))).collect()
+            };
+            for (plane_idx, by) in turns {
+                if let Some(by) = by {
+                    prop_assert_eq!(met_after(plane_idx, by + by.signum() * 1e-6), !is_there);
+                    prop_assert_eq!(met_after(plane_idx, 0.99 * by), is_there);
+                } else {
+                    for step in -100..100 {
+                        prop_assert!(!met_after(plane_idx, 0.2 * f64::from(step)));
+                    }
+                }
+            }
+        }
     }
 }

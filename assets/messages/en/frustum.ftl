@@ -54,7 +54,10 @@ alg-faulty-constant-view = Wrong: one direction of sight for all
 
 ## A point
 
-point-opening = Is P inside all { $planes } planes?
+point-opening = Is P inside { $planes ->
+        [one] { $planes } plane
+       *[other] all { $planes } planes
+    }?
 point-inside = P is inside the { $plane } plane.
 point-on = P is on the { $plane } plane, which counts as inside.
 point-outside = P is outside the { $plane } plane.
@@ -71,13 +74,19 @@ words-point-inside = What no plane has outside is in the volume.
 
 ## A bounding sphere
 
-sphere-opening = A sphere around all vertices answers for the object: { $planes } planes.
+sphere-opening = A sphere around all vertices answers for the object: { $planes ->
+        [one] { $planes } plane
+       *[other] { $planes } planes
+    }.
 sphere-inside = The sphere is inside the { $plane } plane.
 sphere-straddles = The sphere straddles the { $plane } plane.
 sphere-outside = The sphere is outside the { $plane } plane: culled whole.
 sphere-done-inside = All { $planes } planes have it inside: none of its triangles needs a test.
 sphere-done-straddles = It straddles { $cut } of { $planes } planes: its triangles are asked in turn.
-planes-done-outside = The { $plane } plane has rejected it after { $planes } tests: nothing of it is drawn.
+planes-done-outside = The { $plane } plane has rejected it after { $planes ->
+        [one] { $planes } test
+       *[other] { $planes } tests
+    }: nothing of it is drawn.
 code-sphere-distance = d ← n·c + D
 code-sphere-outside = if d < −r: cull
 code-sphere-straddles = if d < r: straddles
@@ -98,8 +107,14 @@ box-opening = A box around all vertices answers for the object: { $planes } plan
 box-inside = All eight corners are inside the { $plane } plane ({ $outside } outside).
 box-straddles = { $outside } of 8 corners are outside the { $plane } plane: it straddles.
 box-outside = All { $outside } corners are outside the { $plane } plane: culled whole.
-box-meets = It straddles { $cut } planes, and something of it is inside them all.
-box-in-vain = It straddles { $cut } planes, and yet nothing of it is inside them all.
+box-meets = It straddles { $cut ->
+        [one] { $cut } plane
+       *[other] { $cut } planes
+    }, and something of it is inside them all.
+box-in-vain = It straddles { $cut ->
+        [one] { $cut } plane
+       *[other] { $cut } planes
+    }, and yet nothing of it is inside them all.
 box-done-inside = All { $planes } planes have it inside.
 box-done-straddles = No plane of { $planes } rejects it: its triangles are asked in turn.
 box-done-in-vain = The { $planes } planes keep it, and it would be drawn in vain: conservative, not wrong.
@@ -143,20 +158,47 @@ level-counts =
         [one] { $triangles } triangles · { $objects } object
        *[other] { $triangles } triangles · { $objects } objects
     }
-funnel-opening = { $objects } objects with { $triangles } triangles: which of them need be drawn?
-funnel-object = Object { $object }: { $triangles } triangles in one sphere.
+funnel-opening = { $objects ->
+        [one] { $objects } object
+       *[other] { $objects } objects
+    } with { $triangles ->
+        [one] { $triangles } triangle
+       *[other] { $triangles } triangles
+    }: which of them need be drawn?
+funnel-object = Object { $object }: { $triangles ->
+        [one] { $triangles } triangle
+       *[other] { $triangles } triangles
+    } in one sphere.
 funnel-sphere-inside = Object { $object } is inside: its { $triangles } triangles need no clipping.
 funnel-sphere-straddles = Object { $object } straddles: its { $triangles } triangles are asked one by one.
 funnel-sphere-outside = Object { $object } is culled whole: { $triangles } triangles spared.
 funnel-triangle-inside = Triangle { $triangle }: { $inside } of 3 vertices are inside, kept whole.
 funnel-triangle-outside = Triangle { $triangle }: all vertices lie beyond one side ({ $inside } inside), culled.
-funnel-triangle-cut = Triangle { $triangle }: { $inside } of 3 vertices are inside, cut into { $pieces } triangles.
-funnel-triangle-across = Triangle { $triangle }: { $inside } vertices are inside, and yet it is seen: { $pieces } triangles.
+funnel-triangle-cut = Triangle { $triangle }: { $inside } of 3 vertices are inside, cut into { $pieces ->
+        [one] { $pieces } triangle
+       *[other] { $pieces } triangles
+    }.
+funnel-triangle-across = Triangle { $triangle }: { $inside ->
+        [one] { $inside } vertex
+       *[other] { $inside } vertices
+    } are inside, and yet it is seen: { $pieces ->
+        [one] { $pieces } triangle
+       *[other] { $pieces } triangles
+    }.
 funnel-triangle-nothing = Triangle { $triangle }: { $inside } vertices are inside, and the clipper finds { $pieces } pieces.
 funnel-face-front = Triangle { $triangle } of object { $object } faces the camera: drawn.
 funnel-face-back = Triangle { $triangle } of object { $object } looks away: culled.
 funnel-face-edge-on = Triangle { $triangle } of object { $object } is edge-on: culled.
-funnel-done = { $facing } triangles of { $kept } objects are left to draw, of { $triangles } triangles of { $objects }.
+funnel-done = { $facing ->
+        [one] { $facing } triangle
+       *[other] { $facing } triangles
+    } of { $kept ->
+        [one] { $kept } object
+       *[other] { $kept } objects
+    } are left to draw, of { $triangles ->
+        [one] { $triangles } triangle
+       *[other] { $triangles } triangles
+    } of { $objects }.
 code-funnel-each = for each object:
 code-funnel-sphere = c, r ← bounding sphere
 code-funnel-plane = for each plane: d ← n·c + D
@@ -236,6 +278,19 @@ verdict-face-cut = Nothing of it lies inside all planes at once: moving it along
 verdict-face-turn-to = Turned { $angle }° about V₀, straight towards the viewer, it would begin to show its front.
 verdict-face-turn-away = Turned { $angle }° about V₀, straight away from the viewer, it would be edge-on, and culled.
 verdict-face-no-normal = It has no normal: no turn would show its front.
+part-segment = the segment
+part-corner = corner { $vertex }
+part-edge = edge { $from }{ $to }
+verdict-part-kept = No plane takes anything of { $part }.
+verdict-part-cut = The { $plane } plane is the first that cuts { $part }; something of it is left.
+verdict-part-lost = The { $plane } plane decides: nothing is left of { $part }.
+verdict-part-in = Moved { $move } inwards, at right angles to the { $plane } plane, it would not be lost.
+verdict-part-back = Moved { $move } outwards, at right angles to the { $plane } plane, it would not be lost.
+verdict-part-never = No move at right angles to the { $plane } plane would change that.
+verdict-part-out = Moved outwards by more than { $move }, at right angles to the { $plane } plane, nothing of it would be left.
+verdict-part-touch = It only touches the { $plane } plane: the least move outwards, and nothing of it would be left.
+verdict-crossing-out = The edge crosses here because its ends lie on different sides of the { $plane } plane: d = { $inner } and d = { $outer }. That plane moved { $move } outwards, there would be no crossing.
+verdict-crossing-in = The edge crosses here because its ends lie on different sides of the { $plane } plane: d = { $inner } and d = { $outer }. That plane moved inwards by more than { $move }, there would be no crossing.
 
 ## What culling costs, measured
 

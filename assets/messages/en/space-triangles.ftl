@@ -9,6 +9,7 @@ alg-homogeneous-triangle = Triangle before the divide
 alg-faulty-missed-edge = Wrong: with d₀ = 0 the triangle stays whole
 alg-faulty-on-plane = Wrong: on the plane is outside
 alg-faulty-kept-uv = Wrong: (u, v) is not mixed
+alg-undivided-texture = Wrong: a texture without the divide
 alg-faulty-edge-by-edge = Wrong: three clipped edges
 alg-faulty-all-sides = Wrong: all six sides in a row
 alg-faulty-divided-triangle = Wrong: the triangle is divided first
@@ -23,14 +24,23 @@ tally-triangles = triangles
 tally-crossings = crossings
 tally-one-polygon = one polygon
 tally-one-by-one = triangle by triangle
+tally-in-all = in all
+tally-same = Both methods leave the same { $n } corners, to { $decimals } decimals.
+tally-not-same = The two do not leave the same: up to { $apart } apart.
 
 ## One polygon
 
-ip-opening = One polygon against { $planes } planes: its list begins with the triangle’s { $n } corners.
+ip-opening = One polygon against { $planes ->
+        [one] { $planes } plane
+       *[other] { $planes } planes
+    }: its list begins with the triangle’s { $n } corners.
 ip-plane = The { $plane } plane takes a list of { $n } vertices.
 ip-first-inside = { $vertex } is inside the { $plane } plane: it is put out.
 ip-first-outside = { $vertex } is outside the { $plane } plane: it is not put out.
 ip-touch = { $from } → { $to }: { $rule }. The end on the plane is the crossing itself.
+ip-in-out = { $from } → { $to }: in → out. Put out the crossing { $cut }.
+ip-out-in = { $from } → { $to }: out → in. Put out the crossing { $cut }, then { $to }.
+ip-closing-cross = The closing edge { $from } → { $to }: { $rule }. Put out only the crossing { $cut }.
 ip-cross = { $from } → { $to } crosses the { $plane } plane in { $cut }.
 ip-output = { $vertex } goes into the list out, which has { $n } now.
 ip-pass-cuts = The { $plane } plane drops { $dropped } and puts in { $cuts }: { $before } → { $after }.
@@ -38,7 +48,16 @@ ip-pass-drops = The { $plane } plane drops { $dropped }: { $before } → { $afte
 ip-pass-same = The { $plane } plane cuts nothing: { $before } → { $after }.
 ip-pass-empty = The { $plane } plane leaves nothing: { $before } → { $after }.
 ip-fan = Triangle { $n } of { $total } in the fan: { $corners }.
-ip-done = Done: { $vertices } vertices, a fan of { $n } triangles, after { $crossings } crossings.
+ip-done = Done: { $vertices ->
+        [one] { $vertices } vertex
+       *[other] { $vertices } vertices
+    }, a fan of { $n ->
+        [one] { $n } triangle
+       *[other] { $n } triangles
+    }, after { $crossings ->
+        [one] { $crossings } crossing
+       *[other] { $crossings } crossings
+    }.
 ip-done-empty = Done: { $n } triangles. Nothing with an area is left ({ $vertices } vertices, { $crossings } crossings).
 code-ip-each = for each plane (n, D):
 code-ip-distance = d ← n·V + D of each vertex
@@ -55,7 +74,10 @@ words-ip-fan = One convex polygon is cut into triangles once, at the end.
 
 ## Triangle by triangle
 
-pat-opening = Triangle by triangle against { $planes } planes: the list begins with { $n } triangle.
+pat-opening = Triangle by triangle against { $planes ->
+        [one] { $planes } plane
+       *[other] { $planes } planes
+    }: the list begins with { $n } triangle.
 pat-plane =
     { $n ->
         [one] The { $plane } plane takes { $n } triangle.
@@ -78,7 +100,13 @@ pat-done =
         [one] Done: { $n } triangle is left, after { $crossings } crossings.
        *[other] Done: { $n } triangles are left, after { $crossings } crossings.
     }
-pat-done-empty = Done: { $n } triangles are left, after { $crossings } crossings.
+pat-done-empty = Done: { $n ->
+        [one] { $n } triangle
+       *[other] { $n } triangles
+    } are left, after { $crossings ->
+        [one] { $crossings } crossing
+       *[other] { $crossings } crossings
+    }.
 code-pat-each = for each plane (n, D):
 code-pat-triangle = for each triangle: count d ≥ 0
 code-pat-three = 3: keep it
@@ -110,7 +138,13 @@ ht-inside = { $vertex } is inside the { $side } side.
 ht-outside = { $vertex } is outside the { $side } side.
 ht-cross = { $from } → { $to } crosses the { $side } side in I.
 ht-pass = The { $side } side is done: { $before } → { $n }.
-ht-done = { $n } vertices are left, a fan of { $triangles } triangles: now they can be divided.
+ht-done = { $n ->
+        [one] { $n } vertex
+       *[other] { $n } vertices
+    } are left, a fan of { $triangles ->
+        [one] { $triangles } triangle
+       *[other] { $triangles } triangles
+    }: now they can be divided.
 ht-done-empty = Nothing with an area is left: { $n } vertices, { $triangles } triangles.
 code-ht-codes = six bits a corner: w ± x, y, z < 0
 code-ht-decide = OR = 0: keep; AND ≠ 0: reject
@@ -139,6 +173,8 @@ code-faulty-on-plane = if d > 0: put out V
 words-faulty-on-plane = What is strictly inside is put out.
 code-faulty-kept-uv = put out C, uv(C) ← uv(V)
 words-faulty-kept-uv = The crossing takes the (u, v) of the vertex that it stands for.
+code-undivided-texture = fan, fill: uv even on the screen
+words-undivided-texture = The polygon is fanned into triangles; on the screen (u, v) is mixed without 1/w.
 code-faulty-edge-by-edge = for each plane: clip each edge
 words-faulty-edge-by-edge = Ask each plane in turn; it clips the three edges as three lines.
 code-faulty-all-sides = for each of the six sides:

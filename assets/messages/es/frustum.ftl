@@ -54,7 +54,10 @@ alg-faulty-constant-view = Erróneo: una sola dirección de visión
 
 ## A point
 
-point-opening = ¿Está P por dentro de los { $planes } planos?
+point-opening = ¿Está P por dentro de { $planes ->
+        [one] { $planes } plano
+       *[other] los { $planes } planos
+    }?
 point-inside = P está por dentro del plano { $plane }.
 point-on = P está en el plano { $plane }, lo que cuenta como dentro.
 point-outside = P está por fuera del plano { $plane }.
@@ -71,13 +74,19 @@ words-point-inside = Lo que ningún plano deja fuera está en el volumen.
 
 ## A bounding sphere
 
-sphere-opening = Una esfera alrededor de todos los vértices responde por el objeto: { $planes } planos.
+sphere-opening = Una esfera alrededor de todos los vértices responde por el objeto: { $planes ->
+        [one] { $planes } plano
+       *[other] { $planes } planos
+    }.
 sphere-inside = La esfera está por dentro del plano { $plane }.
 sphere-straddles = La esfera cruza el plano { $plane }.
 sphere-outside = La esfera está por fuera del plano { $plane }: se descarta entera.
 sphere-done-inside = Los { $planes } planos la tienen dentro: ningún triángulo necesita prueba.
 sphere-done-straddles = Cruza { $cut } de { $planes } planos: se prueban sus triángulos.
-planes-done-outside = El plano { $plane } la rechaza tras { $planes } pruebas: no se dibuja nada.
+planes-done-outside = El plano { $plane } la rechaza tras { $planes ->
+        [one] { $planes } prueba
+       *[other] { $planes } pruebas
+    }: no se dibuja nada.
 code-sphere-distance = d ← n·c + D
 code-sphere-outside = si d < −r: descartar
 code-sphere-straddles = si d < r: cruza
@@ -98,8 +107,14 @@ box-opening = Una caja alrededor de todos los vértices responde por el objeto: 
 box-inside = Los ocho vértices están por dentro del plano { $plane } ({ $outside } por fuera).
 box-straddles = { $outside } de 8 vértices están por fuera del plano { $plane }: la caja lo cruza.
 box-outside = Los { $outside } vértices están por fuera del plano { $plane }: se descarta entera.
-box-meets = Cruza { $cut } planos, y algo de ella está dentro de todos.
-box-in-vain = Cruza { $cut } planos y, sin embargo, nada de ella está dentro de todos.
+box-meets = Cruza { $cut ->
+        [one] { $cut } plano
+       *[other] { $cut } planos
+    }, y algo de ella está dentro de todos.
+box-in-vain = Cruza { $cut ->
+        [one] { $cut } plano
+       *[other] { $cut } planos
+    } y, sin embargo, nada de ella está dentro de todos.
 box-done-inside = Los { $planes } planos la tienen dentro.
 box-done-straddles = Ninguno de los { $planes } planos la rechaza: se prueban sus triángulos.
 box-done-in-vain = Los { $planes } planos la conservan y se dibujaría en vano: es conservador, no erróneo.
@@ -143,20 +158,47 @@ level-counts =
         [one] { $triangles } triángulos · { $objects } objeto
        *[other] { $triangles } triángulos · { $objects } objetos
     }
-funnel-opening = { $objects } objetos con { $triangles } triángulos: ¿cuáles hay que dibujar?
-funnel-object = Objeto { $object }: { $triangles } triángulos en una esfera.
+funnel-opening = { $objects ->
+        [one] { $objects } objeto
+       *[other] { $objects } objetos
+    } con { $triangles ->
+        [one] { $triangles } triángulo
+       *[other] { $triangles } triángulos
+    }: ¿cuáles hay que dibujar?
+funnel-object = Objeto { $object }: { $triangles ->
+        [one] { $triangles } triángulo
+       *[other] { $triangles } triángulos
+    } en una esfera.
 funnel-sphere-inside = El objeto { $object } está dentro: sus { $triangles } triángulos no necesitan recorte.
 funnel-sphere-straddles = El objeto { $object } cruza el borde: sus { $triangles } triángulos se prueban uno a uno.
 funnel-sphere-outside = El objeto { $object } se descarta entero: { $triangles } triángulos ahorrados.
 funnel-triangle-inside = Triángulo { $triangle }: { $inside } de 3 vértices dentro, se conserva entero.
 funnel-triangle-outside = Triángulo { $triangle }: todos los vértices más allá de un lado ({ $inside } dentro), se descarta.
-funnel-triangle-cut = Triángulo { $triangle }: { $inside } de 3 vértices dentro, recortado en { $pieces } triángulos.
-funnel-triangle-across = Triángulo { $triangle }: { $inside } vértices dentro y, sin embargo, se ve: { $pieces } triángulos.
+funnel-triangle-cut = Triángulo { $triangle }: { $inside } de 3 vértices dentro, recortado en { $pieces ->
+        [one] { $pieces } triángulo
+       *[other] { $pieces } triángulos
+    }.
+funnel-triangle-across = Triángulo { $triangle }: { $inside ->
+        [one] { $inside } vértice
+       *[other] { $inside } vértices
+    } dentro y, sin embargo, se ve: { $pieces ->
+        [one] { $pieces } triángulo
+       *[other] { $pieces } triángulos
+    }.
 funnel-triangle-nothing = Triángulo { $triangle }: { $inside } vértices dentro, y el recorte deja { $pieces } trozos.
 funnel-face-front = El triángulo { $triangle } del objeto { $object } mira a la cámara: se dibuja.
 funnel-face-back = El triángulo { $triangle } del objeto { $object } mira a otro lado: se descarta.
 funnel-face-edge-on = El triángulo { $triangle } del objeto { $object } se ve de canto: se descarta.
-funnel-done = Quedan por dibujar { $facing } triángulos de { $kept } objetos, de { $triangles } triángulos de { $objects }.
+funnel-done = Quedan por dibujar { $facing ->
+        [one] { $facing } triángulo
+       *[other] { $facing } triángulos
+    } de { $kept ->
+        [one] { $kept } objeto
+       *[other] { $kept } objetos
+    }, de { $triangles ->
+        [one] { $triangles } triángulo
+       *[other] { $triangles } triángulos
+    } de { $objects }.
 code-funnel-each = para cada objeto:
 code-funnel-sphere = c, r ← esfera envolvente
 code-funnel-plane = para cada plano: d ← n·c + D
@@ -236,6 +278,19 @@ verdict-face-cut = Nada de él está dentro de todos los planos a la vez: despla
 verdict-face-turn-to = Girada { $angle }° en torno a V₀, directamente hacia el observador, empezaría a mostrar su frente.
 verdict-face-turn-away = Girada { $angle }° en torno a V₀, alejándose del observador, quedaría de canto y se descartaría.
 verdict-face-no-normal = No tiene normal: ningún giro mostraría su frente.
+part-segment = el segmento
+part-corner = el vértice { $vertex }
+part-edge = la arista { $from }{ $to }
+verdict-part-kept = Ningún plano quita nada: queda entero { $part }.
+verdict-part-cut = El plano { $plane } es el primero que corta { $part }; queda una parte.
+verdict-part-lost = Decide el plano { $plane }: se pierde por completo { $part }.
+verdict-part-in = Con un desplazamiento de { $move } hacia dentro, en perpendicular al plano { $plane }, no se perdería.
+verdict-part-back = Con un desplazamiento de { $move } hacia fuera, en perpendicular al plano { $plane }, no se perdería.
+verdict-part-never = Ningún desplazamiento en perpendicular al plano { $plane } lo cambiaría.
+verdict-part-out = Con un desplazamiento hacia fuera de más de { $move }, en perpendicular al plano { $plane }, no quedaría nada.
+verdict-part-touch = Solo toca el plano { $plane }: con el menor desplazamiento hacia fuera no quedaría nada.
+verdict-crossing-out = La arista tiene aquí un corte porque sus extremos están a lados distintos del plano { $plane }: d = { $inner } y d = { $outer }. Con ese plano { $move } más afuera no habría corte.
+verdict-crossing-in = La arista tiene aquí un corte porque sus extremos están a lados distintos del plano { $plane }: d = { $inner } y d = { $outer }. Con ese plano más de { $move } hacia dentro no habría corte.
 
 ## What culling costs, measured
 

@@ -9,6 +9,7 @@ alg-homogeneous-triangle = Triángulo antes de la división
 alg-faulty-missed-edge = Mal: con d₀ = 0 el triángulo queda entero
 alg-faulty-on-plane = Mal: sobre el plano es fuera
 alg-faulty-kept-uv = Mal: (u, v) no se mezcla
+alg-undivided-texture = Mal: una textura sin la división
 alg-faulty-edge-by-edge = Mal: tres aristas recortadas
 alg-faulty-all-sides = Mal: los seis lados en fila
 alg-faulty-divided-triangle = Mal: el triángulo se divide primero
@@ -23,14 +24,26 @@ tally-triangles = triángulos
 tally-crossings = cortes
 tally-one-polygon = un solo polígono
 tally-one-by-one = triángulo a triángulo
+tally-in-all = en total
+tally-same = Los dos métodos dejan los mismos { $n } vértices, hasta { $decimals } decimales.
+tally-not-same = No dejan lo mismo: hasta { $apart } de distancia.
 
 ## Un solo polígono
 
-ip-opening = Un polígono contra { $planes } planos: su lista empieza con los { $n } vértices del triángulo.
+ip-opening = Un polígono contra { $planes ->
+        [one] { $planes } plano
+       *[other] { $planes } planos
+    }: su lista empieza con los { $n ->
+        [one] { $n } vértice
+       *[other] { $n } vértices
+    } del triángulo.
 ip-plane = El plano { $plane } recibe una lista de { $n } vértices.
 ip-first-inside = { $vertex } está dentro del plano { $plane }: sale.
 ip-first-outside = { $vertex } está fuera del plano { $plane }: no sale.
 ip-touch = { $from } → { $to }: { $rule }. El extremo sobre el plano es el propio corte.
+ip-in-out = { $from } → { $to }: dentro → fuera. Se emite la intersección { $cut }.
+ip-out-in = { $from } → { $to }: fuera → dentro. Se emiten la intersección { $cut } y después { $to }.
+ip-closing-cross = La arista de cierre { $from } → { $to }: { $rule }. Se emite solo la intersección { $cut }.
 ip-cross = { $from } → { $to } corta el plano { $plane } en { $cut }.
 ip-output = { $vertex } pasa a la lista de salida, que ya tiene { $n }.
 ip-pass-cuts = El plano { $plane } quita { $dropped } y pone { $cuts }: { $before } → { $after }.
@@ -38,7 +51,16 @@ ip-pass-drops = El plano { $plane } quita { $dropped }: { $before } → { $after
 ip-pass-same = El plano { $plane } no corta nada: { $before } → { $after }.
 ip-pass-empty = El plano { $plane } no deja nada: { $before } → { $after }.
 ip-fan = Triángulo { $n } de { $total } del abanico: { $corners }.
-ip-done = Fin: { $vertices } vértices, un abanico de { $n } triángulos, tras { $crossings } cortes.
+ip-done = Fin: { $vertices ->
+        [one] { $vertices } vértice
+       *[other] { $vertices } vértices
+    }, un abanico de { $n ->
+        [one] { $n } triángulo
+       *[other] { $n } triángulos
+    }, tras { $crossings ->
+        [one] { $crossings } corte
+       *[other] { $crossings } cortes
+    }.
 ip-done-empty = Fin: { $n } triángulos. No queda nada con área ({ $vertices } vértices, { $crossings } cortes).
 code-ip-each = para cada plano (n, D):
 code-ip-distance = d ← n·V + D de cada vértice
@@ -55,7 +77,10 @@ words-ip-fan = Un polígono convexo se divide en triángulos una sola vez, al fi
 
 ## Triángulo a triángulo
 
-pat-opening = Triángulo a triángulo contra { $planes } planos: la lista empieza con { $n } triángulo.
+pat-opening = Triángulo a triángulo contra { $planes ->
+        [one] { $planes } plano
+       *[other] { $planes } planos
+    }: la lista empieza con { $n } triángulo.
 pat-plane =
     { $n ->
         [one] El plano { $plane } recibe { $n } triángulo.
@@ -78,7 +103,13 @@ pat-done =
         [one] Fin: queda { $n } triángulo, tras { $crossings } cortes.
        *[other] Fin: quedan { $n } triángulos, tras { $crossings } cortes.
     }
-pat-done-empty = Fin: quedan { $n } triángulos, tras { $crossings } cortes.
+pat-done-empty = Fin: quedan { $n ->
+        [one] { $n } triángulo
+       *[other] { $n } triángulos
+    }, tras { $crossings ->
+        [one] { $crossings } corte
+       *[other] { $crossings } cortes
+    }.
 code-pat-each = para cada plano (n, D):
 code-pat-triangle = para cada triángulo: contar d ≥ 0
 code-pat-three = 3: conservarlo
@@ -110,7 +141,13 @@ ht-inside = { $vertex } está dentro del lado { $side }.
 ht-outside = { $vertex } está fuera del lado { $side }.
 ht-cross = { $from } → { $to } corta el lado { $side } en I.
 ht-pass = El lado { $side } ha terminado: { $before } → { $n }.
-ht-done = Quedan { $n } vértices, un abanico de { $triangles } triángulos: ahora se pueden dividir.
+ht-done = Quedan { $n ->
+        [one] { $n } vértice
+       *[other] { $n } vértices
+    }, un abanico de { $triangles ->
+        [one] { $triangles } triángulo
+       *[other] { $triangles } triángulos
+    }: ahora se pueden dividir.
 ht-done-empty = No queda nada con área: { $n } vértices, { $triangles } triángulos.
 code-ht-codes = seis bits por vértice: w ± x, y, z < 0
 code-ht-decide = OR = 0: conservar; AND ≠ 0: rechazar
@@ -139,6 +176,8 @@ code-faulty-on-plane = si d > 0: sale V
 words-faulty-on-plane = Sale lo que está estrictamente dentro.
 code-faulty-kept-uv = sale C, uv(C) ← uv(V)
 words-faulty-kept-uv = El corte toma el (u, v) del vértice al que sustituye.
+code-undivided-texture = abanico, rellenar: uv uniforme en la pantalla
+words-undivided-texture = El polígono se divide en abanico; en la pantalla se interpola (u, v) sin 1/w.
 code-faulty-edge-by-edge = para cada plano: recortar cada arista
 words-faulty-edge-by-edge = Pregunta a cada plano por turno; recorta las tres aristas como tres líneas.
 code-faulty-all-sides = para cada uno de los seis lados:

@@ -54,7 +54,10 @@ alg-faulty-constant-view = Errado: uma só direção de visão
 
 ## A point
 
-point-opening = P está do lado de dentro dos { $planes } planos?
+point-opening = P está do lado de dentro { $planes ->
+        [one] de { $planes } plano
+       *[other] dos { $planes } planos
+    }?
 point-inside = P está do lado de dentro do plano { $plane }.
 point-on = P está no plano { $plane }, o que conta como dentro.
 point-outside = P está do lado de fora do plano { $plane }.
@@ -71,13 +74,19 @@ words-point-inside = O que nenhum plano deixa fora está no volume.
 
 ## A bounding sphere
 
-sphere-opening = Uma esfera em torno de todos os vértices responde pelo objeto: { $planes } planos.
+sphere-opening = Uma esfera em torno de todos os vértices responde pelo objeto: { $planes ->
+        [one] { $planes } plano
+       *[other] { $planes } planos
+    }.
 sphere-inside = A esfera está do lado de dentro do plano { $plane }.
 sphere-straddles = A esfera cruza o plano { $plane }.
 sphere-outside = A esfera está do lado de fora do plano { $plane }: descartada inteira.
 sphere-done-inside = Os { $planes } planos a têm dentro: nenhum triângulo precisa de teste.
 sphere-done-straddles = Cruza { $cut } de { $planes } planos: seus triângulos são testados.
-planes-done-outside = O plano { $plane } a rejeita após { $planes } testes: nada é desenhado.
+planes-done-outside = O plano { $plane } a rejeita após { $planes ->
+        [one] { $planes } teste
+       *[other] { $planes } testes
+    }: nada é desenhado.
 code-sphere-distance = d ← n·c + D
 code-sphere-outside = se d < −r: descartar
 code-sphere-straddles = se d < r: cruza
@@ -98,8 +107,14 @@ box-opening = Uma caixa em torno de todos os vértices responde pelo objeto: { $
 box-inside = Os oito cantos estão do lado de dentro do plano { $plane } ({ $outside } fora).
 box-straddles = { $outside } de 8 cantos estão do lado de fora do plano { $plane }: a caixa o cruza.
 box-outside = Os { $outside } cantos estão do lado de fora do plano { $plane }: descartada inteira.
-box-meets = Cruza { $cut } planos, e algo dela está dentro de todos.
-box-in-vain = Cruza { $cut } planos e, mesmo assim, nada dela está dentro de todos.
+box-meets = Cruza { $cut ->
+        [one] { $cut } plano
+       *[other] { $cut } planos
+    }, e algo dela está dentro de todos.
+box-in-vain = Cruza { $cut ->
+        [one] { $cut } plano
+       *[other] { $cut } planos
+    } e, mesmo assim, nada dela está dentro de todos.
 box-done-inside = Os { $planes } planos a têm dentro.
 box-done-straddles = Nenhum dos { $planes } planos a rejeita: seus triângulos são testados.
 box-done-in-vain = Os { $planes } planos a mantêm e ela seria desenhada em vão: é conservador, não errado.
@@ -143,20 +158,47 @@ level-counts =
         [one] { $triangles } triângulos · { $objects } objeto
        *[other] { $triangles } triângulos · { $objects } objetos
     }
-funnel-opening = { $objects } objetos com { $triangles } triângulos: quais é preciso desenhar?
-funnel-object = Objeto { $object }: { $triangles } triângulos em uma esfera.
+funnel-opening = { $objects ->
+        [one] { $objects } objeto
+       *[other] { $objects } objetos
+    } com { $triangles ->
+        [one] { $triangles } triângulo
+       *[other] { $triangles } triângulos
+    }: quais é preciso desenhar?
+funnel-object = Objeto { $object }: { $triangles ->
+        [one] { $triangles } triângulo
+       *[other] { $triangles } triângulos
+    } em uma esfera.
 funnel-sphere-inside = O objeto { $object } está dentro: seus { $triangles } triângulos não precisam de recorte.
 funnel-sphere-straddles = O objeto { $object } cruza a borda: seus { $triangles } triângulos são testados um a um.
 funnel-sphere-outside = O objeto { $object } é descartado inteiro: { $triangles } triângulos poupados.
 funnel-triangle-inside = Triângulo { $triangle }: { $inside } de 3 vértices dentro, mantido inteiro.
 funnel-triangle-outside = Triângulo { $triangle }: todos os vértices além de um lado ({ $inside } dentro), descartado.
-funnel-triangle-cut = Triângulo { $triangle }: { $inside } de 3 vértices dentro, recortado em { $pieces } triângulos.
-funnel-triangle-across = Triângulo { $triangle }: { $inside } vértices dentro e, mesmo assim, visível: { $pieces } triângulos.
+funnel-triangle-cut = Triângulo { $triangle }: { $inside } de 3 vértices dentro, recortado em { $pieces ->
+        [one] { $pieces } triângulo
+       *[other] { $pieces } triângulos
+    }.
+funnel-triangle-across = Triângulo { $triangle }: { $inside ->
+        [one] { $inside } vértice
+       *[other] { $inside } vértices
+    } dentro e, mesmo assim, visível: { $pieces ->
+        [one] { $pieces } triângulo
+       *[other] { $pieces } triângulos
+    }.
 funnel-triangle-nothing = Triângulo { $triangle }: { $inside } vértices dentro, e o recorte deixa { $pieces } pedaços.
 funnel-face-front = O triângulo { $triangle } do objeto { $object } está de frente para a câmera: desenhado.
 funnel-face-back = O triângulo { $triangle } do objeto { $object } está de costas: descartado.
 funnel-face-edge-on = O triângulo { $triangle } do objeto { $object } está de perfil: descartado.
-funnel-done = Restam a desenhar { $facing } triângulos de { $kept } objetos, de { $triangles } triângulos de { $objects }.
+funnel-done = Restam a desenhar { $facing ->
+        [one] { $facing } triângulo
+       *[other] { $facing } triângulos
+    } de { $kept ->
+        [one] { $kept } objeto
+       *[other] { $kept } objetos
+    }, de { $triangles ->
+        [one] { $triangles } triângulo
+       *[other] { $triangles } triângulos
+    } de { $objects }.
 code-funnel-each = para cada objeto:
 code-funnel-sphere = c, r ← esfera envolvente
 code-funnel-plane = para cada plano: d ← n·c + D
@@ -236,6 +278,19 @@ verdict-face-cut = Nada dele está dentro de todos os planos ao mesmo tempo: des
 verdict-face-turn-to = Girada { $angle }° em torno de V₀, diretamente para o observador, começaria a mostrar sua frente.
 verdict-face-turn-away = Girada { $angle }° em torno de V₀, afastando-se do observador, ficaria de perfil e seria descartada.
 verdict-face-no-normal = Não tem normal: nenhum giro mostraria sua frente.
+part-segment = o segmento
+part-corner = o vértice { $vertex }
+part-edge = a aresta { $from }{ $to }
+verdict-part-kept = Nenhum plano tira nada: fica { $part } por inteiro.
+verdict-part-cut = O plano { $plane } é o primeiro que corta { $part }; resta uma parte.
+verdict-part-lost = Quem decide é o plano { $plane }: { $part } se perde por inteiro.
+verdict-part-in = Com um deslocamento de { $move } para dentro, perpendicular ao plano { $plane }, não se perderia.
+verdict-part-back = Com um deslocamento de { $move } para fora, perpendicular ao plano { $plane }, não se perderia.
+verdict-part-never = Nenhum deslocamento perpendicular ao plano { $plane } mudaria isso.
+verdict-part-out = Com um deslocamento para fora de mais de { $move }, perpendicular ao plano { $plane }, não restaria nada.
+verdict-part-touch = Só toca o plano { $plane }: com o menor deslocamento para fora não restaria nada.
+verdict-crossing-out = A aresta tem aqui um corte porque seus extremos estão em lados diferentes do plano { $plane }: d = { $inner } e d = { $outer }. Com esse plano { $move } mais para fora não haveria corte.
+verdict-crossing-in = A aresta tem aqui um corte porque seus extremos estão em lados diferentes do plano { $plane }: d = { $inner } e d = { $outer }. Com esse plano mais de { $move } para dentro não haveria corte.
 
 ## What culling costs, measured
 

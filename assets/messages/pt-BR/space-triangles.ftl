@@ -9,6 +9,7 @@ alg-homogeneous-triangle = Triângulo antes da divisão
 alg-faulty-missed-edge = Errado: com d₀ = 0 o triângulo fica inteiro
 alg-faulty-on-plane = Errado: sobre o plano é fora
 alg-faulty-kept-uv = Errado: (u, v) não é misturado
+alg-undivided-texture = Errado: uma textura sem a divisão
 alg-faulty-edge-by-edge = Errado: três arestas recortadas
 alg-faulty-all-sides = Errado: os seis lados em fila
 alg-faulty-divided-triangle = Errado: o triângulo é dividido primeiro
@@ -23,14 +24,26 @@ tally-triangles = triângulos
 tally-crossings = cortes
 tally-one-polygon = um só polígono
 tally-one-by-one = triângulo a triângulo
+tally-in-all = no total
+tally-same = Os dois métodos deixam os mesmos { $n } vértices, até { $decimals } casas decimais.
+tally-not-same = Não deixam o mesmo: até { $apart } de distância.
 
 ## Um só polígono
 
-ip-opening = Um polígono contra { $planes } planos: sua lista começa com os { $n } vértices do triângulo.
+ip-opening = Um polígono contra { $planes ->
+        [one] { $planes } plano
+       *[other] { $planes } planos
+    }: sua lista começa com os { $n ->
+        [one] { $n } vértice
+       *[other] { $n } vértices
+    } do triângulo.
 ip-plane = O plano { $plane } recebe uma lista de { $n } vértices.
 ip-first-inside = { $vertex } está dentro do plano { $plane }: sai.
 ip-first-outside = { $vertex } está fora do plano { $plane }: não sai.
 ip-touch = { $from } → { $to }: { $rule }. O extremo sobre o plano é o próprio corte.
+ip-in-out = { $from } → { $to }: dentro → fora. Emite-se a interseção { $cut }.
+ip-out-in = { $from } → { $to }: fora → dentro. Emitem-se a interseção { $cut } e depois { $to }.
+ip-closing-cross = A aresta de fechamento { $from } → { $to }: { $rule }. Emite-se só a interseção { $cut }.
 ip-cross = { $from } → { $to } corta o plano { $plane } em { $cut }.
 ip-output = { $vertex } vai para a lista de saída, que agora tem { $n }.
 ip-pass-cuts = O plano { $plane } retira { $dropped } e põe { $cuts }: { $before } → { $after }.
@@ -38,7 +51,16 @@ ip-pass-drops = O plano { $plane } retira { $dropped }: { $before } → { $after
 ip-pass-same = O plano { $plane } não corta nada: { $before } → { $after }.
 ip-pass-empty = O plano { $plane } não deixa nada: { $before } → { $after }.
 ip-fan = Triângulo { $n } de { $total } do leque: { $corners }.
-ip-done = Fim: { $vertices } vértices, um leque de { $n } triângulos, após { $crossings } cortes.
+ip-done = Fim: { $vertices ->
+        [one] { $vertices } vértice
+       *[other] { $vertices } vértices
+    }, um leque de { $n ->
+        [one] { $n } triângulo
+       *[other] { $n } triângulos
+    }, após { $crossings ->
+        [one] { $crossings } corte
+       *[other] { $crossings } cortes
+    }.
 ip-done-empty = Fim: { $n } triângulos. Não sobra nada com área ({ $vertices } vértices, { $crossings } cortes).
 code-ip-each = para cada plano (n, D):
 code-ip-distance = d ← n·V + D de cada vértice
@@ -55,7 +77,10 @@ words-ip-fan = Um polígono convexo é dividido em triângulos uma só vez, no f
 
 ## Triângulo a triângulo
 
-pat-opening = Triângulo a triângulo contra { $planes } planos: a lista começa com { $n } triângulo.
+pat-opening = Triângulo a triângulo contra { $planes ->
+        [one] { $planes } plano
+       *[other] { $planes } planos
+    }: a lista começa com { $n } triângulo.
 pat-plane =
     { $n ->
         [one] O plano { $plane } recebe { $n } triângulo.
@@ -78,7 +103,13 @@ pat-done =
         [one] Fim: sobra { $n } triângulo, após { $crossings } cortes.
        *[other] Fim: sobram { $n } triângulos, após { $crossings } cortes.
     }
-pat-done-empty = Fim: sobram { $n } triângulos, após { $crossings } cortes.
+pat-done-empty = Fim: sobram { $n ->
+        [one] { $n } triângulo
+       *[other] { $n } triângulos
+    }, após { $crossings ->
+        [one] { $crossings } corte
+       *[other] { $crossings } cortes
+    }.
 code-pat-each = para cada plano (n, D):
 code-pat-triangle = para cada triângulo: conte d ≥ 0
 code-pat-three = 3: mantenha
@@ -110,7 +141,13 @@ ht-inside = { $vertex } está dentro do lado { $side }.
 ht-outside = { $vertex } está fora do lado { $side }.
 ht-cross = { $from } → { $to } corta o lado { $side } em I.
 ht-pass = O lado { $side } terminou: { $before } → { $n }.
-ht-done = Sobram { $n } vértices, um leque de { $triangles } triângulos: agora podem ser divididos.
+ht-done = Sobram { $n ->
+        [one] { $n } vértice
+       *[other] { $n } vértices
+    }, um leque de { $triangles ->
+        [one] { $triangles } triângulo
+       *[other] { $triangles } triângulos
+    }: agora podem ser divididos.
 ht-done-empty = Não sobra nada com área: { $n } vértices, { $triangles } triângulos.
 code-ht-codes = seis bits por vértice: w ± x, y, z < 0
 code-ht-decide = OR = 0: mantenha; AND ≠ 0: rejeite
@@ -139,6 +176,8 @@ code-faulty-on-plane = se d > 0: sai V
 words-faulty-on-plane = Sai o que está estritamente dentro.
 code-faulty-kept-uv = sai C, uv(C) ← uv(V)
 words-faulty-kept-uv = O corte toma o (u, v) do vértice que substitui.
+code-undivided-texture = leque, preencher: uv uniforme na tela
+words-undivided-texture = O polígono é dividido em leque; na tela (u, v) é interpolado sem 1/w.
 code-faulty-edge-by-edge = para cada plano: recorte cada aresta
 words-faulty-edge-by-edge = Pergunte a cada plano por vez; ele recorta as três arestas como três linhas.
 code-faulty-all-sides = para cada um dos seis lados:

@@ -232,6 +232,19 @@ verdict-face-cut = 它没有任何部分同时在所有平面之内：沿某一�
 verdict-face-turn-to = 绕 V₀ 正对视点转 { $angle }°，它就开始露出正面。
 verdict-face-turn-away = 绕 V₀ 背离视点转 { $angle }°，它就侧对视点，被剔除。
 verdict-face-no-normal = 它没有法向量：怎样转都不会露出正面。
+part-segment = 线段
+part-corner = 顶点 { $vertex }
+part-edge = 边 { $from }{ $to }
+verdict-part-kept = 没有平面从{ $part }上裁去什么。
+verdict-part-cut = { $plane }平面最先裁切{ $part }；它还剩下一部分。
+verdict-part-lost = 由{ $plane }平面决定：{ $part }什么也不剩。
+verdict-part-in = 沿垂直于{ $plane }平面的方向向内移 { $move }，它就不会被裁掉。
+verdict-part-back = 沿垂直于{ $plane }平面的方向向外移 { $move }，它就不会被裁掉。
+verdict-part-never = 沿垂直于{ $plane }平面的方向怎样移动都改变不了。
+verdict-part-out = 沿垂直于{ $plane }平面的方向向外移动超过 { $move }，它就什么也不剩。
+verdict-part-touch = 它只是碰到{ $plane }平面：稍向外移，它就什么也不剩。
+verdict-crossing-out = 这条边在这里有交点，因为它的两端在{ $plane }平面的两侧：d = { $inner } 和 d = { $outer }。把该平面向外移 { $move }，就没有交点了。
+verdict-crossing-in = 这条边在这里有交点，因为它的两端在{ $plane }平面的两侧：d = { $inner } 和 d = { $outer }。把该平面向内移动超过 { $move }，就没有交点了。
 
 ## What culling costs, measured
 

@@ -9,6 +9,7 @@ alg-homogeneous-triangle = 除法之前的三角形
 alg-faulty-missed-edge = 错误：d₀ = 0 时三角形原样保留
 alg-faulty-on-plane = 错误：平面上算外侧
 alg-faulty-kept-uv = 错误：(u, v) 没有插值
+alg-undivided-texture = 错误：贴图时不做除法
 alg-faulty-edge-by-edge = 错误：三条边各自裁剪
 alg-faulty-all-sides = 错误：六个面挨个问
 alg-faulty-divided-triangle = 错误：先除再裁剪
@@ -23,6 +24,9 @@ tally-triangles = 三角形
 tally-crossings = 交点
 tally-one-polygon = 整个多边形
 tally-one-by-one = 逐个三角形
+tally-in-all = 总计
+tally-same = 两种方法留下同样的 { $n } 个顶点，一致到小数点后 { $decimals } 位。
+tally-not-same = 两种方法留下的不同：最多相差 { $apart }。
 
 ## 整个多边形
 
@@ -31,6 +35,9 @@ ip-plane = { $plane }平面接到 { $n } 个顶点的表。
 ip-first-inside = { $vertex } 在{ $plane }平面内侧：输出。
 ip-first-outside = { $vertex } 在{ $plane }平面外侧：不输出。
 ip-touch = { $from } → { $to }：{ $rule }。平面上的端点就是交点。
+ip-in-out = { $from } → { $to }：内 → 外。输出交点 { $cut }。
+ip-out-in = { $from } → { $to }：外 → 内。先输出交点 { $cut }，再输出 { $to }。
+ip-closing-cross = 闭合边 { $from } → { $to }：{ $rule }。只输出交点 { $cut }。
 ip-cross = { $from } → { $to } 与{ $plane }平面交于 { $cut }。
 ip-output = { $vertex } 进入输出表，表中现有 { $n } 个。
 ip-pass-cuts = { $plane }平面去掉 { $dropped }，放入 { $cuts }：{ $before } → { $after }。
@@ -123,6 +130,8 @@ code-faulty-on-plane = 若 d > 0：输出 V
 words-faulty-on-plane = 严格在内侧的才输出。
 code-faulty-kept-uv = 输出 C，uv(C) ← uv(V)
 words-faulty-kept-uv = 交点沿用它所代替的顶点的 (u, v)。
+code-undivided-texture = 扇形剖分，填充：uv 在屏幕上均匀变化
+words-undivided-texture = 把多边形剖成扇形三角形；在屏幕上插值 (u, v) 时不用 1/w。
 code-faulty-edge-by-edge = 对每个平面：裁剪每条边
 words-faulty-edge-by-edge = 依次问每个平面；它把三条边当作三条线段来裁剪。
 code-faulty-all-sides = 对六个面中的每一个：

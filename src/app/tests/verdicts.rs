@@ -105,3 +105,35 @@ fn enter_belongs_to_whoever_has_the_focus() {
     assert!(bench.app.stage.typing.is_some(), "the handle's place");
     assert_eq!(bench.app.position(), 0);
 }
+
+#[test]
+fn a_part_of_a_triangle_and_of_a_segment_that_is_clicked_is_told() {
+    let mut bench = bench("frustum");
+    for (method, at, said, event) in [
+        (
+            "intersection-polygon",
+            [-5.5, 0.5, 0.0],
+            "corner V₀",
+            "first",
+        ),
+        (
+            "intersection-polygon",
+            [1.5, 2.5, -1.5],
+            "edge V₁V₂",
+            "cross",
+        ),
+        ("liang-barsky-3d", [3.0, 2.5, -4.0], "P₂", "row"),
+    ] {
+        bench.command(Command::Edit(Edit::Method(method), None));
+        bench.command(Command::First);
+        let place = bench.app.stage.on_screen(at).expect("it is in sight");
+        bench.click_there(place);
+        let texts = bench.texts();
+        let is_said = texts.iter().any(|(text, _)| text.contains(said));
+        assert!(bench.verdict().is_some() && is_said, "{method}: {said}");
+        bench.key(Key::Enter);
+        let run = bench.app.playback.main();
+        let there = run.event_json(bench.app.position());
+        assert_eq!(there["event"], event, "{method}: {said}");
+    }
+}

@@ -98,14 +98,17 @@ impl Seen {
             let outline = quiet(Mark::new(mark.role, Shape::Outline(corners)));
             drawn.push(weighed(light(outline, OUTLINE.0, OUTLINE.1), mark.is_fine));
         } else {
-            let shape = |ends: [[f64; 2]; 2]| match edges.len() {
-                1 => Shape::Segment(ends),
-                _ => Shape::Path(ends.to_vec()),
+            let is_part = mark.is_edge || edges.len() > 1;
+            let shape = |ends: [[f64; 2]; 2]| {
+                if is_part {
+                    Shape::Path(ends.to_vec())
+                } else {
+                    Shape::Segment(ends)
+                }
             };
             let parts = visible
                 .into_iter()
                 .map(|ends| quiet(Mark::new(mark.role, shape(ends))));
-            let is_part = edges.len() > 1;
             let parts = parts.map(|part| {
                 if is_part {
                     light(part, OUTLINE.0, OUTLINE.1)

@@ -2,6 +2,7 @@
 
 mod culling;
 mod methods;
+mod part;
 mod registry;
 mod verdict;
 

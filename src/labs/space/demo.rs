@@ -1,8 +1,8 @@
 //! What a method of this lab has beyond any other that can be shown.
 
 use crate::{
-    figure::Run,
-    labs::{self, Demo},
+    figure::{Link, Run},
+    labs::{self, Demo, Verdict},
 };
 
 use super::{FaceFate, Scene, Subject};
@@ -20,6 +20,11 @@ pub trait SpaceDemo: Demo {
 
     /// The step that decided the fate of a face of the object in focus, and what was asked there.
     fn face_fate(_: &Scene, _face_idx: usize) -> Option<FaceFate> {
+        None
+    }
+
+    /// What decided the fate of a part of what it clips, in a run of it.
+    fn verdict(_: &Scene, _about: Link, _run: &dyn Run) -> Option<Verdict> {
         None
     }
 

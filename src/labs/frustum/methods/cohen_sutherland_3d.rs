@@ -9,22 +9,25 @@ use crate::{
         },
     },
     figure::{
-        BitRow, Bits, Body, Caption, Mark3, Role, Shape3, Tick, View, Watch, WatchRow, WatchSection,
+        BitRow, Bits, Body, Caption, Link, Mark3, Role, Run, Shape3, Tick, View, Watch, WatchRow,
+        WatchSection,
     },
     geom::{AlignedBox, VolumeSide},
     labs::{
-        CodeLine, Demo, Step, code_line,
+        CodeLine, Demo, Step, Verdict, code_line,
         crossing_formulas::upright_in_space,
         operator::Operator,
         words::{end_link, end_name, end_name_now, name, subscript},
     },
     text::{Formula, Message},
+    trace::Algorithm,
 };
 
 use super::{
     super::{
         OnScene, OnSceneInput, Scene, Subject,
         demo::SpaceDemo,
+        part::{Fate, Outcome, segment_verdict},
         stage::{cube_view, face_at_work, side_name},
     },
     line::{
@@ -64,6 +67,43 @@ impl SpaceDemo for Shown {
         };
         OnSceneInput::of(scene, own)
     }
+
+    fn verdict(scene: &Scene, about: Link, run: &dyn Run) -> Option<Verdict> {
+        let input = Self::input(scene).own;
+        segment_verdict(scene, (Self::SUBJECT, about), |end| fate(&input, end), run)
+    }
+}
+
+/// The step that decided what became of an end, or of the whole segment: codes decide, and the first cut.
+fn fate(input: &CohenSutherland3dInput, asked: Option<End>) -> Option<Fate> {
+    let (mut step, mut fate) = (0, None);
+    CohenSutherland3d::run::<f64>(input, |event| {
+        step += 1;
+        let outcome = match event {
+            Event::Code { end, code, .. } if asked == Some(end) && fate.is_none() => {
+                let beyond = code.lowest().map(|side| Outcome::Lost(side as usize));
+                Some(beyond.unwrap_or(Outcome::Kept))
+            }
+            Event::Or { or } if asked.is_none() && fate.is_none() && or.is_inside() => {
+                Some(Outcome::Kept)
+            }
+            Event::Cut { side, .. } if asked.is_none() && fate.is_none() => {
+                Some(Outcome::Cut(side as usize))
+            }
+            Event::And { and } if asked.is_none() => {
+                and.lowest().map(|side| Outcome::Lost(side as usize))
+            }
+            Event::Code { .. }
+            | Event::Or { .. }
+            | Event::And { .. }
+            | Event::Choose { .. }
+            | Event::Cut { .. }
+            | Event::Accept { .. }
+            | Event::Reject { .. } => None,
+        };
+        fate = outcome.map(|outcome| Fate { step, outcome }).or(fate);
+    });
+    fate
 }
 
 impl Demo for Shown {

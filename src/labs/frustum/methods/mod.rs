@@ -12,4 +12,4 @@ mod point_planes;
 mod sphere_cull;
 mod viewing_pipeline;
 
-pub use cut_triangle::WithTexture;
+pub use cut_triangle::{EvenOnScreen, WithTexture};

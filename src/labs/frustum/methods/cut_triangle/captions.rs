@@ -132,7 +132,8 @@ pub fn polygon_caption(
             distances,
             rule,
         } => {
-            let caption = Caption::new(test_message(idx, distances, rule));
+            let cut = cut_symbol(before.crossings.len());
+            let caption = Caption::new(test_message(idx, distances, rule, cut));
             let formula = at_work.map(|plane| distance(plane, idx[1], ends[1].at, distances[1]));
             formula.into_iter().fold(caption, Caption::so)
         }
@@ -175,16 +176,16 @@ fn fan_caption(before: &IntersectionPolygonState, triangle: &[SpaceVertex; 3]) -
 }
 
 /// The rules are those of the plane.
-fn test_message(idx: [usize; 2], distances: [f64; 2], rule: Rule) -> Message {
+fn test_message(idx: [usize; 2], distances: [f64; 2], rule: Rule, cut: String) -> Message {
     let is_crossed = distances.iter().all(|&d| d != 0.0);
     let (key, rule_key) = match rule {
         Rule::InIn => ("sh-in-in", "rule-in-in"),
-        Rule::InOut => ("sh-in-out", "rule-in-out"),
-        Rule::OutIn => ("sh-out-in", "rule-out-in"),
+        Rule::InOut => ("ip-in-out", "rule-in-out"),
+        Rule::OutIn => ("ip-out-in", "rule-out-in"),
         Rule::OutOut => ("sh-out-out", "rule-out-out"),
     };
     let (key, has_rule) = match (idx[1], rule.changes_side(), is_crossed) {
-        (0, true, true) => ("sh-closing-cross", true),
+        (0, true, true) => ("ip-closing-cross", true),
         (0, ..) => ("sh-closing", true),
         (_, true, false) => ("ip-touch", true),
         (..) => (key, false),
@@ -192,6 +193,11 @@ fn test_message(idx: [usize; 2], distances: [f64; 2], rule: Rule) -> Message {
     let message = Message::new(key)
         .with("from", vertex(idx[0]))
         .with("to", vertex(idx[1]));
+    let message = if rule.changes_side() && is_crossed {
+        message.with("cut", name(cut))
+    } else {
+        message
+    };
     if has_rule {
         message.with("rule", Value::Term(rule_key))
     } else {

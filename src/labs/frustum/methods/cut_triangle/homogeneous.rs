@@ -3,11 +3,12 @@
 use serde_json::{Value as Json, json};
 
 use crate::{
-    algo::volume::{ClipPolygon, ClipVertex, HomogeneousTriangle, SideCode},
-    figure::{Body, Caption, Run, Tick, View, Watch, WatchRow, WatchSection},
+    algo::volume::{ClipPolygon, HomogeneousTriangle, SideCode},
+    figure::{Body, Caption, Link, Run, Tick, View, Watch, WatchRow, WatchSection},
     geom::VolumeSide,
-    labs::{Answer, CodeLine, Demo, Step, record_beside, words::name},
+    labs::{Answer, CodeLine, Demo, Step, Verdict, record_beside, words::name},
     text::{Formula, Message, Value},
+    trace::silent,
 };
 
 use super::{
@@ -20,11 +21,13 @@ use super::{
         planes::parameter_row,
     },
     LISTS_VIEW,
-    clip_space::{Event, State, Uv, Vertex, bound_symbol, point},
+    agreement::{agreement_view, is_about_pictures, is_alone},
+    clip_space::{Event, State, Uv, Vertex, bound_symbol, in_world, point, triangle},
     code::homogeneous,
     homogeneous_views::{BITS_VIEW, bits, camera_marks, lists, observer_marks},
     marks::vertex_symbol,
-    variant::{Homogeneous, UV, Variant},
+    tellings::in_clip_space,
+    variant::{Homogeneous, Variant},
 };
 
 type Input = OnSceneInput<[Vertex; 3]>;
@@ -51,16 +54,12 @@ impl<L: Variant<Homogeneous>> SpaceDemo for Shown<L> {
     const SUBJECT: Subject = Subject::Triangle;
 
     fn input(scene: &Scene) -> Input {
-        let clip_from_world = scene.culler().clip_from_world();
-        let corners = scene.places.triangle();
-        let own = std::array::from_fn(|i| {
-            let [x, y, z] = corners[i];
-            ClipVertex {
-                at: clip_from_world.times([x, y, z, 1.0]),
-                attributes: Some(UV[i]),
-            }
-        });
-        OnSceneInput::of(scene, own)
+        OnSceneInput::of(scene, triangle(scene))
+    }
+
+    fn verdict(scene: &Scene, about: Link, run: &dyn Run) -> Option<Verdict> {
+        let parts = in_clip_space::<L>(&Self::input(scene).own);
+        parts.verdict(scene, about, |v| in_world(v, scene), run)
     }
 
     fn record(scene: &Scene) -> Box<dyn Run> {
@@ -114,21 +113,30 @@ impl<L: Variant<Homogeneous>> Demo for Shown<L> {
     }
 
     fn views(step: &Step<'_, Self>) -> Vec<View> {
+        let parts = in_clip_space::<L>(&step.input.own);
         let mut views = Vec::new();
-        if let Some(scenery) = step.input.scenery.as_deref() {
-            let marks = observer_marks(step.state, step.event, scenery);
+        let scenery = step.input.scenery.as_deref();
+        let has_more = scenery.is_none_or(is_alone);
+        if let Some(scenery) = scenery {
+            let marks = observer_marks(step.state, &parts, step.event, scenery);
             views.push(scenery.observer(|_| Fate::ToCome, marks));
+        }
+        if let Some(scenery) = scenery.filter(|_| has_more) {
             let marks = camera_marks::<L>(step.state, scenery);
             views.push(scenery.camera(|_| Fate::ToCome, |_, _| FaceLook::Whole, marks));
         }
-        views.push(View::new(
-            BITS_VIEW,
-            Body::Bits(bits(step.state, step.event)),
-        ));
-        views.push(View::new(
-            LISTS_VIEW,
-            Body::Lists(lists(step.state, step.event)),
-        ));
+        if has_more {
+            let codes = bits(step.state, &parts, step.event);
+            views.push(View::new(BITS_VIEW, Body::Bits(codes)));
+        }
+        if !is_about_pictures(scenery) {
+            let lists = lists(step.state, &parts, step.event);
+            views.push(View::new(LISTS_VIEW, Body::Lists(lists)));
+        }
+        let own = &step.input.own;
+        let left = silent::<HomogeneousTriangle<Uv, L>>(own);
+        let found = [parts.n_cuts(), left.triangles().count()];
+        views.extend(agreement_view(scenery, found));
         views
     }
 
@@ -150,11 +158,19 @@ impl<L: Variant<Homogeneous>> Demo for Shown<L> {
                 let symbol = format!("{}{prime}", vertex_symbol(i));
                 WatchRow::new(name(symbol), Some(Value::Formula(point(v.at))))
             };
-            let rows = polygon.vertices().iter().enumerate().map(row);
-            WatchSection::list(rows.collect()).seen_in(LISTS_VIEW)
+            let rows = WatchSection::list(polygon.vertices().iter().enumerate().map(row).collect());
+            if is_about_pictures(step.input.scenery.as_deref()) {
+                rows
+            } else {
+                rows.seen_in(LISTS_VIEW)
+            }
         };
         vec![
-            WatchSection::list(rows).seen_in(BITS_VIEW),
+            if step.input.scenery.as_deref().is_none_or(is_alone) {
+                WatchSection::list(rows).seen_in(BITS_VIEW)
+            } else {
+                WatchSection::list(rows)
+            },
             list(&state.input, ""),
             list(&state.output, "′"),
         ]

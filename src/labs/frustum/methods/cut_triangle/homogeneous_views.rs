@@ -3,15 +3,16 @@
 use crate::{
     algo::volume::{ClipPolygon, SideCode, side_distances},
     figure::{BitRow, Bits, ItemMarker, ListColumn, ListRow, Lists, Mark3, Role, Shape3},
-    geom::{Camera, Sight, VolumeSide},
+    geom::VolumeSide,
     labs::words::name,
     text::Value,
 };
 
 use super::{
     super::super::stage::{Scenery, side_name},
-    clip_space::{Event, State, Uv, Vertex, bound_symbol, point},
-    marks::{plane_mark, vertex_link, vertex_symbol},
+    clip_space::{Event, State, Uv, Vertex, bound_symbol, in_world, on_screen, point},
+    marks::{given, plane_mark, vertex_symbol},
+    parts::Parts,
     variant::{Homogeneous, Variant},
 };
 
@@ -19,7 +20,7 @@ use super::{
 pub const BITS_VIEW: &str = "codes";
 
 /// The corners' codes over each other, and what they come to: AND where it rejects, else OR.
-pub fn bits(state: &State, event: Option<Event>) -> Bits {
+pub fn bits(state: &State, parts: &Parts<Vertex>, event: Option<Event>) -> Bits {
     let is_now = matches!(event, Some(Event::Codes { .. }));
     let role = if is_now { Role::Signal } else { Role::Ink };
     let digits = |code: SideCode| SideCode::WRITTEN.map(|side| code.has(side)).to_vec();
@@ -29,7 +30,7 @@ pub fn bits(state: &State, event: Option<Event>) -> Bits {
             .codes
             .map_or_else(Vec::new, |(codes, ..)| digits(codes[i])),
         role,
-        link: Some(vertex_link(i)),
+        link: parts.link(&parts.corners[i]),
     };
     let result = state.codes.map(|(_, or, and)| {
         let (symbol, code) = if and.is_inside() {
@@ -61,19 +62,22 @@ pub fn bits(state: &State, event: Option<Event>) -> Bits {
 }
 
 /// The list in with the bound that is asked, and the list out.
-pub fn lists(state: &State, event: Option<Event>) -> Lists {
+pub fn lists(state: &State, parts: &Parts<Vertex>, event: Option<Event>) -> Lists {
     let has_passed = matches!(event, Some(Event::Pass { .. }));
     let side = state.side.filter(|_| !has_passed);
-    let out = side.map(|_| list_out(state, event));
+    let out = side.map(|_| list_out(state, parts, event));
     Lists {
-        lists: [list_in(state, side)].into_iter().chain(out).collect(),
+        lists: [list_in(state, parts, side)]
+            .into_iter()
+            .chain(out)
+            .collect(),
         links: Vec::new(),
         legend: Vec::new(),
     }
 }
 
 /// With the bound of the side at work.
-fn list_in(state: &State, side: Option<VolumeSide>) -> ListColumn {
+fn list_in(state: &State, parts: &Parts<Vertex>, side: Option<VolumeSide>) -> ListColumn {
     let current = state.test.map(|(idx, ..)| idx);
     let bounds = bounds(state);
     let entry = |(i, v): (usize, &Vertex)| {
@@ -93,7 +97,7 @@ fn list_in(state: &State, side: Option<VolumeSide>) -> ListColumn {
         });
         entry.details = vec![Some(Value::Formula(point(v.at)))];
         entry.details.extend(side.map(|_| d.map(Value::Number)));
-        entry.link = Some(vertex_link(i));
+        entry.link = parts.link(v);
         entry
     };
     let symbols = [name("(x, y, z, w)")].into_iter();
@@ -112,7 +116,7 @@ fn list_in(state: &State, side: Option<VolumeSide>) -> ListColumn {
     }
 }
 
-fn list_out(state: &State, event: Option<Event>) -> ListColumn {
+fn list_out(state: &State, parts: &Parts<Vertex>, event: Option<Event>) -> ListColumn {
     let (input, output) = (state.input.vertices(), state.output.vertices());
     let is_output = matches!(event, Some(Event::Output { .. }));
     let entry = |(i, v): (usize, &Vertex)| {
@@ -125,6 +129,7 @@ fn list_out(state: &State, event: Option<Event>) -> ListColumn {
             Role::Accent
         };
         entry.marker = Some(ItemMarker::Dot);
+        entry.link = parts.link(v);
         entry
     };
     let entries = output.iter().enumerate().map(entry);
@@ -150,28 +155,23 @@ fn bounds(state: &State) -> Vec<Option<f64>> {
         .collect()
 }
 
-/// Where in the world a vertex is, by its share of the triangle's corners.
-fn in_world(v: &Vertex, scenery: &Scenery) -> [f64; 3] {
-    let [a, b, c] = scenery.scene().places.triangle();
-    let [s, t] = v.attributes.unwrap_or_default();
-    std::array::from_fn(|i| a[i] + s * (b[i] - a[i]) + t * (c[i] - a[i]))
-}
-
 fn ring(polygon: &ClipPolygon<Uv>, scenery: &Scenery) -> Vec<[f64; 3]> {
     polygon
         .vertices()
         .iter()
-        .map(|v| in_world(v, scenery))
+        .map(|v| in_world(v, scenery.scene()))
         .collect()
 }
 
 /// The triangle, what is left of it, and the side at work.
-pub fn observer_marks(state: &State, event: Option<Event>, scenery: &Scenery) -> Vec<Mark3> {
+pub fn observer_marks(
+    state: &State,
+    parts: &Parts<Vertex>,
+    event: Option<Event>,
+    scenery: &Scenery,
+) -> Vec<Mark3> {
     let corners = scenery.scene().places.triangle();
-    let mut marks = vec![Mark3::new(
-        Role::Discarded,
-        Shape3::Outline(corners.to_vec()),
-    )];
+    let mut marks = given(&corners);
     if let Some(side) = state.side {
         marks.extend(plane_mark(scenery, side as usize));
     }
@@ -187,23 +187,20 @@ pub fn observer_marks(state: &State, event: Option<Event>, scenery: &Scenery) ->
     }
     let bounds = bounds(state);
     for (i, v) in state.input.vertices().iter().enumerate() {
-        let at = in_world(v, scenery);
+        let at = in_world(v, scenery.scene());
         let shape = match bounds.get(i).copied().flatten() {
             Some(d) if d < 0.0 => Shape3::Ring(at),
             Some(_) | None => Shape3::Dot(at),
         };
         let mark = Mark3::new(role, shape).labelled(name(vertex_symbol(i)));
-        marks.push(mark.linked(vertex_link(i)));
+        marks.push(parts.linked(mark, v));
     }
     if let (Some((crossing, _)), Some(Event::Cross { .. } | Event::Output { .. })) =
         (state.crossing, event)
     {
-        let at = in_world(&crossing, scenery);
-        marks.push(
-            Mark3::new(Role::Signal, Shape3::Dot(at))
-                .labelled(name("I"))
-                .strong(),
-        );
+        let at = in_world(&crossing, scenery.scene());
+        let mark = Mark3::new(Role::Signal, Shape3::Dot(at)).labelled(name("I"));
+        marks.push(parts.linked(mark.strong(), &crossing));
     }
     marks
 }
@@ -241,21 +238,4 @@ fn area(outline: Vec<[f64; 3]>, role: Role) -> Vec<Mark3> {
         Mark3::new(role, Shape3::Wash(outline.clone())),
         Mark3::new(role, Shape3::Outline(outline)),
     ]
-}
-
-/// The place in the world, well before the camera, that is seen where a point of clip space lands once divided.
-fn on_screen(camera: &Camera, [x, y, _, w]: [f64; 4]) -> [f64; 3] {
-    let volume = camera.volume();
-    let depth = volume.near().midpoint(volume.far());
-    let spread = match volume.sight() {
-        Sight::Perspective => depth,
-        Sight::Parallel => 1.0,
-    };
-    let [half_width, half_height] = volume.half_size();
-    let w = if w == 0.0 { 1.0 } else { w };
-    camera.world_from_view([
-        x / w * half_width * spread,
-        y / w * half_height * spread,
-        -depth,
-    ])
 }

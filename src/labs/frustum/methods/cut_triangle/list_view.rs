@@ -12,14 +12,20 @@ use crate::{
 
 use super::{
     super::planes::place,
-    marks::{cut_link, cut_symbol, vertex_link, vertex_symbol},
+    marks::{cut_symbol, vertex_symbol},
+    parts::Parts,
 };
 
 /// Between which vertices of the list in an entry of the list out lies; twice the same one for a vertex that was kept.
 type Origin = [usize; 2];
 
 /// Both lists at a step; at the end the triangle and the polygon.
-pub fn lists(own: &TrianglePlanes, state: &State, event: Option<Event>) -> Lists {
+pub fn lists(
+    own: &TrianglePlanes,
+    parts: &Parts<SpaceVertex>,
+    state: &State,
+    event: Option<Event>,
+) -> Lists {
     let has_passed = matches!(event, Some(Event::Pass { .. }));
     let is_over = matches!(event, Some(Event::Fan { .. } | Event::Done { .. }));
     let (input, output): (&[SpaceVertex], &[SpaceVertex]) = match (has_passed, is_over) {
@@ -45,7 +51,7 @@ pub fn lists(own: &TrianglePlanes, state: &State, event: Option<Event>) -> Lists
         if !is_over {
             entry.details.push(side.map(|&(d, _)| Value::Number(d)));
         }
-        entry.link = at_work.then(|| vertex_link(i));
+        entry.link = parts.link(v).filter(|_| at_work);
         entry
     };
     let mut columns = vec![name(if is_textured { "(u, v)" } else { "(x, y, z)" })];
@@ -66,7 +72,7 @@ pub fn lists(own: &TrianglePlanes, state: &State, event: Option<Event>) -> Lists
         )
     };
     let origins = origins(input, output, state);
-    let out_list = out_list(output, &origins, (is_over, has_passed, is_textured));
+    let out_list = out_list(output, parts, &origins, (is_over, has_passed, is_textured));
     let links = links(&origins, state, (event, at_work));
     let sides = [(true, "sh-inside"), (false, "sh-outside")];
     Lists {
@@ -122,15 +128,16 @@ fn origins(
 
 fn out_list(
     output: &[SpaceVertex],
+    parts: &Parts<SpaceVertex>,
     origins: &[Option<(Origin, Option<usize>)>],
     (is_over, has_passed, is_textured): (bool, bool, bool),
 ) -> ListColumn {
     let entry = |(i, v): (usize, &SpaceVertex)| {
-        let (symbol, role, link) = match origins[i] {
-            _ if is_over => (vertex_symbol(i), Role::Accepted, vertex_link(i)),
-            Some((_, Some(cut))) => (cut_symbol(cut), Role::Signal, cut_link(cut)),
-            Some(([from, _], None)) => (vertex_symbol(from), Role::Accent, vertex_link(from)),
-            None => (vertex_symbol(i), Role::Accent, vertex_link(i)),
+        let (symbol, role) = match origins[i] {
+            _ if is_over => (vertex_symbol(i), Role::Accepted),
+            Some((_, Some(cut))) => (cut_symbol(cut), Role::Signal),
+            Some(([from, _], None)) => (vertex_symbol(from), Role::Accent),
+            None => (vertex_symbol(i), Role::Accent),
         };
         let mut entry = ListRow::new(name(symbol));
         entry.role = role;
@@ -138,7 +145,7 @@ fn out_list(
         if is_textured || is_over {
             entry.details = vec![Some(place_of(v, is_textured))];
         }
-        entry.link = Some(link);
+        entry.link = parts.link(v);
         entry
     };
     let columns = if is_textured {

@@ -23,23 +23,23 @@ pub fn cut_symbol(idx: usize) -> String {
     format!("C{}", subscript(idx + 1))
 }
 
-/// What marks and rows about a vertex of the list have in common.
-pub const fn vertex_link(idx: usize) -> Link {
-    Link::nth("vertex", idx)
-}
-
-/// What marks and rows about a cut have in common.
-pub const fn cut_link(idx: usize) -> Link {
-    Link::nth("cut", idx)
-}
-
 pub fn places(ring: &[SpaceVertex]) -> Vec<[f64; 3]> {
     ring.iter().map(|v| v.at).collect()
 }
 
-/// The triangle as it was given.
-pub fn given(triangle: &[SpaceVertex; 3]) -> Mark3 {
-    Mark3::new(Role::Discarded, Shape3::Outline(places(triangle)))
+/// What marks and rows about an edge of the triangle have in common.
+pub const fn edge_link(idx: usize) -> Link {
+    Link::nth("edge", idx)
+}
+
+/// The triangle as it was given, edge by edge.
+pub fn given(corners: &[[f64; 3]; 3]) -> Vec<Mark3> {
+    let edge = |i: usize| {
+        let ends = [corners[i], corners[(i + 1) % 3]];
+        let edge = Mark3::new(Role::Discarded, Shape3::Segment(ends)).edge();
+        edge.linked(edge_link(i))
+    };
+    (0..3).map(edge).collect()
 }
 
 /// A convex part that is kept.
@@ -77,9 +77,7 @@ pub fn vertex(idx: usize, at: [f64; 3], inside: Option<bool>) -> Mark3 {
         Some(false) => (Role::Discarded, Shape3::Ring(at)),
         None => (Role::Soft, Shape3::Dot(at)),
     };
-    Mark3::new(role, shape)
-        .labelled(name(vertex_symbol(idx)))
-        .linked(vertex_link(idx))
+    Mark3::new(role, shape).labelled(name(vertex_symbol(idx)))
 }
 
 /// Where an edge crosses the plane.
@@ -87,7 +85,6 @@ pub fn cut(idx: usize, at: [f64; 3]) -> Mark3 {
     Mark3::new(Role::Signal, Shape3::Dot(at))
         .labelled(name(cut_symbol(idx)))
         .strong()
-        .linked(cut_link(idx))
 }
 
 /// From cut to cut.

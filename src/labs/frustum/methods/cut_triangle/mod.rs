@@ -1,5 +1,6 @@
 //! A triangle cut by planes, shown: triangle by triangle, as one polygon, and before the divide.
 
+mod agreement;
 mod captions;
 mod clip_space;
 mod code;
@@ -10,14 +11,16 @@ mod list_view;
 mod marks;
 mod one_by_one;
 mod one_polygon;
+mod parts;
 mod pieces_view;
 mod small;
 mod stages;
 mod tally;
+mod tellings;
 mod texture;
 mod variant;
 
-pub use variant::WithTexture;
+pub use variant::{EvenOnScreen, WithTexture};
 
 /// The view of lists in and out.
 const LISTS_VIEW: &str = "lists";

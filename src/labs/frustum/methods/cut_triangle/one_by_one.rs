@@ -8,8 +8,10 @@ use crate::{
             TrianglePlanes,
         },
     },
-    figure::{Body, Caption, Mark3, Role, Run, Shape3, Tick, View, Watch, WatchRow, WatchSection},
-    labs::{CodeLine, Demo, Step, record_beside, words::name},
+    figure::{
+        Body, Caption, Link, Mark3, Role, Run, Shape3, Tick, View, Watch, WatchRow, WatchSection,
+    },
+    labs::{CodeLine, Demo, Step, Verdict, record_beside, words::name},
     text::Message,
 };
 
@@ -23,13 +25,15 @@ use super::{
         planes::{parameter_row, place, plane_rows},
     },
     LISTS_VIEW, PLANES_VIEW,
+    agreement::is_alone,
     captions::{one_by_one_caption, triangle_symbol},
     code::one_by_one,
     marks::{cut, cut_edge, given, kept, lost, places, plane_mark, vertex},
     pieces_view::{pieces, triangle_link},
     small::{Progress, small},
     stages::{of_polygon, of_triangles},
-    tally::{is_alone, tally},
+    tally::tally,
+    tellings,
     variant::{self, OneByOne, Variant},
 };
 
@@ -44,6 +48,11 @@ impl<L: Variant<OneByOne>> SpaceDemo for Shown<L> {
 
     fn input(scene: &Scene) -> Input {
         OnSceneInput::of(scene, variant::input(scene, L::IS_TEXTURED))
+    }
+
+    fn verdict(scene: &Scene, about: Link, run: &dyn Run) -> Option<Verdict> {
+        let parts = tellings::of_triangles::<L>(&Self::input(scene).own);
+        parts.verdict(scene, about, |v| v.at, run)
     }
 
     fn record(scene: &Scene) -> Box<dyn Run> {
@@ -151,7 +160,8 @@ fn progress<L: Variant<OneByOne>>(step: &Step<'_, Shown<L>>, own: &TrianglePlane
 
 fn marks<L: Variant<OneByOne>>(step: &Step<'_, Shown<L>>, scenery: &Scenery) -> Vec<Mark3> {
     let (own, state) = (&step.input.own, step.state);
-    let mut marks = vec![given(&own.triangle)];
+    let parts = tellings::of_triangles::<L>(own);
+    let mut marks = given(&own.triangle.map(|v| v.at));
     let has_passed = matches!(step.event, Some(Event::Pass { .. }));
     let plane = state.plane_idx.and_then(|i| own.planes.get(i));
     let list = if has_passed {
@@ -187,7 +197,8 @@ fn marks<L: Variant<OneByOne>>(step: &Step<'_, Shown<L>>, scenery: &Scenery) -> 
     if let Some(asked) = asked {
         let triangle = &state.list[asked.triangle_idx];
         for (i, v) in triangle.iter().enumerate() {
-            marks.push(vertex(i, v.at, Some(asked.inside[i])));
+            let mark = vertex(i, v.at, Some(asked.inside[i]));
+            marks.push(parts.linked(mark, v));
         }
         let new = state.origins.iter().zip(&state.next);
         let new = new.filter(|(origin, _)| **origin == asked.triangle_idx);
@@ -195,7 +206,8 @@ fn marks<L: Variant<OneByOne>>(step: &Step<'_, Shown<L>>, scenery: &Scenery) -> 
             .extend(new.map(|(_, piece)| Mark3::new(Role::Accent, Shape3::Outline(places(piece)))));
         let cuts: Vec<[f64; 3]> = state.crossings.iter().map(|(_, at, _)| at.at).collect();
         marks.extend(cut_edge(&cuts));
-        marks.extend(cuts.iter().enumerate().map(|(i, &at)| cut(i, at)));
+        let crossings = state.crossings.iter().enumerate();
+        marks.extend(crossings.map(|(i, (_, at, _))| parts.linked(cut(i, at.at), at)));
     }
     marks
 }

@@ -10,10 +10,13 @@ use crate::{
             IntersectionPolygonState as State, SpaceVertex, TrianglePlanes,
         },
     },
-    figure::{Body, Caption, Mark3, Role, Run, Shape3, Tick, View, Watch, WatchRow, WatchSection},
+    figure::{
+        Body, Caption, Link, Mark3, Role, Run, Shape3, Tick, View, Watch, WatchRow, WatchSection,
+    },
     geom::Plane,
-    labs::{Answer, CodeLine, Demo, Step, record_beside, words::name},
+    labs::{Answer, CodeLine, Demo, Step, Verdict, record_beside, words::name},
     text::Message,
+    trace::silent,
 };
 
 use super::{
@@ -26,6 +29,7 @@ use super::{
         planes::{parameter_row, place, plane_rows},
     },
     LISTS_VIEW, PLANES_VIEW,
+    agreement::{agreement_view, is_about_pictures, is_alone},
     captions::polygon_caption,
     code::polygon,
     list_view::lists,
@@ -35,8 +39,9 @@ use super::{
     },
     small::{Progress, small},
     stages::{of_polygon, of_triangles},
-    tally::{is_alone, tally},
-    texture::checkered,
+    tally::tally,
+    tellings,
+    texture::{checkered, checkered_on_screen},
     variant::{self, OnePolygon, Variant},
 };
 
@@ -63,6 +68,11 @@ impl<L: Variant<OnePolygon>> SpaceDemo for Shown<L> {
 
     fn input(scene: &Scene) -> Input {
         OnSceneInput::of(scene, variant::input(scene, L::IS_TEXTURED))
+    }
+
+    fn verdict(scene: &Scene, about: Link, run: &dyn Run) -> Option<Verdict> {
+        let parts = tellings::of_polygon::<L>(&Self::input(scene).own);
+        parts.verdict(scene, about, |v| v.at, run)
     }
 
     fn record(scene: &Scene) -> Box<dyn Run> {
@@ -117,24 +127,35 @@ impl<L: Variant<OnePolygon>> Demo for Shown<L> {
 
     fn views(step: &Step<'_, Self>) -> Vec<View> {
         let Input { own, scenery } = step.input;
+        let parts = tellings::of_polygon::<L>(own);
         let mut views = Vec::new();
         if let Some(scenery) = scenery.as_deref() {
             views.push(scenery.observer(|_| Fate::ToCome, marks(step, scenery)));
             if L::IS_TEXTURED {
-                let seen = checkered(&fan(step), Role::Accent);
+                let seen = if L::IS_EVEN_ON_SCREEN {
+                    let camera = scenery.scene().culler();
+                    checkered_on_screen(&fan(step), camera, Role::Accent)
+                } else {
+                    checkered(&fan(step), Role::Accent)
+                };
                 views.push(scenery.camera(|_| Fate::ToCome, |_, _| FaceLook::Whole, seen));
             }
         }
-        views.push(View::new(
-            LISTS_VIEW,
-            Body::Lists(lists(own, step.state, step.event)),
-        ));
+        if !is_about_pictures(scenery.as_deref()) {
+            let lists = lists(own, &parts, step.state, step.event);
+            views.push(View::new(LISTS_VIEW, Body::Lists(lists)));
+        }
         let has_more = |scenery: &&Scenery| !L::IS_TEXTURED && is_alone(scenery);
         if let Some(scenery) = scenery.as_deref().filter(has_more) {
             let (stages, progress) = (of_polygon::<L>(own), progress(step, own));
             let row = small(&own.triangle, &own.planes, &stages, progress, scenery);
             views.push(View::new(PLANES_VIEW, Body::Multiples(row)));
         }
+        let found = [
+            parts.n_cuts(),
+            silent::<IntersectionPolygon<L>>(own).triangles.len(),
+        ];
+        views.extend(agreement_view(scenery.as_deref(), found));
         views
     }
 
@@ -148,7 +169,12 @@ impl<L: Variant<OnePolygon>> Demo for Shown<L> {
                 let symbol = format!("{}{prime}", vertex_symbol(i));
                 WatchRow::new(name(symbol), Some(place(v.at)))
             };
-            WatchSection::list(ring.iter().enumerate().map(row).collect()).seen_in(LISTS_VIEW)
+            let rows = WatchSection::list(ring.iter().enumerate().map(row).collect());
+            if is_about_pictures(step.input.scenery.as_deref()) {
+                rows
+            } else {
+                rows.seen_in(LISTS_VIEW)
+            }
         };
         let mut sections = vec![
             WatchSection::list(rows),
@@ -180,7 +206,8 @@ fn fan<L: Variant<OnePolygon>>(step: &Step<'_, Shown<L>>) -> Vec<[SpaceVertex; 3
 
 fn marks<L: Variant<OnePolygon>>(step: &Step<'_, Shown<L>>, scenery: &Scenery) -> Vec<Mark3> {
     let (own, state) = (&step.input.own, step.state);
-    let mut marks = vec![given(&own.triangle)];
+    let parts = tellings::of_polygon::<L>(own);
+    let mut marks = given(&own.triangle.map(|v| v.at));
     let has_passed = matches!(step.event, Some(Event::Pass { .. }));
     let list = if has_passed {
         &state.passed
@@ -205,14 +232,18 @@ fn marks<L: Variant<OnePolygon>>(step: &Step<'_, Shown<L>>, scenery: &Scenery) -
     if state.plane_idx.is_some() {
         marks.extend(cut_edge(&cuts));
         let cuts = state.crossings.iter().enumerate();
-        marks.extend(cuts.map(|(i, (_, at, _))| with_texel(cut(i, at.at), &cut_symbol(i), at.uv)));
+        marks.extend(cuts.map(|(i, (_, at, _))| {
+            let mark = with_texel(cut(i, at.at), &cut_symbol(i), at.uv);
+            parts.linked(mark, at)
+        }));
     }
     for (i, v) in list.iter().enumerate() {
         let inside = match state.plane_idx {
             Some(_) => state.sides.get(i).map(|&(_, inside)| inside),
             None => Some(true),
         };
-        marks.push(with_texel(vertex(i, v.at, inside), &vertex_symbol(i), v.uv));
+        let mark = with_texel(vertex(i, v.at, inside), &vertex_symbol(i), v.uv);
+        marks.push(parts.linked(mark, v));
     }
     marks
 }

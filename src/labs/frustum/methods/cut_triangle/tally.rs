@@ -5,12 +5,7 @@ use crate::{
     text::Value,
 };
 
-use super::{super::super::stage::Scenery, stages::Stage};
-
-/// Is it not beside another method? There is no room for the small drawings beside two pictures.
-pub fn is_alone(scenery: &Scenery) -> bool {
-    scenery.scene().compare.is_none()
-}
+use super::stages::Stage;
 
 /// Both methods after so many planes, one polygon first.
 pub fn tally(stages: [&[Stage]; 2], n_planes: usize) -> WatchSection {

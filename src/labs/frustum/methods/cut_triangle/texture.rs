@@ -3,8 +3,11 @@
 use crate::{
     algo::volume::{ClipVertex, HomogeneousTriangle, SpaceVertex},
     figure::{Mark3, Role, Shape3},
+    geom::Camera,
     trace::silent,
 };
+
+use super::clip_space::on_screen;
 
 /// Fields along a side of the texture.
 const FIELDS: usize = 6;
@@ -27,6 +30,22 @@ pub fn checkered(triangles: &[[SpaceVertex; 3]], role: Role) -> Vec<Mark3> {
         marks.push(wash(role, corners.iter().map(|(at, _)| *at).collect()));
     }
     marks
+}
+
+/// The same as the camera sees it where (u, v) is mixed evenly over the screen: as if all corners were at one depth.
+pub fn checkered_on_screen(
+    triangles: &[[SpaceVertex; 3]],
+    camera: &Camera,
+    role: Role,
+) -> Vec<Mark3> {
+    let clip_from_world = camera.clip_from_world();
+    let flat = triangles.iter().map(|triangle| {
+        triangle.map(|SpaceVertex { at: [x, y, z], uv }| SpaceVertex {
+            at: on_screen(camera, clip_from_world.times([x, y, z, 1.0])),
+            uv,
+        })
+    });
+    checkered(&flat.collect::<Vec<_>>(), role)
 }
 
 fn wash(role: Role, outline: Vec<[f64; 3]>) -> Mark3 {

@@ -10,7 +10,7 @@ use crate::{
 
 use super::{
     super::super::Scene,
-    code::{HOMOGENEOUS, ONE_BY_ONE, ONE_POLYGON},
+    code::{HOMOGENEOUS, ONE_BY_ONE, ONE_POLYGON, but_for, polygon},
 };
 
 /// Triangle by triangle.
@@ -32,6 +32,8 @@ pub trait Variant<M>: VolumeRules {
     const DIFFERS_KEY: Option<&'static str> = None;
     /// Have its corners a place in a texture?
     const IS_TEXTURED: bool = false;
+    /// Does the texture's place go evenly over the screen, and not over the triangle?
+    const IS_EVEN_ON_SCREEN: bool = false;
 }
 
 impl Variant<OneByOne> for Right {
@@ -65,6 +67,27 @@ impl Variant<OnePolygon> for WithTexture {
     const NAME_KEY: &'static str = "alg-textured-triangle";
     const CODE: &'static [CodeLine] = &ONE_POLYGON;
     const IS_TEXTURED: bool = true;
+}
+
+/// The right rules, and then a screen that is filled without a divide: the texture's place goes evenly over it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct EvenOnScreen;
+
+impl Rules for EvenOnScreen {}
+
+impl VolumeRules for EvenOnScreen {}
+
+impl Variant<OnePolygon> for EvenOnScreen {
+    const ID: &'static str = "undivided-texture";
+    const NAME_KEY: &'static str = "alg-undivided-texture";
+    const CODE: &'static [CodeLine] = &but_for(
+        ONE_POLYGON,
+        polygon::FAN,
+        "code-undivided-texture",
+        "words-undivided-texture",
+    );
+    const IS_TEXTURED: bool = true;
+    const IS_EVEN_ON_SCREEN: bool = true;
 }
 
 /// Where in the texture the corners are: a half of a square.

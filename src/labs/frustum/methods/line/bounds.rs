@@ -40,6 +40,10 @@ pub fn face_equation(bounds: &AlignedBox, side: VolumeSide) -> Formula {
 }
 
 impl PlaneLook for VolumeSide {
+    fn idx(self) -> usize {
+        self as usize
+    }
+
     fn name(self, _: Option<&Scenery>) -> Value {
         side_name(self)
     }
@@ -50,6 +54,10 @@ impl PlaneLook for VolumeSide {
 }
 
 impl PlaneLook for usize {
+    fn idx(self) -> usize {
+        self
+    }
+
     fn name(self, scenery: Option<&Scenery>) -> Value {
         plane_name(scenery, self)
     }

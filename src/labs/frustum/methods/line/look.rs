@@ -38,6 +38,9 @@ const fn put_symbol(end: End) -> &'static str {
 
 /// A plane that can be shown.
 pub trait PlaneLook {
+    /// Its number among the six of a volume.
+    fn idx(self) -> usize;
+
     /// Its name.
     fn name(self, scenery: Option<&Scenery>) -> Value;
 

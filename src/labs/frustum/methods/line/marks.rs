@@ -33,7 +33,8 @@ pub fn segment_marks(
     for end in End::BOTH {
         let (from, to) = (given[end.idx()], left[end.idx()]);
         if from != to {
-            marks.push(Mark3::new(Role::Discarded, Shape3::Segment([from, to])));
+            let lost = Mark3::new(Role::Discarded, Shape3::Segment([from, to]));
+            marks.push(lost.linked("segment"));
         }
     }
     marks.push(Mark3::new(role, Shape3::Segment(*left)).linked("segment"));
@@ -73,7 +74,8 @@ pub fn interval_marks(
     if is_empty {
         marks.push(Mark3::new(Role::Signal, Shape3::Segment(between)));
     } else if accepted.is_none() && shown.bounds != [0.0, 1.0] {
-        marks[0] = Mark3::new(Role::Discarded, Shape3::Segment(*ends));
+        let given = Mark3::new(Role::Discarded, Shape3::Segment(*ends));
+        marks[0] = given.linked("segment");
         let left = Mark3::new(Role::Accent, Shape3::Segment(between));
         marks.insert(1, left.linked("segment"));
     }

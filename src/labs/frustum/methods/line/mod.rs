@@ -2,6 +2,7 @@
 
 mod bounds;
 mod captions;
+mod fates;
 mod faulty;
 mod look;
 pub mod marks;
@@ -17,15 +18,15 @@ use crate::{
         ring::Right,
         volume::{LineClip, LineEvent, LineInput, LineRules, LineState, VisibleLine},
     },
-    figure::{Body, Caption, Run, Tick, View, Watch, WatchRow, WatchSection},
+    figure::{Body, Caption, Link, Run, Tick, View, Watch, WatchRow, WatchSection},
     labs::{
-        Answer, CodeLine, Demo, Step, record_beside,
+        Answer, CodeLine, Demo, Step, Verdict, record_beside,
         words::{end_link, end_name, end_name_now, name},
     },
     text::Value,
 };
 
-use super::super::{OnScene, OnSceneInput, Scene, Subject, demo::SpaceDemo};
+use super::super::{OnScene, OnSceneInput, Scene, Subject, demo::SpaceDemo, part::segment_verdict};
 
 pub use bounds::{face_equation, unit_box};
 pub use captions::accepted;
@@ -54,6 +55,12 @@ where
 
     fn input(scene: &Scene) -> Input<N, B> {
         OnSceneInput::of(scene, B::input(scene))
+    }
+
+    fn verdict(scene: &Scene, about: Link, run: &dyn Run) -> Option<Verdict> {
+        let input = B::input(scene);
+        let fate = |end| fates::fate::<N, B, L>(&input, end);
+        segment_verdict(scene, (B::SUBJECT, about), fate, run)
     }
 
     fn record(scene: &Scene) -> Box<dyn Run> {

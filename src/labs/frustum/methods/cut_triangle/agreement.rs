@@ -1,0 +1,109 @@
+//! World planes beside clip space on one triangle: what each finds, and whether both leave the same.
+
+use crate::{
+    algo::{
+        ring::Right,
+        volume::{HomogeneousTriangle, IntersectionPolygon},
+    },
+    figure::{Body, Cell, Role, Table, TableNote, TableRow, View},
+    labs::space::Scene,
+    text::{Formula, Message, Value},
+    trace::silent,
+};
+
+use super::{
+    super::super::stage::Scenery,
+    clip_space::{Uv, in_world, triangle},
+    variant::{self, EvenOnScreen, Homogeneous, OnePolygon, Variant},
+};
+
+const AGREEMENT_VIEW: &str = "agreement";
+/// Places that lie apart by no more than rounding: coordinates of some tens, matrices of some units.
+const SAME: f64 = 1e-6;
+
+/// Is it not beside another method? There is no room for more beside two pictures.
+pub fn is_alone(scenery: &Scenery) -> bool {
+    scenery.scene().compare.is_none()
+}
+
+/// Do the two methods on stage differ in what they cost or in what the camera sees, and not in their lists?
+pub fn is_about_pictures(scenery: Option<&Scenery>) -> bool {
+    let Some(scene) = scenery
+        .map(Scenery::scene)
+        .filter(|scene| scene.compare.is_some())
+    else {
+        return false;
+    };
+    let mut on_stage = scene.on_stage().map(|method| method.card().id);
+    agrees(scene) || on_stage.any(|id| id == <EvenOnScreen as Variant<OnePolygon>>::ID)
+}
+
+/// Are these two on stage?
+fn agrees(scene: &Scene) -> bool {
+    let both = [
+        <Right as Variant<OnePolygon>>::ID,
+        <Right as Variant<Homogeneous>>::ID,
+    ];
+    let on_stage: Vec<&str> = scene.on_stage().map(|method| method.card().id).collect();
+    both.iter().all(|id| on_stage.contains(id))
+}
+
+/// How many crossings and triangles each of world planes and clip space takes, and whether both leave the same; where these two
+/// stand beside each other.
+pub fn agreement_view(
+    scenery: Option<&Scenery>,
+    [n_crossings, n_triangles]: [usize; 2],
+) -> Option<View> {
+    let note = agreement(scenery?.scene())?;
+    let words = ["tally-crossings", "tally-triangles"].map(|key| Formula::default().term(key));
+    let cells = [n_crossings, n_triangles].map(|n| Cell::new(Role::Ink, Some(Value::Count(n))));
+    let table = Table {
+        header: [Formula::default()].into_iter().chain(words).collect(),
+        rows: vec![TableRow {
+            name: Value::Term("tally-in-all"),
+            cells: cells.to_vec(),
+            is_current: false,
+            link: None,
+        }],
+        notes: vec![note],
+    };
+    Some(View::new(AGREEMENT_VIEW, Body::Table(table)))
+}
+
+/// Of world planes and clip space on one triangle: to how many decimals what they leave is the same.
+fn agreement(scene: &Scene) -> Option<TableNote> {
+    if !agrees(scene) {
+        return None;
+    }
+    let by_planes = silent::<IntersectionPolygon>(&variant::input(scene, false)).triangles;
+    let by_planes: Vec<[f64; 3]> = by_planes.iter().flatten().map(|v| v.at).collect();
+    let before_divide = silent::<HomogeneousTriangle<Uv>>(&triangle(scene));
+    let before_divide = before_divide.vertices().iter();
+    let before_divide: Vec<[f64; 3]> = before_divide.map(|v| in_world(v, scene)).collect();
+    let apart = apart(&by_planes, &before_divide).max(apart(&before_divide, &by_planes));
+    let text = if apart < SAME {
+        let decimals = (-libm::log10(apart.max(f64::EPSILON))).floor() as usize;
+        Message::new("tally-same")
+            .with("n", before_divide.len())
+            .with("decimals", decimals)
+    } else {
+        Message::new("tally-not-same").with("apart", apart)
+    };
+    let applies = true;
+    Some(TableNote { text, applies })
+}
+
+/// How far one of these places lies from the nearest of those, at most.
+fn apart(these: &[[f64; 3]], those: &[[f64; 3]]) -> f64 {
+    let distance = |a: &[f64; 3], b: &[f64; 3]| {
+        let square = |i: usize| (a[i] - b[i]) * (a[i] - b[i]);
+        (square(0) + square(1) + square(2)).sqrt()
+    };
+    let nearest = |a| {
+        those
+            .iter()
+            .map(|b| distance(a, b))
+            .fold(f64::INFINITY, f64::min)
+    };
+    these.iter().map(nearest).fold(0.0, f64::max)
+}
