@@ -49,7 +49,8 @@ pub fn region(scene: &Scene, subject: Subject) -> [Plane; 6] {
         | Subject::Vertex
         | Subject::Point
         | Subject::Segment
-        | Subject::Triangle => scene.culler().planes_in_world(),
+        | Subject::Triangle
+        | Subject::Surfaces => scene.culler().planes_in_world(),
     }
 }
 
