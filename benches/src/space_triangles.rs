@@ -3,8 +3,7 @@
 use std::hint::black_box;
 
 use clipscope::{
-    algo::volume::{ClipVertex, HomogeneousTriangle, SideCode},
-    trace::silent,
+    algo::volume::{ClipVertex, SideCode, clip_triangles},
 };
 use retrofire_core::{
     geom::{Tri, vertex},
@@ -70,16 +69,17 @@ fn triangles() -> Vec<Given> {
 pub fn run() {
     let given = triangles();
     let mut ours: Vec<[ClipVertex<[f32; 3]>; 3]> = Vec::with_capacity(2 * N_TRIANGLES);
+    let mut corners: Vec<[ClipVertex<[f32; 3]>; 3]> = Vec::with_capacity(N_TRIANGLES);
     let mut clip = || {
         ours.clear();
-        for triangle in black_box(&given) {
-            let corners = triangle.map(|(at, attributes)| ClipVertex {
+        corners.clear();
+        corners.extend(black_box(&given).iter().map(|triangle| {
+            triangle.map(|(at, attributes)| ClipVertex {
                 at: at.map(f64::from),
                 attributes,
-            });
-            let left = silent::<HomogeneousTriangle<[f32; 3]>>(&corners);
-            ours.extend(left.triangles());
-        }
+            })
+        }));
+        clip_triangles(&corners, &mut ours);
         ours.len()
     };
     let n_ours = clip();

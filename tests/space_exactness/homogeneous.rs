@@ -1,7 +1,7 @@
 //! Triangles in clip space.
 
 use clipscope::{
-    algo::volume::{ClipVertex, HomogeneousTriangle, SideCode},
+    algo::volume::{ClipVertex, HomogeneousTriangle, SideCode, clip_triangles},
     trace::{laws, silent},
 };
 use proptest::prelude::*;
@@ -65,6 +65,18 @@ proptest! {
             let again = silent::<HomogeneousTriangle<[f64; 3]>>(&fan);
             prop_assert_eq!(again.vertices(), &fan[..], "clipped again it stays");
         }
+    }
+
+    #[test]
+    fn many_triangles_are_clipped_as_each_by_itself(
+        corners in prop::collection::vec(prop::array::uniform3(corner()), 0..20),
+    ) {
+        let given: Vec<_> = corners.iter().map(|corners| triangle(corners.map(numbers))).collect();
+        let mut left = Vec::new();
+        clip_triangles(&given, &mut left);
+        let polygons = given.iter().map(silent::<HomogeneousTriangle<[f64; 3]>>);
+        let one_by_one: Vec<_> = polygons.flat_map(|p| p.triangles().collect::<Vec<_>>()).collect();
+        prop_assert_eq!(left, one_by_one);
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Points, lines and triangles against planes and the view volume.
 
+mod batch;
 mod clip_polygon;
 mod clip_vertex;
 mod cohen_sutherland_3d;
@@ -22,6 +23,7 @@ mod side_code;
 mod space_vertex;
 mod split;
 
+pub use batch::clip_triangles;
 pub use clip_polygon::ClipPolygon;
 pub use clip_vertex::{Attributes, ClipVertex};
 pub use cohen_sutherland_3d::{
