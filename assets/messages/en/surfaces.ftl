@@ -174,6 +174,48 @@ watch-behind-plane = by the other’s plane
 watch-before-plane = by its own plane
 watch-overlap = by overlap
 
+## BSP trees
+
+alg-bsp = BSP tree
+code-bsp-node = build(list): node ← plane of the first triangle
+words-bsp-node = The plane of the first triangle is a node.
+code-bsp-ask = for each other T: to front, to back, or in the plane
+words-bsp-ask = Every other one lies before it, behind it, or in it.
+code-bsp-cut = T on both sides: cut in two; then build(front), build(back)
+words-bsp-cut = One that lies on both sides is cut in two; then build what is before and what is behind.
+code-bsp-visit = walk(node): on which side is the eye?
+words-bsp-visit = Walking, ask at each node which side the eye is on.
+code-bsp-paint = walk(other side); paint node; walk(eye’s side)
+words-bsp-paint = First the other side, then the node itself, then the eye’s side.
+bsp-opening = { $triangles ->
+    [one] One triangle becomes
+   *[other] { $triangles } triangles become
+  } a tree of planes, built once, walked for every eye.
+bsp-node-root = The plane of { $triangle } is the first node.
+bsp-node-front = Of what lies before { $parent } the first is { $triangle }: its plane is the next node.
+bsp-node-back = Of what lies behind { $parent } the first is { $triangle }: its plane is the next node.
+bsp-ask-front = { $piece } lies before the plane of { $triangle }. Distances of its vertices:
+bsp-ask-back = { $piece } lies behind the plane of { $triangle }. Distances of its vertices:
+bsp-ask-on = { $piece } lies in the plane of { $triangle }. Distances of its vertices:
+bsp-ask-cut = { $piece } lies on both sides of the plane of { $triangle }: it is cut into { $first } and { $second }. Distances of its vertices:
+bsp-built = The tree is built: { $triangles } triangles are { $pieces } pieces in { $nodes } nodes.
+bsp-visit-front = The eye is before the plane of { $triangle }: first what lies behind it, then { $triangle }, then what lies before it.
+bsp-visit-back = The eye is behind the plane of { $triangle }: first what lies before it, then { $triangle }, then what lies behind it.
+bsp-visit-on = The eye is in the plane of { $triangle }, or looks along it: either side may come first.
+bsp-paint = { $piece } is painted over everything: { $place } of { $pieces }.
+bsp-done = Done: { $pieces } pieces painted, back to front, by { $nodes } questions.
+bsp-tree = tree
+bsp-painted = painted
+bsp-before = before
+bsp-behind = behind
+bsp-eye-before = eye before
+bsp-eye-behind = eye behind
+bsp-eye-on = eye in it
+watch-nodes = nodes
+watch-pieces = pieces
+watch-visited = visited
+watch-painted = painted
+
 ## The raster's form
 
 raster-title = Raster

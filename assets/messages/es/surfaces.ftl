@@ -174,6 +174,48 @@ watch-behind-plane = por el plano del otro
 watch-before-plane = por su propio plano
 watch-overlap = por solapamiento
 
+## BSP trees
+
+alg-bsp = Árbol BSP
+code-bsp-node = build(list): node ← plane of the first triangle
+words-bsp-node = El plano del primer triángulo es un nodo.
+code-bsp-ask = for each other T: to front, to back, or in the plane
+words-bsp-ask = Cada uno de los demás está delante, detrás o en él.
+code-bsp-cut = T on both sides: cut in two; then build(front), build(back)
+words-bsp-cut = El que está a ambos lados se corta en dos; luego construye lo de delante y lo de detrás.
+code-bsp-visit = walk(node): on which side is the eye?
+words-bsp-visit = Al recorrer, pregunta en cada nodo de qué lado está el ojo.
+code-bsp-paint = walk(other side); paint node; walk(eye’s side)
+words-bsp-paint = Primero el otro lado, después el nodo y al final el lado del ojo.
+bsp-opening = { $triangles ->
+    [one] Un triángulo se convierte
+   *[other] { $triangles } triángulos se convierten
+  } en un árbol de planos, que se construye una vez y se recorre para cada ojo.
+bsp-node-root = El plano de { $triangle } es el primer nodo.
+bsp-node-front = De lo que está delante de { $parent }, el primero es { $triangle }: su plano es el siguiente nodo.
+bsp-node-back = De lo que está detrás de { $parent }, el primero es { $triangle }: su plano es el siguiente nodo.
+bsp-ask-front = { $piece } está delante del plano de { $triangle }. Distancias de sus vértices:
+bsp-ask-back = { $piece } está detrás del plano de { $triangle }. Distancias de sus vértices:
+bsp-ask-on = { $piece } está en el plano de { $triangle }. Distancias de sus vértices:
+bsp-ask-cut = { $piece } está a ambos lados del plano de { $triangle }: se corta en { $first } y { $second }. Distancias de sus vértices:
+bsp-built = El árbol está construido: { $triangles } triángulos son { $pieces } piezas en { $nodes } nodos.
+bsp-visit-front = El ojo está delante del plano de { $triangle }: primero lo de detrás, después { $triangle } y al final lo de delante.
+bsp-visit-back = El ojo está detrás del plano de { $triangle }: primero lo de delante, después { $triangle } y al final lo de detrás.
+bsp-visit-on = El ojo está en el plano de { $triangle } o mira a lo largo de él: cualquier lado puede ir antes.
+bsp-paint = { $piece } se pinta sobre todo: { $place } de { $pieces }.
+bsp-done = Terminado: { $pieces } piezas pintadas de atrás hacia delante con { $nodes } preguntas.
+bsp-tree = árbol
+bsp-painted = pintado
+bsp-before = delante
+bsp-behind = detrás
+bsp-eye-before = ojo delante
+bsp-eye-behind = ojo detrás
+bsp-eye-on = ojo en él
+watch-nodes = nodos
+watch-pieces = piezas
+watch-visited = visitados
+watch-painted = pintadas
+
 ## The raster's form
 
 raster-title = Ráster

@@ -174,6 +174,48 @@ watch-behind-plane = pelo plano do outro
 watch-before-plane = pelo próprio plano
 watch-overlap = pela sobreposição
 
+## BSP trees
+
+alg-bsp = Árvore BSP
+code-bsp-node = build(list): node ← plane of the first triangle
+words-bsp-node = O plano do primeiro triângulo é um nó.
+code-bsp-ask = for each other T: to front, to back, or in the plane
+words-bsp-ask = Cada um dos outros está na frente, atrás ou nele.
+code-bsp-cut = T on both sides: cut in two; then build(front), build(back)
+words-bsp-cut = O que está dos dois lados é cortado em dois; depois construa o que está na frente e o que está atrás.
+code-bsp-visit = walk(node): on which side is the eye?
+words-bsp-visit = Ao percorrer, pergunte em cada nó de que lado está o olho.
+code-bsp-paint = walk(other side); paint node; walk(eye’s side)
+words-bsp-paint = Primeiro o outro lado, depois o próprio nó e por fim o lado do olho.
+bsp-opening = { $triangles ->
+    [one] Um triângulo vira
+   *[other] { $triangles } triângulos viram
+  } uma árvore de planos, construída uma vez e percorrida para cada olho.
+bsp-node-root = O plano de { $triangle } é o primeiro nó.
+bsp-node-front = Do que está na frente de { $parent }, o primeiro é { $triangle }: o seu plano é o próximo nó.
+bsp-node-back = Do que está atrás de { $parent }, o primeiro é { $triangle }: o seu plano é o próximo nó.
+bsp-ask-front = { $piece } está na frente do plano de { $triangle }. Distâncias dos seus vértices:
+bsp-ask-back = { $piece } está atrás do plano de { $triangle }. Distâncias dos seus vértices:
+bsp-ask-on = { $piece } está no plano de { $triangle }. Distâncias dos seus vértices:
+bsp-ask-cut = { $piece } está dos dois lados do plano de { $triangle }: é cortado em { $first } e { $second }. Distâncias dos seus vértices:
+bsp-built = A árvore está construída: { $triangles } triângulos são { $pieces } peças em { $nodes } nós.
+bsp-visit-front = O olho está na frente do plano de { $triangle }: primeiro o que está atrás, depois { $triangle }, por fim o que está na frente.
+bsp-visit-back = O olho está atrás do plano de { $triangle }: primeiro o que está na frente, depois { $triangle }, por fim o que está atrás.
+bsp-visit-on = O olho está no plano de { $triangle } ou olha ao longo dele: qualquer lado pode vir antes.
+bsp-paint = { $piece } é pintado sobre tudo: { $place } de { $pieces }.
+bsp-done = Pronto: { $pieces } peças pintadas de trás para a frente, com { $nodes } perguntas.
+bsp-tree = árvore
+bsp-painted = pintado
+bsp-before = na frente
+bsp-behind = atrás
+bsp-eye-before = olho na frente
+bsp-eye-behind = olho atrás
+bsp-eye-on = olho nele
+watch-nodes = nós
+watch-pieces = peças
+watch-visited = visitados
+watch-painted = pintadas
+
 ## The raster's form
 
 raster-title = Raster

@@ -156,6 +156,45 @@ watch-behind-plane = 由对方的平面
 watch-before-plane = 由自己的平面
 watch-overlap = 由重叠
 
+## BSP trees
+
+alg-bsp = BSP 树
+code-bsp-node = build(list): node ← plane of the first triangle
+words-bsp-node = 第一个三角形的平面就是一个结点。
+code-bsp-ask = for each other T: to front, to back, or in the plane
+words-bsp-ask = 其余每个在平面之前、之后或在平面内。
+code-bsp-cut = T on both sides: cut in two; then build(front), build(back)
+words-bsp-cut = 跨两侧的切成两块；再分别建前侧和后侧。
+code-bsp-visit = walk(node): on which side is the eye?
+words-bsp-visit = 遍历时在每个结点问：视点在哪一侧？
+code-bsp-paint = walk(other side); paint node; walk(eye’s side)
+words-bsp-paint = 先走另一侧，再画结点本身，最后走视点一侧。
+bsp-opening = { $triangles } 个三角形建成一棵平面树：只建一次，每个视点都可遍历。
+bsp-node-root = { $triangle } 的平面是第一个结点。
+bsp-node-front = 在 { $parent } 之前的第一个是 { $triangle }：它的平面是下一个结点。
+bsp-node-back = 在 { $parent } 之后的第一个是 { $triangle }：它的平面是下一个结点。
+bsp-ask-front = { $piece } 在 { $triangle } 的平面之前。各顶点的距离：
+bsp-ask-back = { $piece } 在 { $triangle } 的平面之后。各顶点的距离：
+bsp-ask-on = { $piece } 在 { $triangle } 的平面内。各顶点的距离：
+bsp-ask-cut = { $piece } 跨 { $triangle } 的平面两侧：切成 { $first } 和 { $second }。各顶点的距离：
+bsp-built = 树已建成：{ $triangles } 个三角形成为 { $nodes } 个结点中的 { $pieces } 块。
+bsp-visit-front = 视点在 { $triangle } 的平面之前：先画其后的，再画 { $triangle }，最后画其前的。
+bsp-visit-back = 视点在 { $triangle } 的平面之后：先画其前的，再画 { $triangle }，最后画其后的。
+bsp-visit-on = 视点在 { $triangle } 的平面内，或沿着它看：先画哪一侧都可以。
+bsp-paint = { $piece } 画在最上面：第 { $place } 块，共 { $pieces } 块。
+bsp-done = 完成：从后到前画了 { $pieces } 块，问了 { $nodes } 次。
+bsp-tree = 树
+bsp-painted = 已画
+bsp-before = 之前
+bsp-behind = 之后
+bsp-eye-before = 视点在前
+bsp-eye-behind = 视点在后
+bsp-eye-on = 视点在内
+watch-nodes = 结点
+watch-pieces = 块数
+watch-visited = 已访问
+watch-painted = 已画
+
 ## The raster's form
 
 raster-title = 光栅

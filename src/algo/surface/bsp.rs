@@ -208,6 +208,13 @@ impl BspState {
         self.pieces[..self.n_known].iter().map(|(piece, _)| piece)
     }
 
+    /// How many of the pieces so far have been cut, and are none any more.
+    #[must_use]
+    pub fn n_cut(&self) -> usize {
+        let n_parts = self.pieces().filter(|piece| !piece.cuts.is_empty()).count();
+        n_parts / 2
+    }
+
     /// One of them.
     #[must_use]
     pub fn piece(&self, number: u32) -> Option<&BspPiece> {

@@ -83,6 +83,16 @@ impl Surfaces {
         self.culls_backs
     }
 
+    /// The same with no more than the first so many triangles.
+    #[must_use]
+    pub fn first(&self, n_triangles: usize) -> Self {
+        let n = n_triangles.min(self.triangles.len());
+        Self {
+            triangles: self.triangles[..n].into(),
+            ..self.clone()
+        }
+    }
+
     /// Can anything be seen of this triangle, as far as its own turn tells? Not where it is edge-on, nor where it shows its back
     /// and such are left out. Exact.
     #[must_use]

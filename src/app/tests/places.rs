@@ -290,9 +290,9 @@ fn what_is_pointed_at_in_a_view_lights_up_on_the_stage() {
                 // A side of the window or of the volume is drawn on its own only when its turn comes.
                 let sides = ["left", "right", "bottom", "top"].map(Link::from);
                 let is_side = sides.contains(&link) || (0..6).any(|i| link == Link::nth("side", i));
-                // A row of a matrix is about its sum, which stands beside it.
-                let is_row = id.0 == "matrix";
-                assert!(is_there || is_side || is_row, "{place} {id:?} {link:?}");
+                // A row of a matrix is about its sum, which stands beside it; a pixel about itself.
+                let is_itself = ["matrix", "raster"].contains(&id.0);
+                assert!(is_there || is_side || is_itself, "{place} {id:?} {link:?}");
             }
         }
     });

@@ -41,7 +41,9 @@ impl<L: Variant> SpaceDemo for Shown<L> {
     const SUBJECT: Subject = Subject::Surfaces;
 
     fn input(scene: &Scene) -> Input {
-        OnSceneInput::of(scene, surfaces_on_raster(scene))
+        /// Pairs grow with the square: a longer run cannot be followed.
+        const MOST_FACES: usize = 300;
+        OnSceneInput::of(scene, surfaces_on_raster(scene).first(MOST_FACES))
     }
 
     fn record(scene: &Scene) -> Box<dyn Run> {
