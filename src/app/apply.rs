@@ -61,6 +61,7 @@ impl App {
             Command::Reset => self.reset(now),
             Command::Lesson { forward } => self.turn_page(ctx, forward),
             Command::Lab(lab) => self.open_lab(lab),
+            Command::Adopt(lab) => self.adopt(lab, now),
             Command::Open([lesson, step]) => {
                 self.turn_to(|bookmark| bookmark.open(lesson, step));
                 self.shown.room = Room::Stage;

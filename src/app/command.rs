@@ -42,6 +42,8 @@ pub enum Command {
     Open([usize; 2]),
     /// To the lab with this id, where it was left.
     Lab(&'static str),
+    /// Takes the scene along to the lab with this id.
+    Adopt(&'static str),
     /// Shows the list of lessons, or the open one.
     Contents(bool),
     /// Shows the answer to the open step's question, or hides it.

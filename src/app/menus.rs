@@ -4,6 +4,7 @@ use egui::{Button, Context, Id, Popup, RichText, Ui};
 
 use crate::{
     panels::{LabPanel, PanelAsk, compare_choices, panel_of},
+    text::{Message, Value},
     widgets::{
         Icon, Look, icon_button, language_menu, menu_button, menu_style, speed_menu, theme_menu,
     },
@@ -94,6 +95,18 @@ fn scene(
     let panel = panel_of(panels, model.scene);
     let asked = panel.and_then(|panel| panel.menu(ui, look, model.scene));
     commands.extend(asked.map(asked_of));
+    let here = model.scene.document().lab();
+    for lab in panels
+        .iter()
+        .map(|panel| panel.lab())
+        .filter(|&lab| lab != here)
+    {
+        let says = Message::new("scene-adopt").with("lab", Value::Term(lab.name_key()));
+        if lab.adopt(model.scene).is_some() && ui.button(look.catalog.message(&says)).clicked() {
+            commands.push(Command::Adopt(lab.id()));
+            ui.close();
+        }
+    }
     let mut snap = model.settings.snap;
     if ui.checkbox(&mut snap, look.say("settings-snap")).changed() {
         commands.push(Command::Snap(snap));

@@ -4,7 +4,7 @@ use egui::Context;
 
 use crate::{
     figure::Moment,
-    labs::{Lab, Scene},
+    labs::{Edit, Lab, Scene},
     lesson::{Block, CodeView, LessonStep},
 };
 
@@ -135,6 +135,16 @@ impl App {
                 || bookmark.open_lab(id)
                 || bookmark.open_free(lab)
         });
+    }
+
+    /// Opens the scene as another lab's own, on the page of its free scene.
+    pub(super) fn adopt(&mut self, id: &str, now: f64) {
+        let lab = self.kit.lab(id);
+        let adopted = lab.and_then(|lab| Some((lab, lab.adopt(self.history.now())?)));
+        if let Some((lab, scene)) = adopted {
+            self.turn_to(|bookmark| bookmark.open_free(lab));
+            self.edit(Edit::Replace(scene), None, now);
+        }
     }
 
     /// From the course to the lab's free scene, or back.

@@ -25,6 +25,10 @@ pub trait Lab: Sync {
     fn first_scene(&self) -> Scene;
     /// Groups of handles that a lesson can lock.
     fn lock_groups(&self) -> &'static [&'static str];
+    /// Another lab's scene as one of its own, by its first method, if it can be one.
+    fn adopt(&self, _scene: &Scene) -> Option<Scene> {
+        None
+    }
     /// What can be drawn by clicking, in the order of the menu.
     fn outlines(&self) -> &'static [OutlineKind] {
         &[]

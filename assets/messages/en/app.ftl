@@ -79,6 +79,7 @@ free-title = Free scene
 free-about = Your own scene: nothing is locked, and it is kept.
 free-back = ← {$lesson}
 free-from-course = Scenes of the course
+scene-adopt = Open this scene in: { $lab }
 action-help = Help
 action-undo = Undo
 action-redo = Redo

@@ -79,6 +79,7 @@ free-title = Escena libre
 free-about = Tu propia escena: no hay nada bloqueado y la escena se conserva.
 free-back = ← {$lesson}
 free-from-course = Escenas del curso
+scene-adopt = Abrir esta escena en: { $lab }
 action-help = Ayuda
 action-undo = Deshacer
 action-redo = Rehacer

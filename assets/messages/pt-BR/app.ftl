@@ -79,6 +79,7 @@ free-title = Cena livre
 free-about = Sua própria cena: nada está bloqueado e ela é guardada.
 free-back = ← {$lesson}
 free-from-course = Cenas do curso
+scene-adopt = Abrir esta cena em: { $lab }
 action-help = Ajuda
 action-undo = Desfazer
 action-redo = Refazer

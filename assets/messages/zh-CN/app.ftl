@@ -75,6 +75,7 @@ free-title = 自由场景
 free-about = 你自己的场景：没有任何锁定，并会一直保留。
 free-back = ← {$lesson}
 free-from-course = 课程中的场景
+scene-adopt = 在此实验室打开该场景：{ $lab }
 action-help = 帮助
 action-undo = 撤销
 action-redo = 重做

@@ -113,3 +113,24 @@ fn a_street_has_as_many_boxes_as_are_asked_for() {
     assert_ne!(scene(&bench).objects().len(), 100);
     assert_eq!(MAX_OBJECTS, 10_000);
 }
+
+#[test]
+fn a_scene_is_taken_along_to_the_other_lab_in_space() {
+    let mut bench = bench();
+    let before = scene(&bench).clone();
+    bench.open_menus(&["Scene", "Open this scene in: Surfaces"]);
+    let after = scene(&bench);
+    assert_eq!(bench.app.scene().document().lab().id(), "surfaces");
+    assert_eq!(
+        (after.objects(), after.camera),
+        (before.objects(), before.camera)
+    );
+    bench.command(Command::Undo);
+    assert_eq!(
+        bench.app.scene().document().lab().id(),
+        "surfaces",
+        "its own scene there"
+    );
+    bench.command(Command::Lab(LAB.id()));
+    assert_eq!(scene(&bench), &before);
+}

@@ -54,6 +54,13 @@ impl Lab for SpaceLab {
         (self.first_scene)().into()
     }
 
+    /// Any scene in three dimensions.
+    fn adopt(&self, scene: &crate::labs::Scene) -> Option<crate::labs::Scene> {
+        let mut scene: Scene = scene.get::<Scene>()?.clone();
+        (scene.method, scene.compare) = (self.all().next()?, None);
+        Some(scene.into())
+    }
+
     fn lock_groups(&self) -> &'static [&'static str] {
         self.lock_groups
     }
