@@ -57,6 +57,13 @@ depth-done = Done: { $fragments } fragments, { $writes } of them written, for { 
 
 raster-depth = Picture, { $columns } × { $rows }: depth in thousandths
 raster-depth-steps = Picture, { $columns } × { $rows }: depth in { $bits } bits, 0 to { $last }
+raster-wrong = { $title }; { $count ->
+    [one] one pixel is
+   *[other] { $count } pixels are
+  } wrong
+curve-forward = depth over distance
+curve-reversed = reversed
+curve-step = one step: { $step }
 story-stored = stored
 story-fate = result
 story-kept = written

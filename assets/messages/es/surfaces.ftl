@@ -57,6 +57,13 @@ depth-done = Terminado: { $fragments } fragmentos, { $writes } escritos, para { 
 
 raster-depth = Imagen, { $columns } × { $rows }: profundidad en milésimas
 raster-depth-steps = Imagen, { $columns } × { $rows }: profundidad en { $bits } bits, de 0 a { $last }
+raster-wrong = { $title }; { $count ->
+    [one] un píxel equivocado
+   *[other] { $count } píxeles equivocados
+  }
+curve-forward = profundidad según la distancia
+curve-reversed = invertida
+curve-step = un paso: { $step }
 story-stored = guardada
 story-fate = resultado
 story-kept = escrito

@@ -57,6 +57,13 @@ depth-done = Pronto: { $fragments } fragmentos, { $writes } escritos, para { $pi
 
 raster-depth = Imagem, { $columns } × { $rows }: profundidade em milésimos
 raster-depth-steps = Imagem, { $columns } × { $rows }: profundidade em { $bits } bits, de 0 a { $last }
+raster-wrong = { $title }; { $count ->
+    [one] um pixel errado
+   *[other] { $count } pixels errados
+  }
+curve-forward = profundidade pela distância
+curve-reversed = invertida
+curve-step = um passo: { $step }
 story-stored = guardada
 story-fate = resultado
 story-kept = escrito

@@ -51,6 +51,10 @@ depth-done = 完成：{ $fragments } 个片元，写入 { $writes } 次，占 { 
 
 raster-depth = 画面，{ $columns } × { $rows }：深度以千分之一计
 raster-depth-steps = 画面，{ $columns } × { $rows }：{ $bits } 位深度，0 到 { $last }
+raster-wrong = { $title }；{ $count } 个像素有误
+curve-forward = 深度随距离的变化
+curve-reversed = 反向
+curve-step = 一级：{ $step }
 story-stored = 已存
 story-fate = 结果
 story-kept = 写入

@@ -2,12 +2,12 @@
 
 use crate::{
     algo::{
-        surface::{Picture, Rays, Surfaces},
+        surface::{DepthBuffer, DepthBufferInput, DepthSteps, Picture, Rays, Surfaces},
         volume::{ClipVertex, HomogeneousTriangle},
     },
     figure::{Mark3, Pixel, RasterMark, RasterShape, Role, Shape3},
     geom::Camera,
-    text::{Formula, Value},
+    text::{Formula, Message, Value},
     trace::silent,
 };
 
@@ -77,6 +77,35 @@ pub fn outline(surfaces: &Surfaces, id: u32, role: Role) -> Vec<RasterMark> {
         .map(|(&a, &b)| RasterMark {
             role,
             shape: RasterShape::Line([a, b]),
+        })
+        .collect()
+}
+
+/// A raster's title, with how many of its pixels are wrong, if any.
+pub fn titled(title: Value, n_wrong: usize) -> Value {
+    if n_wrong == 0 {
+        return title;
+    }
+    let message = Message::new("raster-wrong").with("title", title);
+    Value::Message(message.with("count", n_wrong))
+}
+
+/// A cross on each pixel that shows another surface than the one in front, by a depth buffer that rounds nothing.
+pub fn wrong_pixels(surfaces: &Surfaces, picture: &Picture) -> Vec<RasterMark> {
+    let truth = silent::<DepthBuffer>(&DepthBufferInput {
+        steps: DepthSteps::Triangles,
+        ..DepthBufferInput::new(surfaces.clone())
+    });
+    let [width, _] = surfaces.size().map(|side| side as usize);
+    let pairs = picture.ids().iter().zip(truth.picture.ids()).enumerate();
+    let wrong = pairs.filter(|(_, (shown, seen))| shown != seen);
+    wrong
+        .map(|(place, _)| {
+            let at = [place % width, place / width].map(|x| x as f64 + 0.5);
+            RasterMark {
+                role: Role::Signal,
+                shape: RasterShape::Cross(at),
+            }
         })
         .collect()
 }

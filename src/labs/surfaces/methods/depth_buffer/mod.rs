@@ -1,6 +1,7 @@
 //! The depth buffer, shown: the ray in space, the picture with its depths, and the story of the pixel in hand.
 
 mod captions;
+mod curve;
 mod numbers;
 mod variant;
 mod views;

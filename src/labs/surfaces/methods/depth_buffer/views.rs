@@ -9,7 +9,9 @@ use crate::{
         Step,
         space::soup::{place_of, surface_link},
         space::stage::{FaceLook, Fate, Scenery},
-        surfaces::methods::on_raster::{outline, pixel_formula, pixels, sight},
+        surfaces::methods::on_raster::{
+            outline, pixel_formula, pixels, sight, titled, wrong_pixels,
+        },
     },
     text::{Formula, Message, Value},
     trace::silent,
@@ -18,11 +20,13 @@ use crate::{
 use super::{
     Shown,
     captions::name_of,
+    curve::curves,
     numbers::{in_pixel, value},
     variant::Variant,
 };
 
 const RASTER_VIEW: &str = "raster";
+const CURVE_VIEW: &str = "curve";
 const STORY_VIEW: &str = "story";
 
 /// The pixel that the step is about.
@@ -51,6 +55,13 @@ pub fn views<L: Variant>(step: &Step<'_, Shown<L>>) -> Vec<View> {
         scenery.observer_with(|_| Fate::ToCome, look, marks(step, scenery)),
         View::new(RASTER_VIEW, Body::Raster(raster(step))),
     ];
+    let format = &step.input.own.format;
+    if format.number != DepthNumber::Double {
+        let depth = step.state.fragment.map(|fragment| fragment.depth);
+        let rays = Rays::of(&step.input.own.surfaces);
+        let curves = curves(&rays, format, depth);
+        views.push(View::new(CURVE_VIEW, Body::Multiples(curves)));
+    }
     if let Some(pixel) = pixel_of(step) {
         let table = story(step, scenery, pixel);
         views.push(View::new(STORY_VIEW, Body::Table(table)));
@@ -116,12 +127,19 @@ fn raster<L: Variant>(step: &Step<'_, Shown<L>>) -> Raster {
             .with("bits", bits.get() as usize)
             .with("last", bits.largest() as usize),
     };
+    let mut over = current.map_or_else(Vec::new, |id| outline(&own.surfaces, id, Role::Accent));
+    let mut title = Value::Message(title);
+    if step.state.is_done {
+        let wrong = wrong_pixels(&own.surfaces, &so_far.picture);
+        title = titled(title, wrong.len());
+        over.extend(wrong);
+    }
     Raster {
-        title: Value::Message(title),
+        title,
         size: [columns, rows],
         pixels: pixels(&so_far.picture, current, depth),
         current: pixel_of(step).map(|pixel| pixel.map(|x| x as usize)),
-        over: current.map_or_else(Vec::new, |id| outline(&own.surfaces, id, Role::Accent)),
+        over,
     }
 }
 

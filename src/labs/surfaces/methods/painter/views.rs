@@ -10,7 +10,7 @@ use crate::{
             Scene,
             stage::{FaceLook, Fate},
         },
-        surfaces::methods::on_raster::{outline, pixels},
+        surfaces::methods::on_raster::{outline, pixels, titled, wrong_pixels},
     },
     text::{Formula, Message, Value},
 };
@@ -99,8 +99,14 @@ fn raster<L: Variant>(step: &Step<'_, Shown<L>>) -> Raster {
         own.into_iter()
             .flat_map(|id| outline(surfaces, id, Role::Accent)),
     );
+    let mut title = Value::Message(title);
+    if step.state.is_done && step.state.cycle.is_empty() {
+        let wrong = wrong_pixels(surfaces, &step.state.picture);
+        title = titled(title, wrong.len());
+        over.extend(wrong);
+    }
     Raster {
-        title: Value::Message(title),
+        title,
         size: [columns, rows],
         pixels: pixels(&step.state.picture, own, |_| None),
         current: None,
