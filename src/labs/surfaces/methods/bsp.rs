@@ -26,7 +26,7 @@ use crate::{
     text::{Message, Value},
 };
 
-use super::on_raster::{outline, pixels};
+use super::on_raster::{lettered, outline, pixels};
 use captions::Input;
 
 type Shown = OnScene<Bsp>;
@@ -211,6 +211,7 @@ fn raster(step: &Step<'_, Shown>) -> Raster {
         .with("columns", columns)
         .with("rows", rows);
     let own = own(step);
+    let picture = &step.state.so_far.picture;
     let others = surfaces
         .ids()
         .filter(|id| !step.state.is_built && Some(*id) != own);
@@ -224,7 +225,11 @@ fn raster(step: &Step<'_, Shown>) -> Raster {
     Raster {
         title: Value::Message(title),
         size: [columns, rows],
-        pixels: pixels(&step.state.so_far.picture, own, |_| None),
+        pixels: pixels(
+            picture,
+            own,
+            lettered(picture, |id| captions::name_of(step.input, id)),
+        ),
         current: None,
         over,
     }

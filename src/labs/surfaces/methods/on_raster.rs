@@ -1,5 +1,7 @@
 //! What all methods draw: the picture in large pixels, the ray through one of them in space.
 
+use std::collections::{BTreeMap, HashMap};
+
 use crate::{
     algo::{
         surface::{DepthBuffer, DepthBufferInput, DepthSteps, Picture, Rays, Surfaces},
@@ -50,6 +52,39 @@ pub fn pixels(
         }
     };
     picture.ids().iter().enumerate().map(pixel).collect()
+}
+
+/// Triangles have their names where they are seen, each in the pixel that is nearest to the middle of its pixels.
+pub fn lettered(picture: &Picture, name: impl Fn(u32) -> Value) -> impl Fn(usize) -> Option<Value> {
+    /// Of more triangles the names only cover the picture.
+    const MOST: usize = 26;
+    let width = picture.size()[0] as usize;
+    let mut places: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
+    for (place, &id) in picture.ids().iter().enumerate() {
+        if let Ok(id) = u32::try_from(id) {
+            places.entry(id).or_default().push(place);
+        }
+    }
+    let is_few = places.len() <= MOST;
+    let named: HashMap<usize, Value> = places
+        .into_iter()
+        .filter(|_| is_few)
+        .filter_map(|(id, places)| Some((middle(&places, width)?, name(id))))
+        .collect();
+    move |place| named.get(&place).cloned()
+}
+
+/// Of these pixels the nearest to their mean.
+fn middle(places: &[usize], width: usize) -> Option<usize> {
+    let at = |place: usize| [place % width, place / width].map(|x| x as f64);
+    let n = places.len() as f64;
+    let mean = [0, 1].map(|i| places.iter().map(|&place| at(place)[i]).sum::<f64>() / n);
+    let distance = |place: usize| {
+        let [x, y] = at(place);
+        (x - mean[0]).powi(2) + (y - mean[1]).powi(2)
+    };
+    let nearest = |a: &&usize, b: &&usize| distance(**a).total_cmp(&distance(**b));
+    places.iter().min_by(nearest).copied()
 }
 
 /// The outline of what is seen of a triangle, over the pixels.

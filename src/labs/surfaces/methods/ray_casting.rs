@@ -24,7 +24,7 @@ use crate::{
     text::{Formula, Message, Value},
 };
 
-use super::on_raster::{depth_list, pixel_formula, pixels, sight};
+use super::on_raster::{depth_list, lettered, pixel_formula, pixels, sight};
 
 type Input = OnSceneInput<RayCastingInput>;
 type Shown = OnScene<RayCasting>;
@@ -300,10 +300,15 @@ fn raster(step: &Step<'_, Shown>, own: Option<u32>) -> Raster {
         .with("columns", columns)
         .with("rows", rows);
     let current = step.state.pixel.filter(|_| !step.state.is_done);
+    let picture = &step.state.so_far.picture;
     Raster {
         title: Value::Message(title),
         size: [columns, rows],
-        pixels: pixels(&step.state.so_far.picture, own, |_| None),
+        pixels: pixels(
+            picture,
+            own,
+            lettered(picture, |id| name_of(step.input, id)),
+        ),
         current: current.map(|(pixel, _)| pixel.map(|x| x as usize)),
         over: Vec::new(),
     }

@@ -10,7 +10,7 @@ use crate::{
             Scene,
             stage::{FaceLook, Fate},
         },
-        surfaces::methods::on_raster::{outline, pixels, titled, wrong_pixels},
+        surfaces::methods::on_raster::{lettered, outline, pixels, titled, wrong_pixels},
     },
     text::{Formula, Message, Value},
 };
@@ -85,10 +85,19 @@ fn raster<L: Variant>(step: &Step<'_, Shown<L>>) -> Raster {
         .ids()
         .iter()
         .all(|&id| id == Picture::BACKGROUND);
-    let waiting = surfaces.ids().filter(|_| is_empty && !step.state.is_done);
-    let mut over: Vec<_> = waiting
-        .filter(|id| Some(*id) != own && Some(*id) != other)
-        .flat_map(|id| outline(surfaces, id, Role::Soft))
+    let (picture, cycle) = (&step.state.picture, &step.state.cycle);
+    let is_waiting = is_empty && (!step.state.is_done || !cycle.is_empty());
+    let mut over: Vec<_> = surfaces
+        .ids()
+        .filter(|id| is_waiting && Some(*id) != own && Some(*id) != other)
+        .flat_map(|id| {
+            let role = if cycle.contains(&id) {
+                Role::Signal
+            } else {
+                Role::Soft
+            };
+            outline(surfaces, id, role)
+        })
         .collect();
     over.extend(
         other
@@ -108,7 +117,11 @@ fn raster<L: Variant>(step: &Step<'_, Shown<L>>) -> Raster {
     Raster {
         title,
         size: [columns, rows],
-        pixels: pixels(&step.state.picture, own, |_| None),
+        pixels: pixels(
+            picture,
+            own,
+            lettered(picture, |id| name_of(step.input, id)),
+        ),
         current: None,
         over,
     }
