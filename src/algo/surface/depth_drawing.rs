@@ -102,24 +102,29 @@ impl<'a, L: SurfaceRules> Drawing<'a, L> {
     }
 
     pub fn all<R: Real>(&mut self, tell: &mut impl FnMut(Told)) {
+        for &id in &self.input.order {
+            self.triangle::<R>(id, tell);
+        }
+    }
+
+    /// One of them.
+    pub fn triangle<R: Real>(&mut self, id: u32, tell: &mut impl FnMut(Told)) {
         let input = self.input;
         let [_, height] = input.surfaces.size();
         let rows = input.pixel.map_or(0..height, |[_, row]| {
             row.min(height)..row.saturating_add(1).min(height)
         });
-        for &id in &input.order {
-            let Some(triangle) = input.surfaces.triangles().get(id as usize) else {
-                continue;
-            };
-            let coverage = Coverage::of::<L>(&input.surfaces, triangle);
-            let drawn = coverage.is_some();
-            tell(Told::Triangle { id, drawn });
-            if let Some(coverage) = coverage {
-                let viewport = input.surfaces.viewport();
-                coverage.for_each_span(viewport, &rows, |span| self.span::<R>(id, span, tell));
-            }
-            tell(Told::TriangleDone);
+        let Some(triangle) = input.surfaces.triangles().get(id as usize) else {
+            return;
+        };
+        let coverage = Coverage::of::<L>(&input.surfaces, triangle);
+        let drawn = coverage.is_some();
+        tell(Told::Triangle { id, drawn });
+        if let Some(coverage) = coverage {
+            let viewport = input.surfaces.viewport();
+            coverage.for_each_span(viewport, &rows, |span| self.span::<R>(id, span, tell));
         }
+        tell(Told::TriangleDone);
     }
 
     fn span<R: Real>(&mut self, id: u32, span: Span<'_>, tell: &mut impl FnMut(Told)) {

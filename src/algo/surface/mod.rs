@@ -18,6 +18,8 @@ mod depth_drawing;
 mod depth_format;
 pub mod faulty;
 mod hierarchy;
+mod occlusion;
+mod occlusion_query;
 mod painter;
 mod painting_order;
 mod picture;
@@ -39,6 +41,10 @@ pub use depth_buffer_input::{DepthBufferInput, DepthSteps};
 pub use depth_drawing::{Fragment, FragmentTally, pixel_story};
 pub use depth_format::{DepthBits, DepthFormat, DepthNumber};
 pub use hierarchy::Hierarchy;
+pub use occlusion::{
+    Occlusion, OcclusionEvent, OcclusionInput, OcclusionObject, OcclusionOutput, OcclusionState,
+    QueryResult,
+};
 pub use painter::{Painter, PainterAnswer, PainterEvent, PainterOutput, PainterState, PairTally};
 pub use picture::Picture;
 pub use precedence::{Occupant, PairTest};
