@@ -10,6 +10,7 @@
 
 mod assembly;
 mod bsp;
+mod bsp_choice;
 mod bsp_tree;
 mod coverage;
 mod depth_buffer;
@@ -21,6 +22,7 @@ mod hierarchy;
 mod occlusion;
 mod occlusion_query;
 mod painter;
+mod painter_event;
 mod painting_order;
 mod picture;
 mod precedence;
@@ -30,11 +32,12 @@ mod rays;
 mod rules;
 mod scan;
 mod screen_triangle;
-mod surfaces;
+mod surface_list;
 mod viewport;
 
 pub use assembly::{Cull, MeshRef, assemble};
-pub use bsp::{Bsp, BspChoice, BspEvent, BspInput, BspOutput, BspState, BspTooLarge};
+pub use bsp::{Bsp, BspEvent, BspInput, BspOutput, BspState};
+pub use bsp_choice::{BspChoice, BspTooLarge};
 pub use bsp_tree::{BspNode, BspPiece, BspSide};
 pub use depth_buffer::{DepthBuffer, DepthBufferEvent, DepthBufferOutput, DepthBufferState};
 pub use depth_buffer_input::{DepthBufferInput, DepthSteps};
@@ -45,7 +48,8 @@ pub use occlusion::{
     Occlusion, OcclusionEvent, OcclusionInput, OcclusionObject, OcclusionOutput, OcclusionState,
     QueryResult,
 };
-pub use painter::{Painter, PainterAnswer, PainterEvent, PainterOutput, PainterState, PairTally};
+pub use painter::{Painter, PainterAnswer, PainterOutput, PainterState};
+pub use painter_event::{PainterEvent, PairTally};
 pub use picture::Picture;
 pub use precedence::{Occupant, PairTest};
 pub use ray_casting::{
@@ -56,5 +60,5 @@ pub use rays::{Ray, Rays};
 pub use rules::SurfaceRules;
 pub use scan::draw_rows;
 pub use screen_triangle::ScreenTriangle;
-pub use surfaces::Surfaces;
+pub use surface_list::Surfaces;
 pub use viewport::Viewport;
