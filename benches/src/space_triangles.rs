@@ -18,6 +18,8 @@ use crate::{
 
 const N_TRIANGLES: usize = 100_000;
 const N_ROUNDS: usize = 15;
+/// Vertices are transformed mesh by mesh.
+const MESH: usize = 500;
 
 /// Corners and colours.
 type Given = [([f32; 4], [f32; 3]); 3];
@@ -69,17 +71,19 @@ fn triangles() -> Vec<Given> {
 pub fn run() {
     let given = triangles();
     let mut ours: Vec<[ClipVertex<[f32; 3]>; 3]> = Vec::with_capacity(2 * N_TRIANGLES);
-    let mut corners: Vec<[ClipVertex<[f32; 3]>; 3]> = Vec::with_capacity(N_TRIANGLES);
+    let mut corners: Vec<[ClipVertex<[f32; 3]>; 3]> = Vec::with_capacity(MESH);
     let mut clip = || {
         ours.clear();
-        corners.clear();
-        corners.extend(black_box(&given).iter().map(|triangle| {
-            triangle.map(|(at, attributes)| ClipVertex {
-                at: at.map(f64::from),
-                attributes,
-            })
-        }));
-        clip_triangles(&corners, &mut ours);
+        for mesh in black_box(&given).chunks(MESH) {
+            corners.clear();
+            corners.extend(mesh.iter().map(|triangle| {
+                triangle.map(|(at, attributes)| ClipVertex {
+                    at: at.map(f64::from),
+                    attributes,
+                })
+            }));
+            clip_triangles(&corners, &mut ours);
+        }
         ours.len()
     };
     let n_ours = clip();
