@@ -181,6 +181,14 @@ fn a_ribbon_says_what_each_gate_took_and_added() {
     check("ribbon-widens", &rooms, &data::frustum::ribbon(widens));
 }
 
+#[test]
+fn small_drawings_say_what_each_plane_took_and_left() {
+    let rooms = [vec2(744.0, 130.0), vec2(1100.0, 160.0)];
+    for current in [None, Some(0), Some(5)] {
+        check("a4-small", &rooms, &data::frustum::small_drawings(current));
+    }
+}
+
 /// Beside the drawing of a page, and under it.
 fn room_on_a_page(view: &View) -> Vec2 {
     match view.body {

@@ -1,7 +1,7 @@
 //! What the prototypes A1 and A6 show.
 
 use crate::{
-    figure::{Gauge, Gauges, Ribbon, RibbonStage, Role},
+    figure::{Gauge, Gauges, Mark, Multiples, Ribbon, RibbonStage, Role, Shape, SmallDrawing},
     text::{Message, Value},
 };
 
@@ -19,12 +19,12 @@ fn gauge(name: Value, value: Option<f64>, role: Role) -> Gauge {
 /// One sphere, six planes, of which three have been asked.
 pub fn distances() -> Gauges {
     let rows = [
-        ("side-near", Some(2.6), Role::Accent),
-        ("side-far", Some(4.4), Role::Accent),
-        ("side-left", Some(-3.4), Role::Signal),
-        ("side-right", None, Role::Accent),
-        ("side-bottom", None, Role::Accent),
-        ("side-top", None, Role::Accent),
+        ("plane-near", Some(2.6), Role::Accent),
+        ("plane-far", Some(4.4), Role::Accent),
+        ("plane-left", Some(-3.4), Role::Signal),
+        ("plane-right", None, Role::Accent),
+        ("plane-bottom", None, Role::Accent),
+        ("plane-top", None, Role::Accent),
     ];
     let sides = ["gauge-outside", "gauge-inside"].map(Message::new);
     Gauges {
@@ -84,5 +84,30 @@ pub fn ribbon(amounts: [usize; 5]) -> Ribbon {
         stages: titles.into_iter().enumerate().map(stage).collect(),
         at_work: Some(1),
         most: amounts.into_iter().fold(0, usize::max),
+    }
+}
+
+/// Six planes, some at work and some to come, with numbers of two digits.
+pub fn small_drawings(current: Option<usize>) -> Multiples {
+    let keys = [
+        "plane-near",
+        "plane-far",
+        "plane-left",
+        "plane-right",
+        "plane-bottom",
+        "plane-top",
+    ];
+    let outline = vec![[0.0, 0.0], [4.0, 1.0], [1.0, 3.0]];
+    let drawing = |(i, key): (usize, &'static str)| SmallDrawing {
+        title: Value::Term(key),
+        note: Some(super::name(&format!("{} → {}", i + 6, i + 7))),
+        marks: vec![Mark::new(Role::Accent, Shape::Area(vec![outline.clone()]))],
+        is_current: current == Some(i),
+        is_to_come: current.is_none_or(|current| i > current),
+        link: None,
+    };
+    Multiples {
+        drawings: keys.into_iter().enumerate().map(drawing).collect(),
+        bounds: [[0.0, 0.0], [4.0, 3.0]],
     }
 }
