@@ -5,12 +5,13 @@
 )]
 
 use clipscope::{
+    algo::surface::{DepthBits, DepthNumber, DepthSteps},
     figure::{Body, Products, Run},
     geom::{Polygon, Segment, Window},
     labs::{
         Change, LABS, MethodCard, Scene, frustum,
         lines::{self, Method},
-        polygons, space,
+        polygons, space, surfaces,
     },
     lesson::Course,
     text::{Catalog, Lang, Value},
@@ -109,6 +110,36 @@ fn frustum_scenes() -> Vec<Scene> {
     scenes
 }
 
+/// Every method, both kinds of cameras; depths rounded, reversed, one pixel looked at; coarse, so that runs are short.
+fn surface_scenes() -> Vec<Scene> {
+    let bits = DepthBits::new(8).map(DepthNumber::Fixed).unwrap();
+    let mut scenes = Vec::new();
+    for method in surfaces::SURFACES.all() {
+        for (i, is_parallel) in [false, true].into_iter().enumerate() {
+            for steps in [
+                DepthSteps::Fragments,
+                DepthSteps::Spans,
+                DepthSteps::Triangles,
+            ] {
+                let mut scene = surfaces::first_scene();
+                scene.method = method;
+                scene.raster = scene.raster.with_rows(4);
+                scene.raster.steps = steps;
+                scene.raster.format.is_reversed = is_parallel;
+                if steps != DepthSteps::Fragments {
+                    scene.raster.format.number = bits;
+                    scene.raster.pixel = Some([3, 2 - i as u32]);
+                }
+                let mut scene: Scene = scene.into();
+                let turned = space::SpaceChange::Parallel(is_parallel);
+                Change::apply(&turned, &mut scene).unwrap();
+                scenes.push(scene);
+            }
+        }
+    }
+    scenes
+}
+
 fn scenes() -> Vec<Scene> {
     let window = Window::new(-1.0, -1.0, 1.0, 1.0).unwrap();
     let mut scenes: Vec<Scene> = Method::all()
@@ -123,6 +154,7 @@ fn scenes() -> Vec<Scene> {
         .collect();
     scenes.extend(polygon_scenes());
     scenes.extend(frustum_scenes());
+    scenes.extend(surface_scenes());
     let course = Course::embedded();
     for step in course.lessons.iter().flat_map(|lesson| &lesson.steps) {
         scenes.push((*step.scene).clone());
