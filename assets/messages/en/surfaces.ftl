@@ -55,12 +55,13 @@ depth-done = Done: { $fragments } fragments, { $writes } of them written, for { 
 
 ## Views
 
-raster-depth = Picture, { $columns } × { $rows }: depth in thousandths
-raster-depth-steps = Picture, { $columns } × { $rows }: depth in { $bits } bits, 0 to { $last }
-raster-wrong = { $title }; { $count ->
-    [one] one pixel is
-   *[other] { $count } pixels are
-  } wrong
+raster-depth = Depth in thousandths
+raster-depth-steps = Depth in { $bits } bits: 0 to { $last }
+raster-wrong = { $count ->
+    [one] One pixel is wrong
+   *[other] { $count } pixels are wrong
+  }
+depth-done-nothing = Done: of { $fragments } fragments none was written.
 curve-forward = depth over distance
 curve-reversed = reversed
 curve-step = one step: { $step }
@@ -120,7 +121,7 @@ ray-hit = behind
 ray-nearest = nearest
 ray-eye = eye
 ray-raster = raster
-raster-rays = Picture so far, { $columns } × { $rows }
+raster-rays = Picture so far
 watch-hits = hits
 watch-nearest = nearest
 watch-asked = asked

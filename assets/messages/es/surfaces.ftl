@@ -55,12 +55,13 @@ depth-done = Terminado: { $fragments } fragmentos, { $writes } escritos, para { 
 
 ## Views
 
-raster-depth = Imagen, { $columns } × { $rows }: profundidad en milésimas
-raster-depth-steps = Imagen, { $columns } × { $rows }: profundidad en { $bits } bits, de 0 a { $last }
-raster-wrong = { $title }; { $count ->
-    [one] un píxel equivocado
+raster-depth = Profundidad en milésimas
+raster-depth-steps = Profundidad en { $bits } bits: 0 a { $last }
+raster-wrong = { $count ->
+    [one] Un píxel equivocado
    *[other] { $count } píxeles equivocados
   }
+depth-done-nothing = Terminado: de { $fragments } fragmentos no se escribió ninguno.
 curve-forward = profundidad según la distancia
 curve-reversed = invertida
 curve-step = un paso: { $step }
@@ -120,7 +121,7 @@ ray-hit = detrás
 ray-nearest = el más cercano
 ray-eye = ojo
 ray-raster = ráster
-raster-rays = Imagen hasta ahora, { $columns } × { $rows }
+raster-rays = Imagen hasta ahora
 watch-hits = impactos
 watch-nearest = más cercano
 watch-asked = preguntas

@@ -55,12 +55,13 @@ depth-done = Pronto: { $fragments } fragmentos, { $writes } escritos, para { $pi
 
 ## Views
 
-raster-depth = Imagem, { $columns } × { $rows }: profundidade em milésimos
-raster-depth-steps = Imagem, { $columns } × { $rows }: profundidade em { $bits } bits, de 0 a { $last }
-raster-wrong = { $title }; { $count ->
-    [one] um pixel errado
+raster-depth = Profundidade em milésimos
+raster-depth-steps = Profundidade em { $bits } bits: 0 a { $last }
+raster-wrong = { $count ->
+    [one] Um pixel errado
    *[other] { $count } pixels errados
   }
+depth-done-nothing = Pronto: de { $fragments } fragmentos nenhum foi escrito.
 curve-forward = profundidade pela distância
 curve-reversed = invertida
 curve-step = um passo: { $step }
@@ -120,7 +121,7 @@ ray-hit = atrás
 ray-nearest = mais próximo
 ray-eye = olho
 ray-raster = raster
-raster-rays = Imagem até agora, { $columns } × { $rows }
+raster-rays = Imagem até agora
 watch-hits = atingidos
 watch-nearest = mais próximo
 watch-asked = perguntas

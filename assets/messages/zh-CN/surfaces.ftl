@@ -49,9 +49,10 @@ depth-done = 完成：{ $fragments } 个片元，写入 { $writes } 次，占 { 
 
 ## Views
 
-raster-depth = 画面，{ $columns } × { $rows }：深度以千分之一计
-raster-depth-steps = 画面，{ $columns } × { $rows }：{ $bits } 位深度，0 到 { $last }
-raster-wrong = { $title }；{ $count } 个像素有误
+raster-depth = 深度，以千分之一计
+raster-depth-steps = { $bits } 位深度：0 到 { $last }
+raster-wrong = { $count } 个像素有误
+depth-done-nothing = 完成：{ $fragments } 个片元一个也没有写入。
 curve-forward = 深度随距离的变化
 curve-reversed = 反向
 curve-step = 一级：{ $step }
@@ -102,7 +103,7 @@ ray-hit = 在后面
 ray-nearest = 最近
 ray-eye = 视点
 ray-raster = 光栅
-raster-rays = 目前的画面，{ $columns } × { $rows }
+raster-rays = 目前的画面
 watch-hits = 命中数
 watch-nearest = 最近
 watch-asked = 询问次数

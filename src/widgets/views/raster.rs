@@ -18,8 +18,11 @@ use super::{
 const MOST_WIDTH: f32 = 40.0;
 /// Room for the title.
 const TITLE: f32 = 28.0;
-/// What is stored is written in pixels of at least this width, in points.
-const READABLE: f32 = 18.0;
+/// What is stored is written in this size at most, and at least; in points.
+const LARGEST: f32 = 11.0;
+const SMALLEST: f32 = 6.0;
+/// Width of three digits, with white space, over their size.
+const DIGITS: f32 = 2.1;
 /// The darkest that a shade may be under ink.
 const DARKEST: f32 = 0.45;
 
@@ -101,11 +104,13 @@ fn draw_pixel(slate: &mut Slate<'_>, place: Rect, pixel: &Pixel, hairline: Strok
     slate
         .painter
         .rect_stroke(place, 0.0, hairline, StrokeKind::Inside);
-    let Some(value) = pixel.value.as_ref().filter(|_| place.width() >= READABLE) else {
+    // As large as three digits have room for.
+    let pts = (place.width() / (DIGITS * slate.pts(1.0))).min(LARGEST);
+    let Some(value) = pixel.value.as_ref().filter(|_| pts >= SMALLEST) else {
         return;
     };
-    let text = slate.low(value, (Face::Mono, 9.5, slate.theme().ink));
-    if text.size().x + 1.0 <= place.width() {
+    let text = slate.low(value, (Face::Mono, pts, slate.theme().ink));
+    if text.size().x <= place.width() {
         slate.put(&text, place.center(), Align2::CENTER_CENTER);
     }
 }

@@ -11,7 +11,7 @@ use crate::{
 };
 
 use super::{
-    super::{Object, Scene},
+    super::{Object, Scene, Subject},
     FaceLook, Fate, Solids,
     ground::ground,
     volume::volume,
@@ -176,7 +176,8 @@ impl Scenery {
             let mark = mark
                 .labelled(self.scene.object_name(i))
                 .linked(object_link(i));
-            let is_focused = i == self.scene.focus();
+            // Among surfaces none is the one that is asked.
+            let is_focused = i == self.scene.focus() && !self.scene.asks(Subject::Surfaces);
             Some(if is_focused { mark.strong() } else { mark })
         };
         objects.iter().enumerate().filter_map(number).collect()

@@ -116,13 +116,12 @@ pub fn outline(surfaces: &Surfaces, id: u32, role: Role) -> Vec<RasterMark> {
         .collect()
 }
 
-/// A raster's title, with how many of its pixels are wrong, if any.
+/// A raster's title; where pixels are wrong, how many.
 pub fn titled(title: Value, n_wrong: usize) -> Value {
     if n_wrong == 0 {
         return title;
     }
-    let message = Message::new("raster-wrong").with("title", title);
-    Value::Message(message.with("count", n_wrong))
+    Value::Message(Message::new("raster-wrong").with("count", n_wrong))
 }
 
 /// A cross on each pixel that shows another surface than the one in front, by a depth buffer that rounds nothing.

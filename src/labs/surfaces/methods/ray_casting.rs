@@ -4,8 +4,8 @@ use serde_json::{Value as Json, json};
 
 use crate::{
     algo::surface::{
-        Meeting, PlaneHit, RayCasting, RayCastingEvent as Event, RayCastingInput, RayCastingOutput,
-        RayCastingState as State, Rays,
+        Meeting, PlaneHit, Ray, RayCasting, RayCastingEvent as Event, RayCastingInput,
+        RayCastingOutput, RayCastingState as State, Rays,
     },
     figure::{
         Body, Caption, Cell, LineTick, Mark3, NumberLine, Raster, Role, Shape3, Side, Table,
@@ -148,9 +148,10 @@ impl Demo for Shown {
                     None => message,
                 };
                 let caption = Caption::new(message);
-                match found.meeting {
-                    Meeting::Culled => caption,
-                    _ => caption.so(quotient(&found)),
+                if found.meeting == Meeting::Culled {
+                    caption
+                } else {
+                    caption.so(quotient(&found))
                 }
             }
             Event::Seen { pixel, hit, .. } => {
@@ -250,6 +251,12 @@ const fn meeting_said(meeting: Meeting) -> &'static str {
     }
 }
 
+/// The pixel in hand and its ray; none when all have been cast.
+fn cast(step: &Step<'_, Shown>) -> Option<([u32; 2], Ray)> {
+    let is_over = step.state.is_done && step.input.own.pixel.is_none();
+    step.state.pixel.filter(|_| !is_over)
+}
+
 /// The triangle that is asked at this step.
 fn now(step: &Step<'_, Shown>) -> Option<u32> {
     match step.event {
@@ -260,11 +267,7 @@ fn now(step: &Step<'_, Shown>) -> Option<u32> {
 
 /// The ray as far as it has been followed, and where it meets planes: the nearest hit filled, others hollow.
 fn marks(step: &Step<'_, Shown>, scenery: &Scenery) -> Vec<Mark3> {
-    let Some((pixel, ray)) = step
-        .state
-        .pixel
-        .filter(|_| !step.state.is_done || step.input.own.pixel.is_some())
-    else {
+    let Some((pixel, ray)) = cast(step) else {
         return Vec::new();
     };
     let (surfaces, camera) = (&step.input.own.surfaces, scenery.scene().camera.camera());
@@ -299,7 +302,7 @@ fn raster(step: &Step<'_, Shown>, own: Option<u32>) -> Raster {
     let title = Message::new("raster-rays")
         .with("columns", columns)
         .with("rows", rows);
-    let current = step.state.pixel.filter(|_| !step.state.is_done);
+    let current = cast(step);
     let picture = &step.state.so_far.picture;
     Raster {
         title: Value::Message(title),
@@ -318,20 +321,29 @@ fn raster(step: &Step<'_, Shown>, own: Option<u32>) -> Raster {
 fn asked(step: &Step<'_, Shown>, scenery: &Scenery) -> Table {
     let n = step.input.own.surfaces.triangles().len();
     let state = step.state;
-    let found_of = |id: u32| state.asked.iter().find(|(asked, _)| *asked == id);
+    let is_cast = cast(step).is_some();
+    let found_of = |id: u32| {
+        state
+            .asked
+            .iter()
+            .find(|(asked, _)| is_cast && *asked == id)
+    };
     let ids: Vec<u32> = if n <= MOST_ROWS {
         step.input.own.surfaces.ids().collect()
     } else {
         state.hits.iter().map(|hit| hit.id).collect()
     };
-    let nearest = state.nearest.map(|hit| hit.id);
+    let nearest = state.nearest.filter(|_| is_cast).map(|hit| hit.id);
     let row = |id: u32| {
         let found = found_of(id).map(|(_, found)| *found);
         let is_current = now(step) == Some(id);
-        let role = match found.map(|found| found.meeting) {
-            _ if is_current => Role::Signal,
-            Some(Meeting::Hit) => Role::Ink,
-            _ => Role::Soft,
+        let is_hit = found.is_some_and(|found| found.meeting == Meeting::Hit);
+        let role = if is_current {
+            Role::Signal
+        } else if is_hit {
+            Role::Ink
+        } else {
+            Role::Soft
         };
         let number = |x: f64| Value::Formula(Formula::decimals().num(x));
         let met = found.filter(|found| found.meeting != Meeting::Culled);
@@ -355,9 +367,7 @@ fn asked(step: &Step<'_, Shown>, scenery: &Scenery) -> Table {
             link: surface_link(scenery.scene(), id),
         }
     };
-    let title = state
-        .pixel
-        .map_or_else(Formula::default, |(at, _)| pixel_formula(at));
+    let title = cast(step).map_or_else(Formula::default, |(at, _)| pixel_formula(at));
     Table {
         header: vec![
             title,
@@ -375,9 +385,11 @@ fn asked(step: &Step<'_, Shown>, scenery: &Scenery) -> Table {
 fn axis(step: &Step<'_, Shown>, scenery: &Scenery) -> NumberLine {
     let far = Rays::of(&step.input.own.surfaces).far();
     let state = step.state;
-    let nearest = state.nearest;
+    let is_cast = cast(step).is_some();
+    let nearest = state.nearest.filter(|_| is_cast);
     let until = nearest.map_or(far, |hit| hit.t);
-    let ticks = state.hits.iter().map(|hit| LineTick {
+    let hits = state.hits.iter().filter(|_| is_cast);
+    let ticks = hits.map(|hit| LineTick {
         u: hit.t,
         value: Formula::decimals().num(hit.t),
         side: Side::Leaving,

@@ -23,9 +23,10 @@ pub fn tree(state: &State, event: Option<Event>, input: &Input, scene: &Scene) -
         if is_current {
             focus = Some(rows.len());
         }
-        let name = match name_of(input, node.id) {
-            Value::Name(name) => name,
-            _ => node.id.to_string(),
+        let name = if let Value::Name(name) = name_of(input, node.id) {
+            name
+        } else {
+            node.id.to_string()
         };
         let word = side.map(|side| match side {
             BspSide::Back => Value::Term("bsp-behind"),

@@ -102,7 +102,12 @@ fn fragment_caption(fragment: &Fragment, input: &Input) -> Caption {
 
 fn done(tally: FragmentTally) -> Caption {
     let [fragments, writes, pixels] = [tally.fragments, tally.writes, tally.pixels];
-    let message = Message::new("depth-done")
+    let key = if pixels == 0 {
+        "depth-done-nothing"
+    } else {
+        "depth-done"
+    };
+    let message = Message::new(key)
         .with("fragments", fragments as usize)
         .with("writes", writes as usize)
         .with("pixels", pixels as usize);

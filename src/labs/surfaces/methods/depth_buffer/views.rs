@@ -84,8 +84,16 @@ fn marks<L: Variant>(step: &Step<'_, Shown<L>>, scenery: &Scenery) -> Vec<Mark3>
         fragment.stored
     };
     let ray = rays.through(fragment.pixel);
-    let at = |depth: f64| camera.world_from_view(ray.at(rays.t_at(depth)));
-    let mut marks = sight(surfaces, camera, fragment.pixel, rays.t_at(fragment.depth));
+    let [near, far] = [1.0, rays.far()].map(|t| rays.distance(t));
+    let t_of = |depth: f64| {
+        if L::STRAIGHT_DISTANCE {
+            rays.t_of(near + depth * (far - near))
+        } else {
+            rays.t_at(depth)
+        }
+    };
+    let at = |depth: f64| camera.world_from_view(ray.at(t_of(depth)));
+    let mut marks = sight(surfaces, camera, fragment.pixel, t_of(fragment.depth));
     if fragment.stored_id >= 0 && (0.0..=1.0).contains(&stored) {
         marks.push(Mark3::new(Role::Ink, Shape3::Ring(at(stored))));
     }
