@@ -96,7 +96,9 @@ fn list_in(state: &State, parts: &Parts<Vertex>, side: Option<VolumeSide>) -> Li
             }
         });
         entry.details = vec![Some(Value::Formula(point(v.at)))];
-        entry.details.extend(side.map(|_| d.map(Value::Number)));
+        entry
+            .details
+            .extend(side.map(|_| d.map(|d| Value::Formula(Formula::decimals().num(d)))));
         entry.link = parts.link(v);
         entry
     };

@@ -49,7 +49,9 @@ pub fn lists(
         entry.marker = side.map(|&(_, inside)| marker(inside));
         entry.details = vec![Some(place_of(v, is_textured))];
         if !is_over {
-            entry.details.push(side.map(|&(d, _)| Value::Number(d)));
+            entry
+                .details
+                .push(side.map(|&(d, _)| Value::Formula(Formula::decimals().num(d))));
         }
         entry.link = parts.link(v).filter(|_| at_work);
         entry

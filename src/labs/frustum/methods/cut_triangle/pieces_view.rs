@@ -70,7 +70,9 @@ fn in_list(
         };
         entry.marker = asked.map(marker);
         entry.details = (0..3)
-            .map(|corner| asked.map(|asked| Value::Number(asked.distances[corner])))
+            .map(|corner| {
+                asked.map(|asked| Value::Formula(Formula::decimals().num(asked.distances[corner])))
+            })
             .collect();
         entry.link = Some(triangle_link(i)).filter(|_| !has_passed);
         entry
