@@ -5,7 +5,7 @@ use crate::{
     figure::{BitRow, Bits, ItemMarker, ListColumn, ListRow, Lists, Mark3, Role, Shape3},
     geom::VolumeSide,
     labs::words::name,
-    text::Value,
+    text::{Formula, Value},
 };
 
 use super::{

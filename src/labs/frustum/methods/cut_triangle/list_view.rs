@@ -7,7 +7,7 @@ use crate::{
     },
     figure::{ItemMarker, ListColumn, ListLink, ListRow, Lists, Role},
     labs::words::name,
-    text::Value,
+    text::{Formula, Value},
 };
 
 use super::{

@@ -6,7 +6,7 @@ use crate::{
     algo::volume::{AskedTriangle, PlaneAtATimeEvent as Event, PlaneAtATimeState as State},
     figure::{ItemMarker, Link, ListColumn, ListLink, ListRow, Lists, Role},
     labs::words::{name, subscript},
-    text::Value,
+    text::{Formula, Value},
 };
 
 use super::captions::triangle_symbol;
