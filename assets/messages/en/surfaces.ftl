@@ -168,7 +168,13 @@ painter-place = Nobody that is left objects to { $triangle }: it is number { $pl
 painter-cycle-first = A cycle: { $triangle } is waiting for itself.
 painter-cycle-next = { $before } must be painted before { $triangle }.
 painter-paint = { $triangle } is painted over everything: { $place } of { $triangles }.
-painter-done = Done: { $pairs } pairs of { $triangles } triangles were asked.
+painter-done = Done: { $pairs ->
+    [one] one pair
+   *[other] { $pairs } pairs
+  } of { $triangles } triangles { $pairs ->
+    [one] was
+   *[other] were
+  } asked.
 painter-done-cycle = No order exists: each of { $cycle } triangles must come before the next, and the last before the first.
 painter-sorted = sorted
 painter-must = before

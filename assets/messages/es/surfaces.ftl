@@ -168,7 +168,10 @@ painter-place = Nadie de los que quedan se opone a { $triangle }: es el número 
 painter-cycle-first = Un ciclo: { $triangle } se espera a sí mismo.
 painter-cycle-next = { $before } debe pintarse antes que { $triangle }.
 painter-paint = { $triangle } se pinta sobre todo: { $place } de { $triangles }.
-painter-done = Terminado: se preguntó por { $pairs } pares de { $triangles } triángulos.
+painter-done = Terminado: se preguntó por { $pairs ->
+    [one] un par
+   *[other] { $pairs } pares
+  } de { $triangles } triángulos.
 painter-done-cycle = No existe ningún orden: cada uno de { $cycle } triángulos debe ir antes que el siguiente, y el último antes que el primero.
 painter-sorted = ordenados
 painter-must = antes

@@ -168,7 +168,10 @@ painter-place = Nenhum dos que restam se opõe a { $triangle }: ele é o número
 painter-cycle-first = Um ciclo: { $triangle } espera por si mesmo.
 painter-cycle-next = { $before } deve ser pintado antes de { $triangle }.
 painter-paint = { $triangle } é pintado sobre tudo: { $place } de { $triangles }.
-painter-done = Pronto: perguntou-se por { $pairs } pares de { $triangles } triângulos.
+painter-done = Pronto: perguntou-se por { $pairs ->
+    [one] um par
+   *[other] { $pairs } pares
+  } de { $triangles } triângulos.
 painter-done-cycle = Não existe ordem: cada um de { $cycle } triângulos deve vir antes do seguinte, e o último antes do primeiro.
 painter-sorted = ordenados
 painter-must = antes

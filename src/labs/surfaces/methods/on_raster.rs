@@ -14,7 +14,7 @@ use crate::{
 };
 
 /// Greys of neighbouring triangles, a clear step apart.
-const TONES: [f64; 4] = [0.35, 0.75, 0.15, 0.55];
+const TONES: [f64; 4] = [0.4, 1.0, 0.05, 0.7];
 /// The one that the step is about.
 const OWN_TONE: f64 = 0.9;
 
