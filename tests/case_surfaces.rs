@@ -24,7 +24,7 @@ fn answer(case: &str, detail: Detail) -> Json {
     serde_json::from_slice(&out).expect("one answer of JSON")
 }
 
-const ALGORITHMS: [&str; 3] = ["depth-buffer", "ray-casting", "painter"];
+const ALGORITHMS: [&str; 4] = ["depth-buffer", "ray-casting", "painter", "bsp"];
 const FRUSTUM: &str = r#"{"fov_y_deg":90,"aspect":1,"near":1,"far":9}"#;
 /// A wall that fills the picture, 3 before the eye, and half a wall before it: its upper edge is level with the eye.
 const WALLS: &str = "[[[-9,-9,-3],[9,-9,-3],[0,18,-3]],[[-6,0,-2],[0,-6,-2],[6,0,-2]]]";
@@ -101,6 +101,38 @@ fn a_cycle_has_no_order_and_no_picture() {
     let pierced = "[[[-2,-1,-4],[2,-1,-6],[0,2,-5]],[[-2,-1,-6],[2,-1,-4],[0,2,-5]]]";
     let found = solved("painter", "[4,4]", pierced, "");
     assert_eq!(found["output"], json!({"cycle": [0, 1]}));
+}
+
+#[test]
+fn a_tree_cuts_what_pierces_each_other() {
+    let pierced = "[[[-2,-1,-4],[2,-1,-6],[0,2,-5]],[[-2,-1,-6],[2,-1,-4],[0,2,-5]]]";
+    let of = |algorithm| solved(algorithm, "[8,8]", pierced, "")["output"].clone();
+    let tree = of("bsp");
+    assert_eq!(tree["n_pieces"], 3);
+    assert_eq!(tree["ids"], of("depth-buffer")["ids"]);
+}
+
+#[test]
+fn a_tree_that_would_be_too_large_is_refused() {
+    // 300 upright walls and 300 level ones: each of the first cuts each of the others.
+    let triangles: Vec<Json> = (0..300)
+        .flat_map(|i| {
+            let at = 0.001 * f64::from(i) - 0.15;
+            let upright = json!([[at, -9, -2], [at, 9, -2], [at, 0, -8]]);
+            let level = json!([[-9, at, -2], [9, at, -2], [0, at, -8]]);
+            [upright, level]
+        })
+        .collect();
+    let case = format!(
+        r#"{{"algorithm":"bsp","size":[2,2],"frustum":{FRUSTUM},"triangles":{}}}"#,
+        Json::from(triangles)
+    );
+    let error = &answer(&case, Detail::Answers)["error"];
+    assert_eq!(
+        (&error["code"], &error["field"]),
+        (&json!("too-large"), &json!("triangles")),
+        "{error}"
+    );
 }
 
 #[test]

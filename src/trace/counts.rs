@@ -41,13 +41,13 @@ impl Real for f64 {
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize)]
 pub struct Counts {
     /// Additions and subtractions.
-    pub add: u32,
+    pub add: u64,
     /// Multiplications.
-    pub mul: u32,
+    pub mul: u64,
     /// Divisions.
-    pub div: u32,
+    pub div: u64,
     /// Comparisons of numbers.
-    pub cmp: u32,
+    pub cmp: u64,
 }
 
 impl Counts {
@@ -172,6 +172,21 @@ mod tests {
                 cmp: 2
             }
         );
+    }
+
+    #[test]
+    fn more_than_four_thousand_million_are_counted() {
+        let large = Counts {
+            cmp: u64::from(u32::MAX),
+            ..Counts::default()
+        };
+        let (_, counts) = Counts::of(|| {
+            COUNTS.set(large);
+            Counted::new(1.0) < Counted::new(2.0)
+        });
+        assert_eq!(counts.cmp, 4_294_967_296);
+        let sum: Counts = [counts, large].into_iter().sum();
+        assert_eq!(sum.cmp, 8_589_934_591);
     }
 
     #[test]

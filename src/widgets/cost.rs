@@ -15,7 +15,7 @@ pub struct Cost<'a> {
     /// The other run's, with its method's name.
     pub compared: Option<(Counts, &'a str)>,
     /// The most of any kind that either run does in the end: the bars' full length.
-    pub most: u32,
+    pub most: u64,
 }
 
 /// Between two kinds of operations beside each other, and from a name to its number.
@@ -27,7 +27,7 @@ const OTHER_BAR: f32 = 4.0;
 
 /// The most operations of one kind that any of these runs has done: for bars of one scale.
 #[must_use]
-pub fn most_of_a_kind(runs: &[Counts]) -> u32 {
+pub fn most_of_a_kind(runs: &[Counts]) -> u64 {
     let counts = runs.iter().flat_map(|run| KINDS.map(|kind| (kind.of)(run)));
     counts.max().unwrap_or_default()
 }
@@ -37,7 +37,7 @@ struct Kind {
     key: &'static str,
     /// In full, for those who ask.
     name_key: &'static str,
-    of: fn(&Counts) -> u32,
+    of: fn(&Counts) -> u64,
 }
 
 /// Dearest first.
@@ -173,7 +173,7 @@ impl<'a> Bars<'a> {
         self.written((kind.of)(&self.cost.now), other)
     }
 
-    fn written(&self, now: u32, other: u32) -> String {
+    fn written(&self, now: u64, other: u64) -> String {
         match &self.cost.compared {
             Some(_) => format!("{now} ({other})"),
             None => now.to_string(),

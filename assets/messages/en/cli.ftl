@@ -99,6 +99,7 @@ case-surfaces-seen = { $seen } of { $pixels } pixels show a surface.
 case-painted = Painted in this order: { $ids }.
 case-painter-cycle = No order is right: each of { $ids } must be painted before the next, and the last before the first.
 case-bsp-pieces = The tree holds { $pieces } pieces; { $seen } of { $pixels } pixels show a surface.
+case-bsp-too-large = The planes would cut these triangles into more than { $pieces } pieces, or sort pieces more than { $questions } times: no tree is built of so many.
 case-triangles =
     { $n ->
         [one] One triangle: { $triangles }

@@ -99,6 +99,7 @@ case-surfaces-seen = { $seen } de { $pixels } píxeles muestran una superficie.
 case-painted = Se pintan en este orden: { $ids }.
 case-painter-cycle = Ningún orden es correcto: cada uno de { $ids } debe pintarse antes que el siguiente, y el último antes que el primero.
 case-bsp-pieces = El árbol contiene { $pieces } piezas; { $seen } de { $pixels } píxeles muestran una superficie.
+case-bsp-too-large = Los planos cortarían estos triángulos en más de { $pieces } trozos, o clasificarían trozos más de { $questions } veces: de tantos no se construye un árbol.
 case-triangles =
     { $n ->
         [one] Un triángulo: { $triangles }

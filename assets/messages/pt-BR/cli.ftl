@@ -99,6 +99,7 @@ case-surfaces-seen = { $seen } de { $pixels } pixels mostram uma superfície.
 case-painted = Pintados nesta ordem: { $ids }.
 case-painter-cycle = Nenhuma ordem está certa: cada um de { $ids } deve ser pintado antes do seguinte, e o último antes do primeiro.
 case-bsp-pieces = A árvore contém { $pieces } peças; { $seen } de { $pixels } pixels mostram uma superfície.
+case-bsp-too-large = Os planos cortariam estes triângulos em mais de { $pieces } pedaços, ou classificariam pedaços mais de { $questions } vezes: não se constrói uma árvore de tantos.
 case-triangles =
     { $n ->
         [one] Um triângulo: { $triangles }

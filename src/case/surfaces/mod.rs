@@ -4,15 +4,16 @@ mod reader;
 mod solve;
 
 use crate::{
-    algo::surface::{DepthBuffer, Painter, RayCasting},
+    algo::surface::{Bsp, DepthBuffer, Painter, RayCasting},
     labs::space::OnScene,
 };
 
 use super::Solver;
 
 /// The lab's methods that have one case each; those that are wrong on purpose left out.
-pub(super) static SOLVERS: [Solver; 3] = [
+pub(super) static SOLVERS: [Solver; 4] = [
     Solver::of::<OnScene<DepthBuffer>>(),
     Solver::of::<OnScene<RayCasting>>(),
     Solver::of::<OnScene<Painter>>(),
+    Solver::of::<OnScene<Bsp>>(),
 ];

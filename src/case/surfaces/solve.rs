@@ -2,10 +2,11 @@
 
 use crate::{
     algo::surface::{
-        DepthBuffer, DepthBufferInput, DepthBufferOutput, Painter, PainterAnswer, PainterOutput,
-        Picture, RayCasting, RayCastingInput, RayCastingOutput,
+        Bsp, BspChoice, BspInput, BspOutput, BspTooLarge, DepthBuffer, DepthBufferInput,
+        DepthBufferOutput, Painter, PainterAnswer, PainterOutput, Picture, RayCasting,
+        RayCastingInput, RayCastingOutput,
     },
-    case::{Field, Fields, Refusal, Solve, Told},
+    case::{Code, Field, Fields, Path, Refusal, Solve, Told},
     labs::space::OnScene,
     text::Message,
 };
@@ -66,11 +67,36 @@ impl Solve for OnScene<Painter> {
     }
 }
 
-/// How many pixels show a surface.
+impl Solve for OnScene<Bsp> {
+    const FIELDS: &'static [Field] = FIELDS;
+
+    fn read(fields: &Fields<'_>) -> Result<(Self::Input, Told), Refusal> {
+        let (surfaces, told) = read_surfaces(fields)?;
+        let input = BspInput::new(surfaces, BspChoice::First).map_err(|BspTooLarge| {
+            let problem = Message::new("case-bsp-too-large")
+                .with("pieces", BspTooLarge::MOST_PIECES)
+                .with("questions", BspTooLarge::MOST_QUESTIONS);
+            Refusal::at(Code::TooLarge, &Path::Field("triangles"), problem)
+        })?;
+        check_steps::<Bsp>(&input, fields.detail())?;
+        Ok((input.into(), told))
+    }
+
+    fn verdict(output: &BspOutput) -> Message {
+        with_seen(Message::new("case-bsp-pieces"), &output.picture)
+            .with("pieces", output.n_pieces)
+    }
+}
+
 fn seen(picture: &Picture) -> Message {
+    with_seen(Message::new("case-surfaces-seen"), picture)
+}
+
+/// How many pixels show a surface.
+fn with_seen(message: Message, picture: &Picture) -> Message {
     let ids = picture.ids();
     let n_seen = ids.iter().filter(|id| **id != Picture::BACKGROUND);
-    Message::new("case-surfaces-seen")
+    message
         .with("seen", n_seen.count())
         .with("pixels", ids.len())
 }

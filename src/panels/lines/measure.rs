@@ -169,7 +169,7 @@ impl Measure {
             current.n_counted += 1;
         } else {
             let Counts { add, mul, div, cmp } = current.counted;
-            let all = [add, mul, div, cmp].map(f64::from).iter().sum::<f64>();
+            let all = (add + mul + div + cmp) as f64;
             self.done.push(MeasuredCost {
                 subject: current.subject,
                 nanos: current.best_secs * 1e9 / self.batch.len().max(1) as f64,
