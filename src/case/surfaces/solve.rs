@@ -83,8 +83,7 @@ impl Solve for OnScene<Bsp> {
     }
 
     fn verdict(output: &BspOutput) -> Message {
-        with_seen(Message::new("case-bsp-pieces"), &output.picture)
-            .with("pieces", output.n_pieces)
+        with_seen(Message::new("case-bsp-pieces"), &output.picture).with("pieces", output.n_pieces)
     }
 }
 
