@@ -8,8 +8,10 @@ use egui::{
 };
 
 use crate::{
-    figure::{Body, Caption, ColumnLayout, Frame, Layout, Lens, Mark, Role, Seer, Sheet, ViewId},
-    labs::{Edit, Handle, Lock, MethodCard, Sketch},
+    figure::{
+        Body, Caption, ColumnLayout, Frame, Layout, Lens, Mark, Raster, Role, Seer, Sheet, ViewId,
+    },
+    labs::{Click, Edit, Handle, Lock, MethodCard, Sketch},
     paint::{Typeset, Viewport},
     panels::{Reach, spots},
     text::Message,
@@ -195,6 +197,21 @@ impl Column<'_> {
             let is_clicked = ui.input(|input| input.pointer.primary_clicked());
             let at = ui.input(click).filter(|_| is_clicked);
             commands.extend(at.map(|at| Command::TypeAt(handle, at)));
+        }
+        let pixel = pointed.filter(|link| link.number_of(Raster::LINK).is_some());
+        if pixel.is_some() && ui.input(|input| input.pointer.primary_clicked()) {
+            let click = Click {
+                at: [0.0; 3],
+                place: [0.0; 3],
+                reach: 0.0,
+                inserts: false,
+                picture: None,
+                link: pixel,
+                locks: self.hands.locks,
+            };
+            let change = model.scene.document().click(&click);
+            commands.extend(change.map(|change| Command::Edit(Edit::Own(change), None)));
+            commands.push(Command::Ask(pixel));
         }
         state.pointed_on_stage = state.pointed_on_stage.or(pointed);
         // A click in an inset is a click on what is seen there.

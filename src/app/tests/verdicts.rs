@@ -4,7 +4,11 @@ use egui::{Key, Pos2};
 
 use super::{Bench, SIZE};
 use crate::app::{App, Command, Settings};
-use crate::{labs::Edit, lesson::Course};
+use crate::{
+    labs::{Edit, space},
+    lesson::Course,
+    widgets::rect_of,
+};
 
 /// On this lab's first scene.
 fn bench(lab: &'static str) -> Bench {
@@ -136,4 +140,41 @@ fn a_part_of_a_triangle_and_of_a_segment_that_is_clicked_is_told() {
         let there = run.event_json(bench.app.position());
         assert_eq!(there["event"], event, "{method}: {said}");
     }
+}
+
+/// The middle of a view.
+fn middle_of(bench: &Bench, id: &str) -> Pos2 {
+    let places = bench.app.stage.places.iter();
+    let found = places.clone().find(|(known, _)| known.0 == id);
+    let (_, slot) = found.unwrap_or_else(|| panic!("no {id}"));
+    rect_of(*slot).center()
+}
+
+#[test]
+fn in_the_cameras_picture_the_pixel_is_told() {
+    let mut bench = bench("frustum");
+    let at = middle_of(&bench, "camera");
+    bench.press_at(at);
+    let said = bench.verdict().expect("it is told");
+    assert!(said.contains("ixel ["), "{said}");
+}
+
+#[test]
+fn a_pixel_of_a_raster_is_looked_at_and_let_go() {
+    let mut bench = bench("surfaces");
+    let looked_at = |bench: &Bench| {
+        let scene: Option<&space::Scene> = bench.app.scene().get();
+        scene.expect("in space").raster.pixel
+    };
+    assert_eq!(looked_at(&bench), None);
+    let all = bench.app.playback.main().n_steps();
+    let at = middle_of(&bench, "raster");
+    bench.press_at(at);
+    assert!(looked_at(&bench).is_some());
+    assert!(bench.app.playback.main().n_steps() < all, "its story alone");
+    // It may stand elsewhere by now, beside the table with its story.
+    let at = bench.app.stage.places.clone();
+    assert!(at.iter().any(|(id, _)| id.0 == "story"));
+    bench.command(Command::Undo);
+    assert_eq!(looked_at(&bench), None);
 }

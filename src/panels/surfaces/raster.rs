@@ -33,14 +33,33 @@ pub fn form(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
             new.shuffle = shuffle;
             (new, 1)
         });
+        let looked_at = pixel(ui, look, plan).map(|plan| (plan, 2));
         let chosen = steps(ui, look, plan)
             .or(number(ui, look, plan))
             .or(checks(ui, look, plan));
         let ask = |(plan, place)| PanelAsk::Tune(change(plan), FIRST_NUMBER + place);
-        let tuned = tuned.or(shuffled).map(ask);
+        let tuned = tuned.or(shuffled).or(looked_at).map(ask);
         tuned.or(chosen.map(|plan| PanelAsk::Edit(change(plan))))
     });
     form.inner.flatten()
+}
+
+/// Column and row of the pixel that is looked at alone; −1 for none.
+fn pixel(ui: &mut Ui, look: Look<'_>, plan: RasterPlan) -> Option<RasterPlan> {
+    let most = 160.0;
+    let shown = plan.pixel.map_or([-1.0; 2], |pixel| pixel.map(f64::from));
+    let keys = ["raster-column", "raster-row"];
+    let mut asked = None;
+    for (i, key) in keys.into_iter().enumerate() {
+        if let Some(value) = number_field(ui, look, (key, ""), shown[i], &(-1.0..=most)) {
+            let mut pixel = shown.map(|x| x.max(0.0) as u32);
+            pixel[i] = value.max(0.0).round() as u32;
+            let mut new = plan;
+            new.pixel = (value >= 0.0).then_some(pixel);
+            asked = Some(new);
+        }
+    }
+    asked
 }
 
 fn change(plan: RasterPlan) -> Edit {

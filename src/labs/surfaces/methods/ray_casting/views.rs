@@ -1,0 +1,217 @@
+//! The ray with its hits in space and on its own axis, every question, the picture so far.
+
+use crate::{
+    algo::surface::{Meeting, Ray, RayCastingEvent as Event, Rays},
+    figure::{
+        Body, Cell, LineTick, Mark3, NumberLine, Raster, Role, Shape3, Side, Table, TableRow, View,
+    },
+    labs::{
+        Step,
+        space::{
+            soup::{place_of, surface_link},
+            stage::{FaceLook, Fate, Scenery},
+        },
+        surfaces::methods::on_raster::{lettered, pixel_formula, pixels, sight},
+    },
+    text::{Formula, Message, Value},
+};
+
+use super::{Shown, name_of};
+
+const RASTER_VIEW: &str = "raster";
+const ASKED_VIEW: &str = "asked";
+const AXIS_VIEW: &str = "axis";
+/// Of more triangles the table has only those that were hit.
+const MOST_ROWS: usize = 12;
+
+pub fn views(step: &Step<'_, Shown>) -> Vec<View> {
+    let Some(scenery) = step.input.scenery.as_deref() else {
+        return Vec::new();
+    };
+    let scene = scenery.scene();
+    let own = now(step).or(step.state.nearest.map(|hit| hit.id));
+    let place = own.and_then(|id| place_of(scene, id));
+    let look = |object: usize, face: usize| {
+        if place == Some([object, face]) {
+            FaceLook::Own(Role::Accent)
+        } else {
+            FaceLook::Whole
+        }
+    };
+    vec![
+        scenery.observer_with(|_| Fate::ToCome, look, marks(step, scenery)),
+        View::new(RASTER_VIEW, Body::Raster(raster(step, own))),
+        View::new(ASKED_VIEW, Body::Table(asked(step, scenery))),
+        View::new(AXIS_VIEW, Body::NumberLine(axis(step, scenery))),
+    ]
+}
+
+const fn meeting_key(meeting: Meeting) -> &'static str {
+    match meeting {
+        Meeting::Culled => "ray-culled",
+        Meeting::Parallel => "ray-parallel",
+        Meeting::Behind => "ray-behind",
+        Meeting::BeforeNear => "ray-before-near",
+        Meeting::BeyondFar => "ray-beyond-far",
+        Meeting::Beside => "ray-beside",
+        Meeting::Hit => "ray-hit",
+    }
+}
+
+/// The pixel in hand and its ray; none when all have been cast.
+fn cast(step: &Step<'_, Shown>) -> Option<([u32; 2], Ray)> {
+    let is_over = step.state.is_done && step.input.own.pixel.is_none();
+    step.state.pixel.filter(|_| !is_over)
+}
+
+/// The triangle that is asked at this step.
+fn now(step: &Step<'_, Shown>) -> Option<u32> {
+    match step.event {
+        Some(Event::Ask { id, .. }) => Some(id),
+        None | Some(Event::Pixel { .. } | Event::Seen { .. } | Event::Done) => None,
+    }
+}
+
+/// The ray as far as it has been followed, and where it meets planes: the nearest hit filled, others hollow.
+fn marks(step: &Step<'_, Shown>, scenery: &Scenery) -> Vec<Mark3> {
+    let Some((pixel, ray)) = cast(step) else {
+        return Vec::new();
+    };
+    let (surfaces, camera) = (&step.input.own.surfaces, scenery.scene().camera.camera());
+    let far = Rays::of(surfaces).far();
+    let nearest = step.state.nearest;
+    let mut marks = sight(surfaces, camera, pixel, nearest.map_or(far, |hit| hit.t));
+    let at = |t: f64| camera.world_from_view(ray.at(t));
+    if let Some(hit) = nearest {
+        let beyond = Shape3::Segment([at(hit.t), at(far)]);
+        marks.push(Mark3::new(Role::Signal, beyond).fine().dashed());
+    }
+    let hits = step.state.hits.iter().map(|hit| {
+        let is_nearest = nearest.is_some_and(|nearest| nearest.id == hit.id);
+        let shape = if is_nearest {
+            Shape3::Dot
+        } else {
+            Shape3::Ring
+        };
+        Mark3::new(Role::Signal, shape(at(hit.t)))
+    });
+    marks.extend(hits);
+    if let Some(Event::Ask { found, .. }) = step.event
+        && let (Meeting::Beside, Some(t)) = (found.meeting, found.t)
+    {
+        marks.push(Mark3::new(Role::Soft, Shape3::Ring(at(t))));
+    }
+    marks
+}
+
+fn raster(step: &Step<'_, Shown>, own: Option<u32>) -> Raster {
+    let [columns, rows] = step.input.own.surfaces.size().map(|side| side as usize);
+    let title = Message::new("raster-rays")
+        .with("columns", columns)
+        .with("rows", rows);
+    let current = cast(step);
+    let picture = &step.state.so_far.picture;
+    Raster {
+        title: Value::Message(title),
+        size: [columns, rows],
+        pixels: pixels(
+            picture,
+            own,
+            lettered(picture, |id| name_of(step.input, id)),
+        ),
+        current: current.map(|(pixel, _)| pixel.map(|x| x as usize)),
+        over: Vec::new(),
+    }
+}
+
+/// Every triangle, or of many those that were hit: what its plane said.
+fn asked(step: &Step<'_, Shown>, scenery: &Scenery) -> Table {
+    let n = step.input.own.surfaces.triangles().len();
+    let state = step.state;
+    let is_cast = cast(step).is_some();
+    let found_of = |id: u32| {
+        state
+            .asked
+            .iter()
+            .find(|(asked, _)| is_cast && *asked == id)
+    };
+    let ids: Vec<u32> = if n <= MOST_ROWS {
+        step.input.own.surfaces.ids().collect()
+    } else {
+        state.hits.iter().map(|hit| hit.id).collect()
+    };
+    let nearest = state.nearest.filter(|_| is_cast).map(|hit| hit.id);
+    let row = |id: u32| {
+        let found = found_of(id).map(|(_, found)| *found);
+        let is_current = now(step) == Some(id);
+        let is_hit = found.is_some_and(|found| found.meeting == Meeting::Hit);
+        let role = if is_current {
+            Role::Signal
+        } else if is_hit {
+            Role::Ink
+        } else {
+            Role::Soft
+        };
+        let number = |x: f64| Value::Formula(Formula::decimals().num(x));
+        let met = found.filter(|found| found.meeting != Meeting::Culled);
+        let word = found.map(|found| match found.meeting {
+            Meeting::Hit if nearest == Some(id) => Value::Term("ray-nearest"),
+            other => Value::Term(meeting_key(other)),
+        });
+        let t = met.and_then(|found| found.t).map(number);
+        TableRow {
+            name: name_of(step.input, id),
+            cells: vec![
+                Cell::new(role, met.map(|found| number(-found.numerator))),
+                Cell::new(role, met.map(|found| number(found.denominator))),
+                Cell {
+                    strong: nearest == Some(id),
+                    ..Cell::new(role, t)
+                },
+                Cell::new(role, word),
+            ],
+            is_current,
+            link: surface_link(scenery.scene(), id),
+        }
+    };
+    let title = cast(step).map_or_else(Formula::default, |(at, _)| pixel_formula(at));
+    Table {
+        header: vec![
+            title,
+            Formula::default().sym("−(n·o + d)"),
+            Formula::default().sym("n·r"),
+            Formula::default().sym("t"),
+            Formula::default().term("story-fate"),
+        ],
+        rows: ids.into_iter().map(row).collect(),
+        notes: Vec::new(),
+    }
+}
+
+/// The ray's own axis: the eye at 0, the raster at 1, what is hit, and as far as the ray is followed.
+fn axis(step: &Step<'_, Shown>, scenery: &Scenery) -> NumberLine {
+    let far = Rays::of(&step.input.own.surfaces).far();
+    let state = step.state;
+    let is_cast = cast(step).is_some();
+    let nearest = state.nearest.filter(|_| is_cast);
+    let until = nearest.map_or(far, |hit| hit.t);
+    let hits = state.hits.iter().filter(|_| is_cast);
+    let ticks = hits.map(|hit| LineTick {
+        u: hit.t,
+        value: Formula::decimals().num(hit.t),
+        side: Side::Leaving,
+        holds: nearest.is_some_and(|nearest| nearest.id == hit.id),
+        current: now(step) == Some(hit.id),
+        name: name_of(step.input, hit.id),
+        link: surface_link(scenery.scene(), hit.id),
+    });
+    NumberLine {
+        symbol: "t",
+        ends: [Value::Term("ray-eye"), Value::Term("ray-raster")],
+        shown: [0.0, far],
+        interval: [0.0, until],
+        values: [0.0, until].map(|t| Formula::decimals().num(t)),
+        empty: false,
+        ticks: ticks.collect(),
+    }
+}
