@@ -67,6 +67,15 @@ impl AlignedBox {
         corner[side.axis()]
     }
 
+    /// All twelve, by their ends: corners whose numbers differ in one bit.
+    pub fn edges(&self) -> impl Iterator<Item = [[f64; 3]; 2]> + use<> {
+        let corners = self.corners();
+        (0..8_usize).flat_map(move |i| {
+            let others = [1, 2, 4].into_iter().filter(move |bit| i & bit == 0);
+            others.map(move |bit| [corners[i], corners[i | bit]])
+        })
+    }
+
     /// All eight: bit 0 of a corner's number says right rather than left, bit 1 top, bit 2 the higher z.
     #[must_use]
     pub fn corners(&self) -> [[f64; 3]; 8] {

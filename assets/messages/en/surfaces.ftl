@@ -230,6 +230,71 @@ watch-pieces = pieces
 watch-visited = visited
 watch-painted = painted
 
+## Occlusion queries
+
+alg-occlusion = Occlusion query
+code-occlusion-occluders = for each occluder: draw it
+words-occlusion-occluders = Draw the objects that hide much.
+code-occlusion-others = for each other object P, if box(P) reaches near: draw P
+words-occlusion-others = Take the others one by one. One whose box reaches the near plane is drawn unasked.
+code-occlusion-ask = n ← pixels of box(P) where z_box ≤ z[pixel]
+words-occlusion-ask = Count the pixels at which its box would be seen. Nothing is written.
+code-occlusion-skip = if n = 0: skip P
+words-occlusion-skip = At none: skip it.
+code-occlusion-draw = else draw P
+words-occlusion-draw = Else draw it.
+occlusion-opening = { $objects ->
+    [one] One object
+   *[other] { $objects } objects
+  } on { $columns } × { $rows } pixels. The third of those in the picture that covers the most pixels hides the others and is drawn first: { $occluders }.
+occlusion-none = none
+occlusion-occluder = { $object } is an occluder, drawn unasked: { $triangles ->
+    [one] one triangle,
+   *[other] { $triangles } triangles,
+  } { $writes ->
+    [one] one fragment written.
+   *[other] { $writes } fragments written.
+  }
+occlusion-seen = The box of { $object } covers { $asked ->
+    [one] one pixel
+   *[other] { $asked } pixels
+  } and would be seen at { $passed } of them. Nothing is written.
+occlusion-hidden = The box of { $object } would be seen at none of its { $asked ->
+    [one] pixels, of which there is one:
+   *[other] { $asked } pixels:
+  } something nearer stands everywhere.
+occlusion-beside = The box of { $object } covers no pixel.
+occlusion-unasked = The box of { $object } reaches the near plane, which may cut its front away: nothing is compared.
+occlusion-skip = { $object } is skipped: { $triangles ->
+    [one] its triangle is
+   *[other] its { $triangles } triangles are
+  } not drawn.
+occlusion-draw = { $object } is drawn: { $triangles ->
+    [one] one triangle,
+   *[other] { $triangles } triangles,
+  } { $writes ->
+    [one] one fragment written.
+   *[other] { $writes } fragments written.
+  }
+occlusion-in-vain = { $object } is drawn in vain, { $triangles ->
+    [one] one triangle:
+   *[other] { $triangles } triangles:
+  } its box would be seen at { $passed ->
+    [one] one pixel,
+   *[other] { $passed } pixels,
+  } { $object } itself at none. A box may say too much, never too little.
+occlusion-done = Done: { $drawn } drawn, { $skipped } skipped. { $spared } of { $triangles } triangles are spared, and the picture is as if all had been drawn.
+occlusion-objects = objects
+occlusion-asked = pixels of the box
+occlusion-passed = seen
+occlusion-drawn = drawn
+occlusion-skipped = skipped
+occlusion-is-occluder = occluder
+watch-objects-drawn = objects drawn
+watch-objects-skipped = objects skipped
+watch-pixels-asked = pixels asked
+watch-triangles-spared = triangles spared
+
 ## The raster's form
 
 raster-title = Raster

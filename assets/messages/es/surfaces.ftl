@@ -227,6 +227,71 @@ watch-pieces = piezas
 watch-visited = visitados
 watch-painted = pintadas
 
+## Occlusion queries
+
+alg-occlusion = Consulta de oclusión
+code-occlusion-occluders = for each occluder: draw it
+words-occlusion-occluders = Dibuja los objetos que tapan mucho.
+code-occlusion-others = for each other object P, if box(P) reaches near: draw P
+words-occlusion-others = Toma los demás uno a uno. Si su caja llega al plano cercano, se dibuja sin consultar.
+code-occlusion-ask = n ← pixels of box(P) where z_box ≤ z[pixel]
+words-occlusion-ask = Cuenta los píxeles en los que se vería su caja. No se escribe nada.
+code-occlusion-skip = if n = 0: skip P
+words-occlusion-skip = En ninguno: sáltalo.
+code-occlusion-draw = else draw P
+words-occlusion-draw = Si no, dibújalo.
+occlusion-opening = { $objects ->
+    [one] Un objeto
+   *[other] { $objects } objetos
+  } en { $columns } × { $rows } píxeles. El tercio de los que están en la imagen que cubre más píxeles tapa a los demás y se dibuja primero: { $occluders }.
+occlusion-none = ninguno
+occlusion-occluder = { $object } es un oclusor y se dibuja sin consultar: { $triangles ->
+    [one] un triángulo,
+   *[other] { $triangles } triángulos,
+  } { $writes ->
+    [one] un fragmento escrito.
+   *[other] { $writes } fragmentos escritos.
+  }
+occlusion-seen = La caja de { $object } cubre { $asked ->
+    [one] un píxel
+   *[other] { $asked } píxeles
+  } y se vería en { $passed }. No se escribe nada.
+occlusion-hidden = La caja de { $object } cubre { $asked ->
+    [one] un píxel
+   *[other] { $asked } píxeles
+  } y no se vería en ninguno: en todas partes hay algo más cercano.
+occlusion-beside = La caja de { $object } no cubre ningún píxel.
+occlusion-unasked = La caja de { $object } llega al plano cercano, que puede cortar su frente: no se compara nada.
+occlusion-skip = { $object } se salta: { $triangles ->
+    [one] su triángulo no se dibuja.
+   *[other] sus { $triangles } triángulos no se dibujan.
+  }
+occlusion-draw = { $object } se dibuja: { $triangles ->
+    [one] un triángulo,
+   *[other] { $triangles } triángulos,
+  } { $writes ->
+    [one] un fragmento escrito.
+   *[other] { $writes } fragmentos escritos.
+  }
+occlusion-in-vain = { $object } se dibuja en vano, { $triangles ->
+    [one] un triángulo:
+   *[other] { $triangles } triángulos:
+  } su caja se vería en { $passed ->
+    [one] un píxel,
+   *[other] { $passed } píxeles,
+  } { $object } mismo en ninguno. Una caja puede decir de más, nunca de menos.
+occlusion-done = Terminado: { $drawn } dibujados, { $skipped } saltados. Se ahorran { $spared } de { $triangles } triángulos, y la imagen es la misma que si se hubiera dibujado todo.
+occlusion-objects = objetos
+occlusion-asked = píxeles de la caja
+occlusion-passed = visibles
+occlusion-drawn = dibujado
+occlusion-skipped = saltado
+occlusion-is-occluder = oclusor
+watch-objects-drawn = objetos dibujados
+watch-objects-skipped = objetos saltados
+watch-pixels-asked = píxeles consultados
+watch-triangles-spared = triángulos ahorrados
+
 ## The raster's form
 
 raster-title = Ráster

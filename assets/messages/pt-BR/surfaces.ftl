@@ -227,6 +227,71 @@ watch-pieces = peças
 watch-visited = visitados
 watch-painted = pintadas
 
+## Occlusion queries
+
+alg-occlusion = Consulta de oclusão
+code-occlusion-occluders = for each occluder: draw it
+words-occlusion-occluders = Desenhe os objetos que escondem muito.
+code-occlusion-others = for each other object P, if box(P) reaches near: draw P
+words-occlusion-others = Tome os demais um a um. Se a caixa chega ao plano próximo, o objeto é desenhado sem consulta.
+code-occlusion-ask = n ← pixels of box(P) where z_box ≤ z[pixel]
+words-occlusion-ask = Conte os pixels em que a caixa seria vista. Nada é escrito.
+code-occlusion-skip = if n = 0: skip P
+words-occlusion-skip = Em nenhum: pule-o.
+code-occlusion-draw = else draw P
+words-occlusion-draw = Senão, desenhe-o.
+occlusion-opening = { $objects ->
+    [one] Um objeto
+   *[other] { $objects } objetos
+  } em { $columns } × { $rows } pixels. O terço dos que estão na imagem que cobre mais pixels esconde os demais e é desenhado primeiro: { $occluders }.
+occlusion-none = nenhum
+occlusion-occluder = { $object } é um oclusor e é desenhado sem consulta: { $triangles ->
+    [one] um triângulo,
+   *[other] { $triangles } triângulos,
+  } { $writes ->
+    [one] um fragmento escrito.
+   *[other] { $writes } fragmentos escritos.
+  }
+occlusion-seen = A caixa de { $object } cobre { $asked ->
+    [one] um pixel
+   *[other] { $asked } pixels
+  } e seria vista em { $passed }. Nada é escrito.
+occlusion-hidden = A caixa de { $object } cobre { $asked ->
+    [one] um pixel
+   *[other] { $asked } pixels
+  } e não seria vista em nenhum: em toda parte há algo mais próximo.
+occlusion-beside = A caixa de { $object } não cobre nenhum pixel.
+occlusion-unasked = A caixa de { $object } chega ao plano próximo, que pode cortar a sua frente: nada é comparado.
+occlusion-skip = { $object } é pulado: { $triangles ->
+    [one] seu triângulo não é desenhado.
+   *[other] seus { $triangles } triângulos não são desenhados.
+  }
+occlusion-draw = { $object } é desenhado: { $triangles ->
+    [one] um triângulo,
+   *[other] { $triangles } triângulos,
+  } { $writes ->
+    [one] um fragmento escrito.
+   *[other] { $writes } fragmentos escritos.
+  }
+occlusion-in-vain = { $object } é desenhado em vão, { $triangles ->
+    [one] um triângulo:
+   *[other] { $triangles } triângulos:
+  } sua caixa seria vista em { $passed ->
+    [one] um pixel,
+   *[other] { $passed } pixels,
+  } o próprio { $object } em nenhum. Uma caixa pode dizer demais, nunca de menos.
+occlusion-done = Pronto: { $drawn } desenhados, { $skipped } pulados. { $spared } de { $triangles } triângulos são poupados, e a imagem é a mesma que se tudo tivesse sido desenhado.
+occlusion-objects = objetos
+occlusion-asked = pixels da caixa
+occlusion-passed = visíveis
+occlusion-drawn = desenhado
+occlusion-skipped = pulado
+occlusion-is-occluder = oclusor
+watch-objects-drawn = objetos desenhados
+watch-objects-skipped = objetos pulados
+watch-pixels-asked = pixels consultados
+watch-triangles-spared = triângulos poupados
+
 ## The raster's form
 
 raster-title = Raster

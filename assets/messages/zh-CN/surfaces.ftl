@@ -200,6 +200,41 @@ watch-pieces = 块数
 watch-visited = 已访问
 watch-painted = 已画
 
+## Occlusion queries
+
+alg-occlusion = 遮挡查询
+code-occlusion-occluders = for each occluder: draw it
+words-occlusion-occluders = 先画遮挡很多的物体。
+code-occlusion-others = for each other object P, if box(P) reaches near: draw P
+words-occlusion-others = 其余物体逐个处理。包围盒到达近平面的，不查询，直接画。
+code-occlusion-ask = n ← pixels of box(P) where z_box ≤ z[pixel]
+words-occlusion-ask = 数一数它的包围盒在多少个像素可见，什么也不写入。
+code-occlusion-skip = if n = 0: skip P
+words-occlusion-skip = 一个也没有：跳过它。
+code-occlusion-draw = else draw P
+words-occlusion-draw = 否则画它。
+occlusion-opening = { $columns } × { $rows } 像素上有 { $objects } 个物体。画面中覆盖像素最多的三分之一遮挡其他物体，先画：{ $occluders }。
+occlusion-none = 无
+occlusion-occluder = { $object } 是遮挡体，不查询直接画：{ $triangles } 个三角形，写入 { $writes } 个片元。
+occlusion-seen = { $object } 的包围盒覆盖 { $asked } 个像素，其中 { $passed } 个像素处可见。什么也不写入。
+occlusion-hidden = { $object } 的包围盒覆盖 { $asked } 个像素，处处都有更近的物体：一个像素也不可见。
+occlusion-beside = { $object } 的包围盒不覆盖任何像素。
+occlusion-unasked = { $object } 的包围盒到达近平面，正面可能被切掉：不作比较。
+occlusion-skip = 跳过 { $object }：它的 { $triangles } 个三角形不画。
+occlusion-draw = 画 { $object }：{ $triangles } 个三角形，写入 { $writes } 个片元。
+occlusion-in-vain = { $object } 白画了 { $triangles } 个三角形：包围盒在 { $passed } 个像素处可见，{ $object } 本身却处处不可见。包围盒可能多报，绝不漏报。
+occlusion-done = 完成：画了 { $drawn } 个，跳过 { $skipped } 个。{ $triangles } 个三角形省去了 { $spared } 个，画面与全部画出时相同。
+occlusion-objects = 物体
+occlusion-asked = 盒的像素
+occlusion-passed = 可见
+occlusion-drawn = 已画
+occlusion-skipped = 跳过
+occlusion-is-occluder = 遮挡体
+watch-objects-drawn = 画出的物体
+watch-objects-skipped = 跳过的物体
+watch-pixels-asked = 查询的像素
+watch-triangles-spared = 省去的三角形
+
 ## The raster's form
 
 raster-title = 光栅

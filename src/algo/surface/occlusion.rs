@@ -142,6 +142,8 @@ pub struct OcclusionState {
     pub object_idx: Option<usize>,
     /// Its box and the answer, once it is asked.
     pub query: Option<(Option<[[f64; 3]; 2]>, QueryResult)>,
+    /// Every object that has been asked, in order, and the answer.
+    pub answers: Vec<(usize, QueryResult)>,
     /// The pixels of its box, and whether it would be seen there.
     pub asked: Vec<([u32; 2], bool)>,
     /// Objects drawn so far, in order.
@@ -185,6 +187,7 @@ impl Algorithm for Occlusion {
             },
             object_idx: None,
             query: None,
+            answers: Vec::new(),
             asked: Vec::new(),
             drawn: Vec::new(),
             skipped: Vec::new(),
@@ -220,6 +223,7 @@ impl OcclusionState {
             } => {
                 self.object_idx = Some(object_idx);
                 self.query = Some((bounds, result));
+                self.answers.push((object_idx, result));
                 let pixels = lists.pixels.get(from..to).unwrap_or_default();
                 self.asked = pixels.to_vec();
             }

@@ -50,6 +50,16 @@ impl Picture {
         row as usize * self.width as usize + column as usize
     }
 
+    /// The same with another id for each surface: that of the object it belongs to, say.
+    #[must_use]
+    pub fn renamed(&self, new: impl Fn(u32) -> u32) -> Self {
+        let renamed = |&id: &i32| u32::try_from(id).map_or(id, |id| new(id) as i32);
+        Self {
+            ids: self.ids.iter().map(renamed).collect(),
+            width: self.width,
+        }
+    }
+
     pub(super) fn put(&mut self, pixel: [u32; 2], id: u32) {
         let place = self.place(pixel);
         // Ids are below 2³¹.

@@ -1,6 +1,6 @@
 //! What all of them are asked: triangles in view space, who looks at them, and with how many pixels.
 
-use std::{cmp::Ordering, sync::Arc};
+use std::{cmp::Ordering, ops::Range, sync::Arc};
 
 use crate::geom::{Sight, ViewVolume, sign_of_three};
 
@@ -86,9 +86,15 @@ impl Surfaces {
     /// The same with no more than the first so many triangles.
     #[must_use]
     pub fn first(&self, n_triangles: usize) -> Self {
-        let n = n_triangles.min(self.triangles.len());
+        self.part(0..n_triangles)
+    }
+
+    /// The same with some of its triangles alone: their ids are counted from 0 anew.
+    #[must_use]
+    pub fn part(&self, ids: Range<usize>) -> Self {
+        let to = ids.end.min(self.triangles.len());
         Self {
-            triangles: self.triangles[..n].into(),
+            triangles: self.triangles[ids.start.min(to)..to].into(),
             ..self.clone()
         }
     }

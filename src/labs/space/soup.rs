@@ -1,10 +1,13 @@
 //! All faces of a scene as triangles in view space, and what they are called.
 
+use std::ops::Range;
+
 use crate::{
-    algo::surface::Surfaces,
+    algo::surface::{DepthBuffer, DepthBufferInput, DepthSteps, Surfaces},
     figure::Link,
     labs::{split_mix::SplitMix64, words::subscript},
     text::Value,
+    trace::silent,
 };
 
 use super::{
@@ -39,6 +42,15 @@ pub fn surfaces_of(scene: &Scene, size: [u32; 2]) -> Surfaces {
 /// The same with the large pixels of its raster.
 pub fn surfaces_on_raster(scene: &Scene) -> Surfaces {
     surfaces_of(scene, scene.raster.size(scene.camera.aspect()))
+}
+
+/// At how many pixels some of the triangles are seen, if there are no others.
+pub fn pixels_covered(surfaces: &Surfaces, ids: Range<usize>) -> usize {
+    let alone = DepthBufferInput {
+        steps: DepthSteps::Triangles,
+        ..DepthBufferInput::new(surfaces.part(ids))
+    };
+    silent::<DepthBuffer>(&alone).tally.pixels as usize
 }
 
 /// The ids of so many triangles in the order in which they come.

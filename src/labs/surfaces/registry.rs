@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::{
     algo::surface::{
-        Bsp, DepthBuffer, Painter, RayCasting,
+        Bsp, DepthBuffer, Occlusion, Painter, RayCasting,
         faulty::{
             ClearsToNear, KeysOnly, NearestKeys, StraightDistance, TurnsComparison, WritesAlways,
         },
@@ -47,11 +47,12 @@ const fn info<A: SpaceDemo>() -> MethodInfo<Scene> {
 }
 
 /// Every method, in the order in which they are taught; the mistakes last.
-pub static METHODS: [MethodInfo<Scene>; 10] = [
+pub static METHODS: [MethodInfo<Scene>; 11] = [
     info::<OnScene<DepthBuffer>>(),
     info::<OnScene<RayCasting>>(),
     info::<OnScene<Painter>>(),
     info::<OnScene<Bsp>>(),
+    info::<OnScene<Occlusion>>(),
     info::<OnScene<DepthBuffer<ClearsToNear>>>(),
     info::<OnScene<DepthBuffer<TurnsComparison>>>(),
     info::<OnScene<DepthBuffer<WritesAlways>>>(),

@@ -11,7 +11,7 @@ use crate::{
         Body, Caption, Cell, Mark3, Role, Shape3, Table, TableRow, Tick, View, Watch, WatchRow,
         WatchSection,
     },
-    geom::{AlignedBox, VolumeSide},
+    geom::VolumeSide,
     labs::{Answer, CodeLine, Demo, Step, code_line, words::name},
     text::{Formula, Message},
 };
@@ -196,7 +196,11 @@ fn range_formula(sums: &[f64; 8]) -> Formula {
 /// The box, and its corners by the side of the plane that they are on.
 fn box_marks(step: &Step<'_, Shown>) -> Vec<Mark3> {
     let corners = step.input.own.bounds.corners();
-    let mut marks: Vec<Mark3> = edges(&step.input.own.bounds)
+    let mut marks: Vec<Mark3> = step
+        .input
+        .own
+        .bounds
+        .edges()
         .map(|ends| Mark3::new(Role::Ink, Shape3::Segment(ends)).fine())
         .collect();
     let sums = current(step).and_then(|i| step.state.asked.get(i));
@@ -211,15 +215,6 @@ fn box_marks(step: &Step<'_, Shown>) -> Vec<Mark3> {
         }));
     }
     marks
-}
-
-/// The twelve edges: corners whose numbers differ in one bit.
-fn edges(bounds: &AlignedBox) -> impl Iterator<Item = [[f64; 3]; 2]> {
-    let corners = bounds.corners();
-    (0..8_usize).flat_map(move |i| {
-        let others = [1, 2, 4].into_iter().filter(move |bit| i & bit == 0);
-        others.map(move |bit| [corners[i], corners[i | bit]])
-    })
 }
 
 /// For each plane how many corners are outside, and how far in and out they reach.

@@ -2,6 +2,7 @@
 
 mod bsp;
 mod depth_buffer;
+mod occlusion;
 mod on_raster;
 mod painter;
 mod ray_casting;

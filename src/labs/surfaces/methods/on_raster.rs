@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, HashMap};
 use crate::{
     algo::{
         surface::{DepthBuffer, DepthBufferInput, DepthSteps, Picture, Rays, Surfaces},
-        volume::{ClipVertex, HomogeneousTriangle},
+        volume::{ClipSpace, ClipVertex, HomogeneousLine, HomogeneousTriangle, LineInput},
     },
     figure::{Mark3, Pixel, RasterMark, RasterShape, Role, Shape3},
     geom::Camera,
@@ -114,6 +114,20 @@ pub fn outline(surfaces: &Surfaces, id: u32, role: Role) -> Vec<RasterMark> {
             shape: RasterShape::Line([a, b]),
         })
         .collect()
+}
+
+/// Of a segment in view space what is seen of it, over the pixels.
+pub fn segment(surfaces: &Surfaces, ends: [[f64; 3]; 2], role: Role) -> Option<RasterMark> {
+    let clip_from_view = surfaces.volume().clip_from_view();
+    let visible = silent::<HomogeneousLine>(&LineInput {
+        bounds: ClipSpace,
+        ends: ends.map(|[x, y, z]| clip_from_view.times([x, y, z, 1.0])),
+    })?;
+    let places = visible.map(|[x, y, _, w]| surfaces.viewport().screen_from_ndc([x / w, y / w]));
+    Some(RasterMark {
+        role,
+        shape: RasterShape::Line(places),
+    })
 }
 
 /// A raster's title; where pixels are wrong, how many.

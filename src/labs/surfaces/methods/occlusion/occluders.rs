@@ -1,0 +1,42 @@
+//! Which objects of a scene hide the others: the third of those in the picture that cover the most pixels, each alone.
+
+use std::cmp::Reverse;
+
+use crate::{
+    algo::surface::{OcclusionObject, Surfaces},
+    labs::space::{Scene, soup::pixels_covered},
+};
+
+/// A longer run cannot be followed.
+const MOST_OBJECTS: usize = 300;
+
+/// The first objects of a scene, whose triangles these are, one after the other.
+pub fn objects_of(scene: &Scene, surfaces: &Surfaces) -> Vec<OcclusionObject> {
+    let mut first = 0;
+    let counts = scene.objects().iter().take(MOST_OBJECTS);
+    let mut objects: Vec<OcclusionObject> = counts
+        .map(|object| {
+            let n_triangles = object.model().mesh().faces().len() as u32;
+            let object = OcclusionObject {
+                first,
+                n_triangles,
+                is_occluder: false,
+            };
+            first += n_triangles;
+            object
+        })
+        .collect();
+    let covered = |object: &OcclusionObject| {
+        let first = object.first as usize;
+        pixels_covered(surfaces, first..first + object.n_triangles as usize)
+    };
+    let covers = objects.iter().map(covered).enumerate();
+    let mut in_picture: Vec<(usize, usize)> = covers.filter(|(_, covers)| *covers > 0).collect();
+    // Of two that cover as many the first.
+    in_picture.sort_by_key(|(_, covers)| Reverse(*covers));
+    in_picture.truncate(in_picture.len().div_ceil(3));
+    for (object_idx, _) in in_picture {
+        objects[object_idx].is_occluder = true;
+    }
+    objects
+}
