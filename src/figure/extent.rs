@@ -69,7 +69,9 @@ impl View {
             }
             Body::Multiples(multiples) => {
                 let n = multiples.drawings.len() as f32;
-                (Stand::Across, [5.0 * n, 6.5], [f32::MAX, 10.0])
+                // Two are curves: they need not be as high as they are wide.
+                let [low, high] = if n > 2.0 { [6.5, 10.0] } else { [5.0, 6.0] };
+                (Stand::Across, [5.0 * n, low], [f32::MAX, high])
             }
             Body::Spaces(_) => (Stand::Over, [30.0, 7.4], [f32::MAX, 9.0]),
             Body::Matrix(product) => {

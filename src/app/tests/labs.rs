@@ -9,7 +9,12 @@ use crate::{
 };
 
 /// What works on a scene and not on a case: of a texture, `intersection-polygon` has the coordinates.
-const WITHOUT_CASES: [&str; 2] = ["funnel", "textured-triangle"];
+const WITHOUT_CASES: [&str; 4] = [
+    "funnel",
+    "textured-triangle",
+    "undivided-texture",
+    "occlusion",
+];
 
 #[test]
 fn every_lab_has_a_format_solvers_a_panel_and_words() {

@@ -10,10 +10,7 @@ use crate::{
     trace::silent,
 };
 
-use super::{
-    Scene,
-    stage::{face_link, object_link},
-};
+use super::{Scene, stage::object_link};
 
 /// More faces than these are not drawn step by step: the rest is left out.
 const MOST_FACES: usize = 20_000;
@@ -96,12 +93,8 @@ pub fn surface_name(scene: Option<&Scene>, id: u32) -> Value {
     })
 }
 
-/// What marks of a triangle have in common: a face of the object in focus is itself, all others are their objects.
+/// What marks of a triangle and its object have in common.
 pub fn surface_link(scene: &Scene, id: u32) -> Option<Link> {
-    let [object_idx, face_idx] = place_of(scene, id)?;
-    Some(if object_idx == scene.focus() {
-        face_link(face_idx)
-    } else {
-        object_link(object_idx)
-    })
+    let [object_idx, _] = place_of(scene, id)?;
+    Some(object_link(object_idx))
 }

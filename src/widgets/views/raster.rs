@@ -20,7 +20,7 @@ const MOST_WIDTH: f32 = 40.0;
 const TITLE: f32 = 28.0;
 /// What is stored is written in this size at most, and at least; in points.
 const LARGEST: f32 = 11.0;
-const SMALLEST: f32 = 6.0;
+const SMALLEST: f32 = 4.5;
 /// Width of three digits, with white space, over their size.
 const DIGITS: f32 = 2.1;
 /// The darkest that a shade may be under ink.

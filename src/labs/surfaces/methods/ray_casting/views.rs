@@ -1,7 +1,7 @@
 //! The ray with its hits in space and on its own axis, every question, the picture so far.
 
 use crate::{
-    algo::surface::{Meeting, Ray, RayCastingEvent as Event, Rays},
+    algo::surface::{Meeting, PlaneHit, Ray, RayCastingEvent as Event, Rays},
     figure::{
         Body, Cell, LineTick, Mark3, NumberLine, Raster, Role, Shape3, Side, Table, TableRow, View,
     },
@@ -153,6 +153,10 @@ fn asked(step: &Step<'_, Shown>, scenery: &Scenery) -> Table {
             Role::Soft
         };
         let number = |x: f64| Value::Formula(Formula::decimals().num(x));
+        let quotient = |found: PlaneHit| {
+            let quotient = Formula::decimals().num(-found.numerator).sym(" / ");
+            Value::Formula(quotient.divisor(found.denominator))
+        };
         let met = found.filter(|found| found.meeting != Meeting::Culled);
         let word = found.map(|found| match found.meeting {
             Meeting::Hit if nearest == Some(id) => Value::Term("ray-nearest"),
@@ -162,8 +166,7 @@ fn asked(step: &Step<'_, Shown>, scenery: &Scenery) -> Table {
         TableRow {
             name: name_of(step.input, id),
             cells: vec![
-                Cell::new(role, met.map(|found| number(-found.numerator))),
-                Cell::new(role, met.map(|found| number(found.denominator))),
+                Cell::new(role, met.map(quotient)),
                 Cell {
                     strong: nearest == Some(id),
                     ..Cell::new(role, t)
@@ -178,8 +181,7 @@ fn asked(step: &Step<'_, Shown>, scenery: &Scenery) -> Table {
     Table {
         header: vec![
             title,
-            Formula::default().sym("−(n·o + d)"),
-            Formula::default().sym("n·r"),
+            Formula::default().sym("−(n·o + d) / n·r"),
             Formula::default().sym("t"),
             Formula::default().term("story-fate"),
         ],
