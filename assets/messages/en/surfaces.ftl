@@ -295,6 +295,34 @@ watch-objects-skipped = objects skipped
 watch-pixels-asked = pixels asked
 watch-triangles-spared = triangles spared
 
+## Whose a pixel is
+
+owns-nothing = { $surface } covers no pixel of the raster.
+owns-none = { $surface } covers { $covered ->
+    [one] one pixel
+   *[other] { $covered } pixels
+  } and is seen at none: something else is in front everywhere.
+owns-all = { $surface } covers { $covered ->
+    [one] one pixel and is seen there.
+   *[other] { $covered } pixels and is seen at all of them.
+  }
+owns-some = { $surface } covers { $covered } pixels and is seen at { $seen }; at { $hidden ->
+    [one] one
+   *[other] { $hidden }
+  } something else is in front.
+
+## What it costs
+
+surface-costs-title = What it costs to find who is in front
+surface-costs-about = Counted, not timed, on { $columns } × { $rows } pixels: streets of boxes, twelve triangles each.
+surface-costs-triangles = Triangles
+surface-costs-counts = Pairs, questions, fragments
+surface-costs-pairs = Painter: { $count } pairs of { $triangles } triangles; they grow like n to the power { $exponent }.
+surface-costs-questions = Ray casting: { $count } questions of rays to { $triangles } triangles; like n to the power { $exponent }.
+surface-costs-fragments = Depth buffer: { $count } fragments of { $triangles } triangles; like n to the power { $exponent }.
+surface-costs-overdraw = Overdraw: { $fragments } fragments for { $pixels } pixels, each computed { $overdraw } times.
+surface-costs-note = Exponents are the slopes of straight lines fitted to the logarithms. Pairs are counted up to 1,000 triangles, and only where there is an order; beyond, the line ends.
+
 ## The raster's form
 
 raster-title = Raster

@@ -292,6 +292,34 @@ watch-objects-skipped = objetos saltados
 watch-pixels-asked = píxeles consultados
 watch-triangles-spared = triángulos ahorrados
 
+## Whose a pixel is
+
+owns-nothing = { $surface } no cubre ningún píxel del ráster.
+owns-none = { $surface } cubre { $covered ->
+    [one] un píxel
+   *[other] { $covered } píxeles
+  } y no se ve en ninguno: en todas partes hay otra cosa delante.
+owns-all = { $surface } cubre { $covered ->
+    [one] un píxel y se ve en él.
+   *[other] { $covered } píxeles y se ve en todos.
+  }
+owns-some = { $surface } cubre { $covered } píxeles y se ve en { $seen }; en { $hidden ->
+    [one] uno
+   *[other] { $hidden }
+  } hay otra cosa delante.
+
+## What it costs
+
+surface-costs-title = Lo que cuesta saber qué está delante
+surface-costs-about = Contado, no cronometrado, en { $columns } × { $rows } píxeles: calles de cajas, de doce triángulos cada una.
+surface-costs-triangles = Triángulos
+surface-costs-counts = Pares, preguntas, fragmentos
+surface-costs-pairs = Pintor: { $count } pares con { $triangles } triángulos; crecen como n elevado a { $exponent }.
+surface-costs-questions = Lanzamiento de rayos: { $count } preguntas de los rayos a { $triangles } triángulos; como n elevado a { $exponent }.
+surface-costs-fragments = Búfer de profundidad: { $count } fragmentos de { $triangles } triángulos; como n elevado a { $exponent }.
+surface-costs-overdraw = Redibujado: { $fragments } fragmentos para { $pixels } píxeles, cada uno calculado { $overdraw } veces.
+surface-costs-note = Los exponentes son las pendientes de rectas ajustadas a los logaritmos. Los pares se cuentan hasta 1000 triángulos, y solo donde hay un orden; más allá, la línea termina.
+
 ## The raster's form
 
 raster-title = Ráster

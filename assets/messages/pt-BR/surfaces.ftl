@@ -292,6 +292,34 @@ watch-objects-skipped = objetos pulados
 watch-pixels-asked = pixels consultados
 watch-triangles-spared = triângulos poupados
 
+## Whose a pixel is
+
+owns-nothing = { $surface } não cobre nenhum pixel do raster.
+owns-none = { $surface } cobre { $covered ->
+    [one] um pixel
+   *[other] { $covered } pixels
+  } e não é visto em nenhum: em toda parte há outra coisa na frente.
+owns-all = { $surface } cobre { $covered ->
+    [one] um pixel e é visto nele.
+   *[other] { $covered } pixels e é visto em todos.
+  }
+owns-some = { $surface } cobre { $covered } pixels e é visto em { $seen }; em { $hidden ->
+    [one] um
+   *[other] { $hidden }
+  } há outra coisa na frente.
+
+## What it costs
+
+surface-costs-title = Quanto custa saber o que está na frente
+surface-costs-about = Contado, não cronometrado, em { $columns } × { $rows } pixels: ruas de caixas, de doze triângulos cada uma.
+surface-costs-triangles = Triângulos
+surface-costs-counts = Pares, perguntas, fragmentos
+surface-costs-pairs = Pintor: { $count } pares com { $triangles } triângulos; crescem como n elevado a { $exponent }.
+surface-costs-questions = Lançamento de raios: { $count } perguntas dos raios a { $triangles } triângulos; como n elevado a { $exponent }.
+surface-costs-fragments = Buffer de profundidade: { $count } fragmentos de { $triangles } triângulos; como n elevado a { $exponent }.
+surface-costs-overdraw = Redesenho: { $fragments } fragmentos para { $pixels } pixels, cada um calculado { $overdraw } vezes.
+surface-costs-note = Os expoentes são as inclinações de retas ajustadas aos logaritmos. Os pares são contados até 1000 triângulos, e só onde há uma ordem; além disso, a linha termina.
+
 ## The raster's form
 
 raster-title = Raster

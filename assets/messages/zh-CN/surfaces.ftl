@@ -235,6 +235,25 @@ watch-objects-skipped = 跳过的物体
 watch-pixels-asked = 查询的像素
 watch-triangles-spared = 省去的三角形
 
+## Whose a pixel is
+
+owns-nothing = { $surface } 不覆盖光栅的任何像素。
+owns-none = { $surface } 覆盖 { $covered } 个像素，但处处有别的面在前：一个也看不到。
+owns-all = { $surface } 覆盖 { $covered } 个像素，处处可见。
+owns-some = { $surface } 覆盖 { $covered } 个像素，在其中 { $seen } 个可见；其余 { $hidden } 个有别的面在前。
+
+## What it costs
+
+surface-costs-title = 判定谁在前面的代价
+surface-costs-about = 在 { $columns } × { $rows } 像素上计数而非计时：街道上的盒子，每个十二个三角形。
+surface-costs-triangles = 三角形数
+surface-costs-counts = 对数、询问数、片元数
+surface-costs-pairs = 画家算法：{ $triangles } 个三角形询问 { $count } 对；随 n 的 { $exponent } 次幂增长。
+surface-costs-questions = 光线投射：光线对 { $triangles } 个三角形共询问 { $count } 次；随 n 的 { $exponent } 次幂增长。
+surface-costs-fragments = 深度缓冲：{ $triangles } 个三角形产生 { $count } 个片元；随 n 的 { $exponent } 次幂增长。
+surface-costs-overdraw = 重复绘制：{ $fragments } 个片元对 { $pixels } 个像素，每个像素平均计算 { $overdraw } 次。
+surface-costs-note = 指数是对数坐标下拟合直线的斜率。成对询问只数到 1000 个三角形，且只在存在次序时计数；再多则曲线到此为止。
+
 ## The raster's form
 
 raster-title = 光栅

@@ -32,4 +32,4 @@ pub use taught_camera::{Opening, TaughtCamera};
 
 pub(in crate::labs) use demo::SpaceDemo;
 
-pub(in crate::labs) use pixel::pixel_verdict;
+pub(in crate::labs) use pixel::{pixel_verdict, raster_verdict};

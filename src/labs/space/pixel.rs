@@ -6,7 +6,7 @@ use crate::{
         ring::Right,
         surface::{DepthBufferInput, Fragment, pixel_story},
     },
-    figure::{Caption, Link},
+    figure::{Caption, Link, Raster},
     labs::Verdict,
     text::{Formula, Message, Value},
 };
@@ -59,10 +59,22 @@ fn picture_size(scene: &Scene) -> [u32; 2] {
     super::screen::screen(scene.camera.aspect(), ROWS).size()
 }
 
-/// Why the pixel that a link is about shows what it shows.
+/// Why the pixel of the camera's picture that a link is about shows what it shows.
 pub fn pixel_verdict(scene: &Scene, about: Link) -> Option<Verdict> {
     let pixel = pixel_of(scene, about)?;
-    let input = DepthBufferInput::new(surfaces_of(scene, picture_size(scene)));
+    Some(verdict_at(scene, picture_size(scene), pixel))
+}
+
+/// The same of a large pixel of the raster.
+pub fn raster_verdict(scene: &Scene, about: Link) -> Option<Verdict> {
+    let size = scene.raster.size(scene.camera.aspect());
+    let place = u32::try_from(about.number_of(Raster::LINK)?).ok()?;
+    let pixel = [place % size[0], place / size[0]];
+    (pixel[1] < size[1]).then(|| verdict_at(scene, size, pixel))
+}
+
+fn verdict_at(scene: &Scene, size: [u32; 2], pixel: [u32; 2]) -> Verdict {
+    let input = DepthBufferInput::new(surfaces_of(scene, size));
     let story = pixel_story::<Right>(&input, pixel);
     let seen = story.iter().rfind(|fragment| fragment.kept);
     let at = Formula::decimals()
@@ -82,11 +94,11 @@ pub fn pixel_verdict(scene: &Scene, about: Link) -> Option<Verdict> {
         None => Caption::new(message),
     };
     let notes = other_beside(scene, &input, pixel, seen.map(|fragment| fragment.id));
-    Some(Verdict {
+    Verdict {
         why,
         notes: notes.into_iter().collect(),
         step: None,
-    })
+    }
 }
 
 /// `0.834 < 0.861`: of what is seen, and of the next behind it.

@@ -20,6 +20,8 @@ use crate::{
     },
 };
 
+use super::verdict::verdict;
+
 /// Surfaces before a camera, some behind others.
 pub static SURFACES: SpaceLab = SpaceLab {
     id: "surfaces",
@@ -42,7 +44,9 @@ const fn info<A: SpaceDemo>() -> MethodInfo<Scene> {
         tells_faces: A::TELLS_FACES,
         record: A::record,
         face_fate: A::face_fate,
-        verdict: |_, _, _| None,
+        verdict: |scene, about, run| {
+            A::verdict(scene, about, run).or_else(|| verdict(scene, about))
+        },
     }
 }
 

@@ -1,12 +1,12 @@
 //! What culling costs, as bars of what it takes and what is left to draw, and where the best choice changes.
 
-use egui::{Align2, Color32, ProgressBar, RichText, Slider, Stroke, Ui};
-use egui_plot::{Bar, BarChart, Line, LineStyle, Plot, PlotBounds, PlotPoint, Text};
+use egui::{Align2, Color32, ProgressBar, RichText, Slider, Ui};
+use egui_plot::{Bar, BarChart, LineStyle, PlotBounds, PlotPoint, Text};
 
 use crate::{
     labs::{frustum::Culling, space::MAX_OBJECTS},
     paint::theme,
-    panels::still_plot,
+    panels::{PowerLine, power_plot, still_plot},
     text::{Message, Value},
     widgets::Look,
 };
@@ -129,50 +129,20 @@ fn lines(ui: &mut Ui, look: Look<'_>, costs: &CullingCosts, height: f32) {
         Culling::Rough => (look.theme.accent, LineStyle::Solid),
         Culling::Exact => (look.theme.ink, LineStyle::dotted_dense()),
     };
-    let power = |value: f64| look.catalog.number(10.0_f64.powi(value.round() as i32));
-    let plot = Plot::new("culling-lines")
-        .height(height)
-        .allow_drag(false)
-        .allow_zoom(false)
-        .allow_scroll(false)
-        .allow_boxed_zoom(false)
-        .show_background(false)
-        .x_axis_label(look.say("culling-axis-objects"))
-        .y_axis_label(look.say("culling-axis-millis"))
-        .x_axis_formatter(move |mark, _| whole(mark.value, power))
-        .y_axis_formatter(move |mark, _| whole(mark.value, power))
-        .include_x(0.0)
-        .include_x(5.4)
-        .show_grid([false, true]);
-    plot.show(ui, |plot| {
-        for (i, culling) in Culling::ALL.into_iter().enumerate() {
-            let (color, line_style) = style(culling);
-            let known = costs.sweep().iter().zip(SWEEP);
-            let points: Vec<[f64; 2]> = known
-                .map(|(costs, count)| [count as f64, 1e3 * costs[i].secs()].map(libm::log10))
-                .collect();
-            let last = points.last().copied();
-            let line = Line::new(look.say(culling.name_key()), points);
-            let line = line.stroke(Stroke::new(2.0, color)).style(line_style);
-            plot.line(line.allow_hover(false));
-            if let Some([x, y]) = last {
-                let name = RichText::new(look.say(culling.name_key()))
-                    .small()
-                    .color(color);
-                let text = Text::new("name", PlotPoint::new(x + 0.05, y), name);
-                plot.text(text.anchor(Align2::LEFT_CENTER).allow_hover(false));
-            }
+    let line = |(i, culling): (usize, Culling)| {
+        let (color, style) = style(culling);
+        let known = costs.sweep().iter().zip(SWEEP);
+        let points = known.map(|(costs, count)| [count as f64, 1e3 * costs[i].secs()]);
+        PowerLine {
+            name_key: culling.name_key(),
+            color,
+            style,
+            points: points.collect(),
         }
-    });
-}
-
-/// A mark of a logarithmic axis: of whole powers only.
-fn whole(value: f64, power: impl Fn(f64) -> String) -> String {
-    if (value - value.round()).abs() < 1e-6 {
-        power(value)
-    } else {
-        String::new()
-    }
+    };
+    let lines = Culling::ALL.into_iter().enumerate().map(line).collect();
+    let axes = ["culling-axis-objects", "culling-axis-millis"];
+    power_plot(ui, look, ("culling-lines", axes), height, lines);
 }
 
 /// Which way is the fastest, and from how many objects on it is another.

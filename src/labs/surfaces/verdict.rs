@@ -1,0 +1,143 @@
+//! Which pixels a face owns, and an object; why a pixel shows what it shows.
+
+use std::ops::Range;
+
+use crate::{
+    algo::surface::{DepthBuffer, DepthBufferInput, DepthSteps, Surfaces},
+    figure::{Caption, Link},
+    labs::{
+        Verdict,
+        space::{
+            Scene, pixel_verdict, raster_verdict,
+            soup::{pixels_covered, surface_name, surfaces_on_raster},
+            stage::{face_link, object_link},
+        },
+    },
+    text::{Message, Value},
+    trace::silent,
+};
+
+/// The verdict on a pixel, of the camera's picture or of the raster; on a face of the object in focus; on an object.
+pub fn verdict(scene: &Scene, about: Link) -> Option<Verdict> {
+    pixel_verdict(scene, about)
+        .or_else(|| raster_verdict(scene, about))
+        .or_else(|| owner_verdict(scene, about))
+}
+
+fn owner_verdict(scene: &Scene, about: Link) -> Option<Verdict> {
+    let n_faces = |object_idx: usize| scene.objects()[object_idx].model().mesh().faces().len();
+    let first = |object_idx: usize| (0..object_idx).map(n_faces).sum::<usize>();
+    let focus = scene.focus();
+    let mut faces = 0..n_faces(focus);
+    let (name, ids) = if let Some(face_idx) = faces.find(|&i| about == face_link(i)) {
+        let id = first(focus) + face_idx;
+        (surface_name(Some(scene), id as u32), id..id + 1)
+    } else {
+        let mut objects = 0..scene.objects().len();
+        let object_idx = objects.find(|&i| about == object_link(i))?;
+        let begin = first(object_idx);
+        let name = scene.object_name(object_idx);
+        (name, begin..begin + n_faces(object_idx))
+    };
+    let counts = PixelCounts::of(&surfaces_on_raster(scene), ids);
+    Some(Verdict {
+        why: Caption::new(counts.told(name)),
+        notes: Vec::new(),
+        step: None,
+    })
+}
+
+/// Pixels of some triangles.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+struct PixelCounts {
+    /// Those that they would have, were there nothing else.
+    covered: usize,
+    /// Those at which they are seen.
+    seen: usize,
+}
+
+impl PixelCounts {
+    fn of(surfaces: &Surfaces, ids: Range<usize>) -> Self {
+        let all = silent::<DepthBuffer>(&DepthBufferInput {
+            steps: DepthSteps::Triangles,
+            ..DepthBufferInput::new(surfaces.clone())
+        });
+        let is_own = |id: &&i32| usize::try_from(**id).is_ok_and(|id| ids.contains(&id));
+        Self {
+            seen: all.picture.ids().iter().filter(is_own).count(),
+            covered: pixels_covered(surfaces, ids),
+        }
+    }
+
+    fn told(self, name: Value) -> Message {
+        let Self { covered, seen } = self;
+        let key = match (covered, seen) {
+            (0, _) => "owns-nothing",
+            (_, 0) => "owns-none",
+            _ if seen == covered => "owns-all",
+            _ => "owns-some",
+        };
+        Message::new(key)
+            .with("surface", name)
+            .with("covered", covered)
+            .with("seen", seen)
+            .with("hidden", covered - seen)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        algo::surface::{RayCasting, RayCastingInput},
+        figure::Raster,
+        labs::surfaces::first_scene,
+    };
+
+    #[test]
+    fn rays_count_the_same_pixels() {
+        let mut scene = first_scene();
+        scene.raster = scene.raster.with_rows(48);
+        let surfaces = surfaces_on_raster(&scene);
+        let seen_by_rays = |surfaces: &Surfaces, id: i32| {
+            let surfaces = surfaces.clone();
+            let input = RayCastingInput {
+                surfaces,
+                pixel: None,
+            };
+            let picture = silent::<RayCasting>(&input).picture;
+            picture.ids().iter().filter(|seen| **seen == id).count()
+        };
+        let mut hidden = 0;
+        for id in [0_usize, 1] {
+            let counts = PixelCounts::of(&surfaces, id..id + 1);
+            assert_eq!(counts.seen, seen_by_rays(&surfaces, id as i32));
+            let alone = surfaces.part(id..id + 1);
+            assert_eq!(counts.covered, seen_by_rays(&alone, 0));
+            hidden += counts.covered - counts.seen;
+        }
+        assert!(hidden > 20, "one goes through the other: {hidden}");
+    }
+
+    #[test]
+    fn pixels_faces_and_objects_are_told_of_by_every_method() {
+        let mut scene = first_scene();
+        let [columns, rows] = scene
+            .raster
+            .size(scene.camera.aspect())
+            .map(|side| side as usize);
+        for method in crate::labs::surfaces::SURFACES.all() {
+            scene.method = method;
+            let run = (method.info().record)(&scene);
+            let told = |about| (method.info().verdict)(&scene, about, &*run);
+            for about in [face_link(0), object_link(1)] {
+                let key = told(about).map(|verdict| verdict.why.decision.key);
+                assert_eq!(key, Some("owns-some"));
+            }
+            let pixel = |place| told(Link::nth(Raster::LINK, place));
+            assert!(pixel(columns * rows / 2 + columns / 2).is_some());
+            assert!(pixel(columns * rows).is_none(), "there is no such pixel");
+            assert!(told(object_link(2)).is_none());
+        }
+    }
+}

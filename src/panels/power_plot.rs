@@ -1,0 +1,72 @@
+//! Counts or times over a number, both by their logarithms.
+
+use egui::{Align2, Color32, RichText, Stroke, Ui};
+use egui_plot::{Line, LineStyle, Plot, PlotPoint, Text};
+
+use crate::widgets::Look;
+
+/// One line, with its name at its end.
+pub struct PowerLine {
+    /// Catalogue key of its name.
+    pub name_key: &'static str,
+    /// Of the line and its name.
+    pub color: Color32,
+    /// Tells it from the others where colours do not.
+    pub style: LineStyle,
+    /// All above 0.
+    pub points: Vec<[f64; 2]>,
+}
+
+/// Lines over powers of ten, up to 10⁴ and room for names; `axes` are the catalogue keys of what stands along them.
+pub fn power_plot(
+    ui: &mut Ui,
+    look: Look<'_>,
+    (id, axes): (&'static str, [&'static str; 2]),
+    height: f32,
+    lines: Vec<PowerLine>,
+) {
+    let power = |value: f64| look.catalog.number(10.0_f64.powi(value.round() as i32));
+    let plot = Plot::new(id)
+        .height(height)
+        .allow_drag(false)
+        .allow_zoom(false)
+        .allow_scroll(false)
+        .allow_boxed_zoom(false)
+        .show_background(false)
+        .x_axis_label(look.say(axes[0]))
+        .y_axis_label(look.say(axes[1]))
+        .x_axis_formatter(move |mark, _| whole(mark.value, power))
+        .y_axis_formatter(move |mark, _| whole(mark.value, power))
+        .include_x(0.0)
+        .include_x(5.4)
+        .show_grid([false, true]);
+    plot.show(ui, |plot| {
+        for PowerLine {
+            name_key,
+            color,
+            style,
+            points,
+        } in lines
+        {
+            let points: Vec<[f64; 2]> = points.iter().map(|at| at.map(libm::log10)).collect();
+            let last = points.last().copied();
+            let line = Line::new(look.say(name_key), points);
+            let line = line.stroke(Stroke::new(2.0, color)).style(style);
+            plot.line(line.allow_hover(false));
+            if let Some([x, y]) = last {
+                let name = RichText::new(look.say(name_key)).small().color(color);
+                let text = Text::new("name", PlotPoint::new(x + 0.05, y), name);
+                plot.text(text.anchor(Align2::LEFT_CENTER).allow_hover(false));
+            }
+        }
+    });
+}
+
+/// A mark of a logarithmic axis: of whole powers only.
+fn whole(value: f64, power: impl Fn(f64) -> String) -> String {
+    if (value - value.round()).abs() < 1e-6 {
+        power(value)
+    } else {
+        String::new()
+    }
+}

@@ -1,0 +1,157 @@
+//! What it costs to find who is in front, as lines over the number of triangles, and how steep they are.
+
+use egui::{ProgressBar, RichText, Ui};
+use egui_plot::LineStyle;
+
+use crate::{
+    labs::surfaces::{SurfaceCounts, fitted_slope},
+    paint::theme,
+    panels::{PowerLine, power_plot},
+    text::{Message, Value},
+    widgets::Look,
+};
+
+use super::surface_costs::{SWEEP, SurfaceCosts};
+
+/// What was asked for in the window.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum CostsAsk {
+    /// Close it.
+    Close,
+}
+
+/// The window's content.
+pub fn costs_window(ui: &mut Ui, look: Look<'_>, costs: &SurfaceCosts) -> Option<CostsAsk> {
+    ui.set_max_width(600.0_f32.min(ui.ctx().content_rect().width() - 48.0));
+    ui.label(RichText::new(look.say("surface-costs-title")).heading());
+    let [columns, rows] = costs.size().map(|side| side as usize);
+    let about = Message::new("surface-costs-about")
+        .with("columns", columns)
+        .with("rows", rows);
+    ui.label(RichText::new(look.catalog.message(&about)).color(look.theme.soft));
+    if !costs.is_done() {
+        let progress = costs.sweep().len() as f32 / SWEEP.len() as f32;
+        ui.add(ProgressBar::new(progress).desired_height(6.0));
+    }
+    let height = (ui.ctx().content_rect().height() - 330.0).clamp(120.0, 380.0);
+    let axes = ["surface-costs-triangles", "surface-costs-counts"];
+    let lines = lines(look, costs.sweep());
+    power_plot(ui, look, ("surface-costs-lines", axes), height, lines);
+    if costs.is_done() {
+        for message in told(costs.sweep()) {
+            ui.label(RichText::new(look.catalog.message(&message)).text_style(theme::strong()));
+        }
+    }
+    let note = RichText::new(look.say("surface-costs-note")).small();
+    ui.label(note.color(look.theme.soft));
+    let is_closed = ui.button(look.say("action-close")).clicked();
+    is_closed.then_some(CostsAsk::Close)
+}
+
+/// What is counted.
+#[derive(Clone, Copy)]
+enum Counted {
+    Pairs,
+    Questions,
+    Fragments,
+}
+
+impl Counted {
+    const ALL: [Self; 3] = [Self::Pairs, Self::Questions, Self::Fragments];
+
+    const fn name_key(self) -> &'static str {
+        match self {
+            Self::Pairs => "alg-painter",
+            Self::Questions => "alg-ray-casting",
+            Self::Fragments => "alg-depth-buffer",
+        }
+    }
+
+    /// Over the number of triangles, as far as it is known and is not 0, which has no logarithm.
+    fn points(self, sweep: &[SurfaceCounts]) -> Vec<[f64; 2]> {
+        let count = |counts: &SurfaceCounts| match self {
+            Self::Pairs => counts.pairs,
+            Self::Questions => Some(counts.questions),
+            Self::Fragments => Some(counts.tally.fragments),
+        };
+        let point = |counts: &SurfaceCounts| {
+            let count = count(counts).filter(|count| *count > 0)?;
+            Some([counts.n_triangles as f64, count as f64])
+        };
+        sweep.iter().filter_map(point).collect()
+    }
+}
+
+fn lines(look: Look<'_>, sweep: &[SurfaceCounts]) -> Vec<PowerLine> {
+    let line = |counted: Counted| {
+        let (color, style) = match counted {
+            Counted::Pairs => (look.theme.soft, LineStyle::dashed_loose()),
+            Counted::Questions => (look.theme.ink, LineStyle::dotted_dense()),
+            Counted::Fragments => (look.theme.accent, LineStyle::Solid),
+        };
+        PowerLine {
+            name_key: counted.name_key(),
+            color,
+            style,
+            points: counted.points(sweep),
+        }
+    };
+    Counted::ALL.map(line).into()
+}
+
+/// Each line's slope and last count; how often a pixel was computed.
+fn told(sweep: &[SurfaceCounts]) -> Vec<Message> {
+    let slope = |counted: Counted| {
+        let points = counted.points(sweep);
+        let [n, count] = *points.last()?;
+        let exponent = (100.0 * fitted_slope(&points)?).round() / 100.0;
+        let key = match counted {
+            Counted::Pairs => "surface-costs-pairs",
+            Counted::Questions => "surface-costs-questions",
+            Counted::Fragments => "surface-costs-fragments",
+        };
+        let message = Message::new(key)
+            .with("triangles", n as usize)
+            .with("count", count as usize);
+        Some(message.with("exponent", Value::Number(exponent)))
+    };
+    let mut told: Vec<Message> = Counted::ALL.into_iter().filter_map(slope).collect();
+    let last = sweep.last().filter(|counts| counts.tally.pixels > 0);
+    told.extend(last.map(|counts| {
+        let tally = counts.tally;
+        let overdraw = tally.fragments as f64 / tally.pixels as f64;
+        Message::new("surface-costs-overdraw")
+            .with("fragments", tally.fragments as usize)
+            .with("pixels", tally.pixels as usize)
+            .with(
+                "overdraw",
+                Value::Number((100.0 * overdraw).round() / 100.0),
+            )
+    }));
+    told
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_ends_where_nothing_was_counted() {
+        let counts = |n: usize, pairs| SurfaceCounts {
+            n_triangles: n,
+            pairs,
+            questions: 192 * n as u64,
+            ..SurfaceCounts::default()
+        };
+        let sweep = [
+            counts(10, Some(90)),
+            counts(100, Some(9900)),
+            counts(1000, None),
+        ];
+        assert_eq!(Counted::Pairs.points(&sweep).len(), 2);
+        assert_eq!(Counted::Questions.points(&sweep).len(), 3);
+        assert!(Counted::Fragments.points(&sweep).is_empty());
+        let keys: Vec<&str> = told(&sweep).iter().map(|message| message.key).collect();
+        assert_eq!(keys, ["surface-costs-pairs", "surface-costs-questions"]);
+    }
+}

@@ -1,0 +1,107 @@
+//! What each way to find who is in front costs, counted on streets of more and more triangles, a slice of the work in each frame.
+
+use crate::labs::{
+    space::Scene,
+    surfaces::{SurfaceCounting, SurfaceCounts},
+};
+
+/// Streets of so many boxes are counted: of 12 triangles each, from about 10 to about 10,000.
+pub const SWEEP: [usize; 7] = [1, 3, 8, 25, 83, 250, 833];
+/// Work in one frame, in seconds.
+const SLICE_SECS: f64 = 0.008;
+
+/// Counts under way, or done.
+pub struct SurfaceCosts {
+    scene: Scene,
+    sweep: Vec<SurfaceCounts>,
+    current: Option<SurfaceCounting>,
+}
+
+impl SurfaceCosts {
+    /// Ready to count on a scene's raster.
+    #[must_use]
+    pub fn new(scene: &Scene) -> Self {
+        Self {
+            scene: scene.clone(),
+            sweep: Vec::new(),
+            current: None,
+        }
+    }
+
+    /// Are they those of this scene's raster?
+    #[must_use]
+    pub fn are_of(&self, scene: &Scene) -> bool {
+        let raster = |scene: &Scene| {
+            let size = scene.raster.size(scene.camera.aspect());
+            (size, scene.raster.culls_backs)
+        };
+        raster(&self.scene) == raster(scene)
+    }
+
+    /// Columns and rows.
+    #[must_use]
+    pub fn size(&self) -> [u32; 2] {
+        self.scene.raster.size(self.scene.camera.aspect())
+    }
+
+    /// Of the first streets of [`SWEEP`].
+    #[must_use]
+    pub fn sweep(&self) -> &[SurfaceCounts] {
+        &self.sweep
+    }
+
+    /// Is there nothing left to do?
+    #[must_use]
+    pub const fn is_done(&self) -> bool {
+        self.sweep.len() == SWEEP.len()
+    }
+
+    /// Works for a slice of a frame.
+    pub fn work(&mut self, clock: &dyn Fn() -> f64) {
+        let start = clock();
+        while !self.is_done() && clock() - start < SLICE_SECS {
+            let n_boxes = SWEEP[self.sweep.len()];
+            let Some(current) = &mut self.current else {
+                self.current = SurfaceCounting::new(&self.scene, n_boxes).ok();
+                continue;
+            };
+            if let Some(counts) = current.work() {
+                self.sweep.push(counts);
+                self.current = None;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::labs::surfaces::first_scene;
+
+    #[test]
+    fn every_street_is_counted_and_then_it_rests() {
+        let mut scene = first_scene();
+        scene.raster = scene.raster.with_rows(4);
+        let mut costs = SurfaceCosts::new(&scene);
+        // A clock that a test can rely on: each look at it takes a moment.
+        let ticks = std::cell::Cell::new(0.0);
+        let clock = || {
+            ticks.set(ticks.get() + 1e-3);
+            ticks.get()
+        };
+        let mut n_frames = 0;
+        while !costs.is_done() {
+            costs.work(&clock);
+            n_frames += 1;
+        }
+        assert!(n_frames > 1, "spread over frames: {n_frames}");
+        let counted: Vec<usize> = costs.sweep().iter().map(|it| it.n_triangles).collect();
+        assert_eq!(counted, SWEEP.map(|n| 12 * n));
+        let sorted = costs.sweep().iter().filter(|it| it.pairs.is_some());
+        assert!(sorted.count() >= 3);
+        assert!(costs.sweep()[6].pairs.is_none());
+        assert!(costs.are_of(&scene));
+        scene.raster = scene.raster.with_rows(5);
+        assert!(!costs.are_of(&scene));
+    }
+}
