@@ -20,11 +20,13 @@ mod harness;
 mod line;
 #[cfg(feature = "gui")]
 mod paint;
+mod painter;
 mod plot;
 mod polygon;
+mod rays;
 mod space;
-mod textured;
 mod space_triangles;
+mod textured;
 #[cfg(feature = "gui")]
 mod turning;
 mod weiler_atherton;
@@ -41,6 +43,9 @@ const BENCHMARKS: &[Benchmark] = &[
     ("space", space::run),
     ("textured", textured::run),
     ("space-triangles", space_triangles::run),
+    ("painter", painter::run),
+    ("rays-growth", rays::growth),
+    ("rays", rays::spot),
     #[cfg(feature = "gui")]
     ("frame", frame::run),
     #[cfg(feature = "gui")]
