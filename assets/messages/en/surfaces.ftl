@@ -48,7 +48,10 @@ depth-fragment-lost = { $triangle } is not nearer than { $other } at pixel { $at
 depth-fragment-tie = { $triangle } is as near as { $other } at pixel { $at }: { $other } came first and stays.
 depth-fragment-lost-to-nothing = { $triangle } is not written at pixel { $at }, though nothing has been there.
 depth-nothing = nothing
-depth-done = Done: { $fragments } fragments, { $writes } of them written, for { $pixels ->
+depth-done = Done: { $fragments ->
+    [one] one fragment
+   *[other] { $fragments } fragments
+  }, { $writes } of them written, for { $pixels ->
     [one] one pixel
    *[other] { $pixels } pixels
   }. So often each was computed on average:

@@ -48,7 +48,10 @@ depth-fragment-lost = En el píxel { $at }, { $triangle } no está más cerca qu
 depth-fragment-tie = En el píxel { $at }, { $triangle } está tan cerca como { $other }: { $other } llegó antes y se queda.
 depth-fragment-lost-to-nothing = En el píxel { $at } no se escribe { $triangle }, aunque allí no había nada.
 depth-nothing = nada
-depth-done = Terminado: { $fragments } fragmentos, { $writes } escritos, para { $pixels ->
+depth-done = Terminado: { $fragments ->
+    [one] un fragmento
+   *[other] { $fragments } fragmentos
+  }, { $writes } de ellos escritos, para { $pixels ->
     [one] un píxel
    *[other] { $pixels } píxeles
   }. Veces que se calculó cada uno, en promedio:

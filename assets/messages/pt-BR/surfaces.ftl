@@ -48,7 +48,10 @@ depth-fragment-lost = No pixel { $at }, { $triangle } não está mais próximo q
 depth-fragment-tie = No pixel { $at }, { $triangle } está tão próximo quanto { $other }: { $other } chegou antes e fica.
 depth-fragment-lost-to-nothing = No pixel { $at } { $triangle } não é escrito, embora ali não houvesse nada.
 depth-nothing = nada
-depth-done = Pronto: { $fragments } fragmentos, { $writes } escritos, para { $pixels ->
+depth-done = Pronto: { $fragments ->
+    [one] um fragmento
+   *[other] { $fragments } fragmentos
+  }, { $writes } deles escritos, para { $pixels ->
     [one] um pixel
    *[other] { $pixels } pixels
   }. Vezes que cada um foi calculado, em média:
