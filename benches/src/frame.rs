@@ -3,11 +3,13 @@
 use std::f32::consts::TAU;
 
 use clipscope::{
+    algo::surface::DepthSteps,
     app::Command,
     labs::{
         Edit,
         lines::LinesChange,
         polygons::{self, PolygonsChange},
+        space::{RasterPlan, SpaceChange},
     },
 };
 use egui::{Event, Key, vec2};
@@ -198,6 +200,42 @@ pub fn run() {
     println!();
 }
 
+/// Long runs in space: a street through the funnel, its triangles drawn into a raster for teaching.
+pub fn run_in_space() {
+    println!("## Long runs in space\n");
+    println!(
+        "Layout and tessellation at 1280 × 720, milliseconds of {N_POLYGON_FRAMES} frames; the run in the middle at first.\n"
+    );
+    println!("| scene | doing | layout | tessellation | both | 95 % under | slowest | target | |");
+    println!("|---|---|--:|--:|--:|--:|--:|--:|---|");
+    let mut plan = RasterPlan::default().with_rows(120);
+    plan.steps = DepthSteps::Fragments;
+    for (name, lab, count, method) in [
+        ("a street of 300 boxes in the funnel", "frustum", 300, "funnel"),
+        ("a raster of 120 rows, 1,008 triangles", "surfaces", 84, "depth-buffer"),
+    ] {
+        for doing in [Doing::Nothing, Doing::Stepping, Doing::Scrubbing] {
+            let mut desk = Desk::at(CUTTING[0], CUTTING[1]);
+            desk.apply(Command::Lab(lab));
+            desk.apply(Command::Free);
+            let edits = [
+                Edit::own(SpaceChange::Street { count, seed: 1 }),
+                Edit::own(SpaceChange::Raster(plan)),
+                Edit::Method(method),
+            ];
+            for edit in edits {
+                desk.apply(Command::Edit(edit, None));
+            }
+            let n_steps = desk.n_steps();
+            desk.seek(n_steps / 2);
+            let took = doing.frames(&mut desk, N_POLYGON_FRAMES);
+            let name = format!("{name}: {n_steps} steps");
+            row(&name, doing, &took, POLYGON_TARGET);
+        }
+    }
+    println!();
+}
+
 /// The app at a step of the course whose scene has been changed.
 fn edited(edit: Edit) -> Desk {
     let mut desk = Desk::at(CUTTING[0], CUTTING[1]);
@@ -215,7 +253,7 @@ fn row(scene: &str, doing: Doing, took: &[Took], target: Target) {
         ms(|took| took.layout),
         ms(|took| took.tessellation),
         1e3 * quantile(took.iter().map(|took| took.both()), 0.95),
-        target.cells(if scene.contains("10,000") {
+        target.cells(if scene.contains("10,000") || scene.contains("steps") {
             slowest
         } else {
             both

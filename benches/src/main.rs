@@ -49,6 +49,8 @@ const BENCHMARKS: &[Benchmark] = &[
     #[cfg(feature = "gui")]
     ("frame", frame::run),
     #[cfg(feature = "gui")]
+    ("space-frames", frame::run_in_space),
+    #[cfg(feature = "gui")]
     ("paint", paint::run),
     #[cfg(feature = "gui")]
     ("turning", turning::run),
@@ -62,7 +64,7 @@ fn main() -> ExitCode {
     if let Some(unknown) = names.iter().find(|name| !is_known(name)) {
         let known: Vec<&str> = BENCHMARKS.iter().map(|(name, _)| *name).collect();
         eprintln!(
-            "no benchmark is called {unknown}: there are {} (frame, paint, turning and export with `--features gui`)",
+            "no benchmark is called {unknown}: there are {} (frame, space-frames, paint, turning and export with `--features gui`)",
             known.join(", ")
         );
         return ExitCode::from(2);

@@ -39,7 +39,7 @@ fn can_hide(triangles: &[Whole], first: u32, second: u32) -> Option<bool> {
         }
     }
     // A corner may be so sharp that no pixel's middle lies near its end.
-    (n > 40).then_some(most >= -20.0 * slope)
+    (n > 40).then_some(most >= -100.0 * slope)
 }
 
 proptest! {
@@ -84,6 +84,21 @@ proptest! {
         laws::check::<FaultyPainter<KeysOnly>>(&surfaces);
         laws::check::<FaultyPainter<NearestKeys>>(&surfaces);
     }
+}
+
+/// They pierce each other in the last of a corner that is a needle: the difference of their depths is 0.018, 0.019, 0.009 and
+/// −0.005 in the corners of the area that they share.
+#[test]
+fn two_that_pierce_each_other_in_a_needle_are_a_cycle() {
+    let triangles = [
+        [[15, 23, -62], [17, -17, -17], [9, 3, -24]],
+        [[24, -12, -32], [0, -13, -52], [6, 33, -54]],
+    ];
+    let PainterAnswer::Cycle { cycle } = silent::<Painter>(&surfaces(&triangles, false)).answer
+    else {
+        panic!("each is nearer somewhere");
+    };
+    assert_eq!(cycle, [0, 1]);
 }
 
 #[test]
