@@ -15,31 +15,50 @@ use crate::{
     soup::{Whole, ahead, cases, of_mesh, soup, surfaces, three_bars, volume, volumes},
 };
 
-/// Columns and rows, to look more closely.
-const FINE: [u32; 2] = [320, 320];
-
-/// Can the second be nearer than the first somewhere? The difference of their depths is linear over the screen, so it is the largest
-/// in a corner of the area that they share: it cannot be where it is far below zero at all pixels. None where they share too few.
+/// Can the second be nearer than the first somewhere? The difference of 1/distance is linear over the screen, so it is the largest in a
+/// corner of the area that both cover. None where that is too small to tell, or one of them reaches behind the eye.
 fn can_hide(triangles: &[Whole], first: u32, second: u32) -> Option<bool> {
     let pair = crate::soup::placed(&[first, second].map(|id| triangles[id as usize]));
-    let of = |one: [[f64; 3]; 3]| {
-        let surfaces = Surfaces::new(FINE, volume(), [one], false).expect("finite");
-        silent::<DepthBuffer>(&DepthBufferInput::new(surfaces)).depth
-    };
-    let [one, other] = [of(pair[0]), of(pair[1])];
-    let nearer: Vec<f64> = one.iter().zip(&other).map(|(a, b)| a - b).collect();
-    let known = |place: usize| nearer.get(place).copied().filter(|x| x.is_finite());
-    let (mut n, mut most, mut slope) = (0, f64::NEG_INFINITY, 0.0_f64);
-    for place in 0..nearer.len() {
-        let Some(here) = known(place) else { continue };
-        n += 1;
-        most = most.max(here);
-        for next in [known(place + 1), known(place + FINE[0] as usize)] {
-            slope = slope.max(next.map_or(0.0, |next| (next - here).abs()));
+    if pair.as_flattened().iter().any(|[_, _, z]| *z > -1e-9) {
+        return None;
+    }
+    // Place on the screen, and 1/distance.
+    let seen = |t: [[f64; 3]; 3]| t.map(|[x, y, z]| [x / -z, y / -z, -1.0 / z]);
+    let [one, other] = [seen(pair[0]), seen(pair[1])];
+    let turn =
+        |[a, b, c]: [[f64; 3]; 3]| (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
+    let mut common = one.to_vec();
+    for i in 0..3 {
+        let (from, to) = (other[i], other[(i + 1) % 3]);
+        let inside = |p: [f64; 3]| turn([from, to, p]) * turn(other).signum();
+        let next = common.iter().cycle().skip(1);
+        let edges: Vec<_> = common.iter().zip(next).map(|(&p, &q)| (p, q)).collect();
+        common = Vec::new();
+        for (p, q) in edges {
+            let (at_p, at_q) = (inside(p), inside(q));
+            if at_p >= 0.0 {
+                common.push(p);
+            }
+            if at_p * at_q < 0.0 {
+                let t = at_p / (at_p - at_q);
+                common.push([0, 1, 2].map(|i| p[i] + t * (q[i] - p[i])));
+            }
         }
     }
-    // A corner may be so sharp that no pixel's middle lies near its end.
-    (n > 40).then_some(most >= -100.0 * slope)
+    let inverse = |[x, y]: [f64; 2]| {
+        let [a, b, c] = other;
+        let p = [x, y, 0.0];
+        let shares = [turn([p, b, c]), turn([a, p, c]), turn([a, b, p])];
+        shares
+            .iter()
+            .zip([a, b, c])
+            .map(|(share, v)| share * v[2])
+            .sum::<f64>()
+            / turn(other)
+    };
+    let nearer = common.iter().map(|&[x, y, own]| inverse([x, y]) - own);
+    let most = nearer.reduce(f64::max)?;
+    Some(most >= -1e-9)
 }
 
 proptest! {
