@@ -112,6 +112,7 @@ fn an_edge_belongs_to_one_of_its_two_triangles() {
 
 #[test]
 fn every_meeting_by_name() {
+    use Meeting::*;
     let wall = |z: f64| [[-90.0, -90.0, z], [90.0, -90.0, z], [0.0, 190.0, z]];
     let beside = [[5.0, 5.0, -2.0], [6.0, 5.0, -2.0], [5.0, 6.0, -2.0]];
     // The middle pixel's ray runs along −z: a plane beside it never meets it.
@@ -144,7 +145,6 @@ fn every_meeting_by_name() {
             .map(|(_, found)| found.meeting)
             .collect::<Vec<_>>()
     };
-    use Meeting::*;
     let expected = [
         Hit, Behind, BeforeNear, BeyondFar, Beside, Parallel, Hit, Hit,
     ];

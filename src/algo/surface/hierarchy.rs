@@ -183,7 +183,7 @@ impl Node {
     #[inline]
     fn met(&self, ray: &Ray, inverse: [f64; 3]) -> Option<f64> {
         let (mut from, mut to) = (0.0_f64, f64::INFINITY);
-        for axis in 0..3 {
+        for (axis, inverse) in inverse.into_iter().enumerate() {
             let o = ray.origin[axis];
             if ray.direction[axis] == 0.0 {
                 if o < self.min[axis] || o > self.max[axis] {
@@ -191,8 +191,8 @@ impl Node {
                 }
                 continue;
             }
-            let one = (self.min[axis] - o) * inverse[axis];
-            let other = (self.max[axis] - o) * inverse[axis];
+            let one = (self.min[axis] - o) * inverse;
+            let other = (self.max[axis] - o) * inverse;
             from = from.max(one.min(other));
             to = to.min(one.max(other));
         }

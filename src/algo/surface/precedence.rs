@@ -258,9 +258,9 @@ mod tests {
 
     #[test]
     fn each_test_decides_where_it_can() {
+        use PairTest::*;
         let wall = |x: f64, z: f64| [[x - 1.0, -1.0, z], [x + 1.0, -1.0, z], [x, 1.0, z]];
         let [near, far] = [wall(0.0, -4.0), wall(0.0, -6.0)];
-        use PairTest::*;
         assert_eq!(may([far, near]), [(true, DepthExtents), (false, Overlap)]);
         let aside = wall(3.0, -5.0);
         assert_eq!(

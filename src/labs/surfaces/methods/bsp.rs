@@ -172,8 +172,7 @@ fn marks(step: &Step<'_, Shown>, camera: &Camera) -> Vec<Mark3> {
         .filter(|_| matches!(step.event, Some(Event::Paint { .. })));
     let shown: Vec<u32> = match (asked, painted) {
         (Some((_, _, Some(parts))), _) => parts.to_vec(),
-        (Some((piece, _, None)), _) => vec![piece],
-        (None, Some(&piece)) => vec![piece],
+        (Some((piece, _, None)), _) | (None, Some(&piece)) => vec![piece],
         (None, None) => Vec::new(),
     };
     for piece in shown.into_iter().filter_map(|number| state.piece(number)) {

@@ -12,6 +12,7 @@ use crate::{
     figure::{Caption, Tick, View, Watch, WatchRow, WatchSection},
     labs::{
         Answer, CodeLine, Demo, Step, code_line,
+        space::stage::Scenery,
         space::{
             OnScene, OnSceneInput, Scene, Subject,
             demo::SpaceDemo,
@@ -55,7 +56,7 @@ impl SpaceDemo for Shown {
 
 fn name_of(input: &Input, id: u32) -> Value {
     let scenery = input.scenery.as_deref();
-    surface_name(scenery.map(|scenery| scenery.scene()), id)
+    surface_name(scenery.map(Scenery::scene), id)
 }
 
 /// `t = −(n·o + d) / (n·r) = 3.012 / 1.025 = 2.94`

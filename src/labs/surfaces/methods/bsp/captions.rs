@@ -7,7 +7,7 @@ use crate::{
     },
     figure::Caption,
     geom::Plane,
-    labs::space::{OnSceneInput, soup::surface_name},
+    labs::space::{OnSceneInput, soup::surface_name, stage::Scenery},
     text::{Formula, Message, Value},
 };
 
@@ -15,7 +15,7 @@ pub type Input = OnSceneInput<BspInput>;
 
 pub fn name_of(input: &Input, id: u32) -> Value {
     let scenery = input.scenery.as_deref();
-    surface_name(scenery.map(|scenery| scenery.scene()), id)
+    surface_name(scenery.map(Scenery::scene), id)
 }
 
 /// `A`, and of a part `A+−`: before the first plane that has cut it, behind the second.

@@ -7,7 +7,8 @@ use crate::{
     },
     figure::Caption,
     labs::{
-        space::OnSceneInput, space::soup::surface_name, surfaces::methods::on_raster::pixel_formula,
+        space::OnSceneInput, space::soup::surface_name, space::stage::Scenery,
+        surfaces::methods::on_raster::pixel_formula,
     },
     text::{Formula, Message, Value},
 };
@@ -18,7 +19,7 @@ pub type Input = OnSceneInput<DepthBufferInput>;
 
 pub fn name_of(input: &Input, id: u32) -> Value {
     let scenery = input.scenery.as_deref();
-    surface_name(scenery.map(|scenery| scenery.scene()), id)
+    surface_name(scenery.map(Scenery::scene), id)
 }
 
 pub fn opening(input: &Input) -> Caption {

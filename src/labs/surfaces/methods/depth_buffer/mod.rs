@@ -86,12 +86,10 @@ impl<L: Variant> Demo for Shown<L> {
 
     fn tick(event: &Event) -> Tick {
         match event {
-            Event::Clear { .. } => Tick::Phase,
             Event::Triangle { drawn: false, .. } => Tick::Reject,
-            Event::Triangle { .. } => Tick::Phase,
-            Event::Span { .. } => Tick::Test,
+            Event::Clear { .. } | Event::Triangle { .. } => Tick::Phase,
             Event::Fragment { fragment, .. } if fragment.kept => Tick::Cut,
-            Event::Fragment { .. } => Tick::Test,
+            Event::Span { .. } | Event::Fragment { .. } => Tick::Test,
             Event::Done => Tick::Accept,
         }
     }

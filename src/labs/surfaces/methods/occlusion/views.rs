@@ -49,10 +49,8 @@ pub fn views(step: &Step<'_, Shown>) -> Vec<View> {
 
 /// The box that is asked, in view space.
 fn asked_box(step: &Step<'_, Shown>) -> Option<AlignedBox> {
-    let ([[x, y, z], [right, top, front]], _) = match step.state.query? {
-        (Some(bounds), result) => (bounds, result),
-        (None, _) => return None,
-    };
+    let (bounds, _) = step.state.query?;
+    let [[x, y, z], [right, top, front]] = bounds?;
     AlignedBox::new([x, y, z, right, top, front]).ok()
 }
 

@@ -3,7 +3,7 @@
 use crate::{
     algo::surface::{PainterEvent as Event, PainterState as State, PairTest, Surfaces},
     figure::Caption,
-    labs::{space::OnSceneInput, space::soup::surface_name},
+    labs::{space::OnSceneInput, space::soup::surface_name, space::stage::Scenery},
     text::{Formula, Message, Value},
 };
 
@@ -11,7 +11,7 @@ pub type Input = OnSceneInput<Surfaces>;
 
 pub fn name_of(input: &Input, id: u32) -> Value {
     let scenery = input.scenery.as_deref();
-    surface_name(scenery.map(|scenery| scenery.scene()), id)
+    surface_name(scenery.map(Scenery::scene), id)
 }
 
 pub fn opening(input: &Input) -> Caption {
