@@ -30,3 +30,17 @@ pub struct CodeLine {
 pub(super) const fn code_line(depth: usize, code: &'static str, words: &'static str) -> CodeLine {
     CodeLine { depth, code, words }
 }
+
+/// Pseudocode with other lines in some places, each given by its two keys: as deep as what stood there.
+pub(super) const fn but_for<const M: usize, const N: usize>(
+    mut lines: [CodeLine; M],
+    others: [(usize, &'static str, &'static str); N],
+) -> [CodeLine; M] {
+    let mut i = 0;
+    while i < N {
+        let (place, code, words) = others[i];
+        lines[place] = code_line(lines[place].depth, code, words);
+        i += 1;
+    }
+    lines
+}

@@ -34,7 +34,7 @@ pub use registry::{Carded, Listed, Method};
 pub use sketch::Sketch;
 pub use typed::{place_of, written};
 
-use card::code_line;
+use card::{but_for, code_line};
 pub(crate) use demo::{record, record_beside};
 pub(crate) use words::{plane_symbol, vertex_symbol};
 

@@ -19,7 +19,7 @@ use crate::{
     },
     geom::{Orbit, Solid},
     labs::{
-        Lab, MethodCard,
+        Lab,
         space::{
             MethodInfo, Model, Object, OnScene, Opening, Scene, SpaceDemo, SpaceLab, TaughtCamera,
         },
@@ -39,28 +39,18 @@ pub static FRUSTUM: SpaceLab = SpaceLab {
     lock_groups: &["camera", "volume", "object", "point", "segment", "triangle"],
     methods: || &METHODS,
     first_scene,
+    verdict,
 };
 
 /// The same, for whoever knows no lab by name.
 pub static LAB: &dyn Lab = &FRUSTUM;
 
-const fn info<A: SpaceDemo>() -> MethodInfo<Scene> {
-    MethodInfo {
-        lab: &FRUSTUM,
-        siblings: || &METHODS,
-        card: MethodCard::of::<A>(),
-        subject: A::SUBJECT,
-        tells_faces: A::TELLS_FACES,
-        record: A::record,
-        face_fate: A::face_fate,
-        verdict: |scene, about, run| {
-            A::verdict(scene, about, run).or_else(|| verdict(scene, about, run))
-        },
-    }
+const fn info<A: SpaceDemo>() -> MethodInfo {
+    MethodInfo::of::<A>(&FRUSTUM)
 }
 
 /// Every method, in the order in which they are taught; the mistakes last.
-pub static METHODS: [MethodInfo<Scene>; 28] = [
+pub static METHODS: [MethodInfo; 28] = [
     info::<OnScene<PointPlanes>>(),
     info::<OnScene<SphereCull>>(),
     info::<OnScene<BoxCull>>(),

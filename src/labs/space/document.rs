@@ -23,11 +23,7 @@ impl Scene {
 
     /// The method of the same lab with this id.
     fn sibling(&self, id: &str) -> Option<Method> {
-        let siblings = (self.method.info().siblings)();
-        siblings
-            .iter()
-            .find(|info| info.card.id == id)
-            .map(Method::of)
+        self.method.info().lab.method(id)
     }
 
     /// Is a method on stage about this?
@@ -103,7 +99,8 @@ impl Document for Scene {
     }
 
     fn verdict(&self, about: Link, run: &dyn Run) -> Option<Verdict> {
-        (self.method.info().verdict)(self, about, run)
+        let info = self.method.info();
+        (info.verdict)(self, about, run).or_else(|| (info.lab.verdict)(self, about, run))
     }
 
     /// Everything is in the views: what is seen depends on the step.

@@ -3,10 +3,10 @@
 use crate::{
     figure::{Link, Run},
     geom::VolumeSide,
-    labs::{Carded, Lab, MethodCard, Verdict},
+    labs::{Carded, MethodCard, Verdict},
 };
 
-use super::Subject;
+use super::{Scene, SpaceDemo, SpaceLab, Subject};
 
 /// What was asked of a face when its fate was decided.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -31,11 +31,9 @@ pub struct FaceFate {
 }
 
 /// What is known of a method without running it.
-pub struct MethodInfo<S: 'static> {
+pub struct MethodInfo {
     /// Whose it is.
-    pub lab: &'static dyn Lab,
-    /// All methods of that lab.
-    pub siblings: fn() -> &'static [Self],
+    pub lab: &'static SpaceLab,
     /// Names, source and pseudocode.
     pub card: MethodCard,
     /// What it is about.
@@ -43,14 +41,29 @@ pub struct MethodInfo<S: 'static> {
     /// Can it say what became of a face of the object in focus?
     pub tells_faces: bool,
     /// Runs it on a scene.
-    pub record: fn(&S) -> Box<dyn Run>,
+    pub record: fn(&Scene) -> Box<dyn Run>,
     /// The step that decided the fate of a face of the object in focus.
-    pub face_fate: fn(&S, usize) -> Option<FaceFate>,
-    /// What decided the fate of something, in a run of it.
-    pub verdict: fn(&S, Link, &dyn Run) -> Option<Verdict>,
+    pub face_fate: fn(&Scene, usize) -> Option<FaceFate>,
+    /// What decided the fate of something, in a run of it; none where only the lab knows.
+    pub verdict: fn(&Scene, Link, &dyn Run) -> Option<Verdict>,
 }
 
-impl<S> Carded for MethodInfo<S> {
+impl MethodInfo {
+    /// Of a method of this lab.
+    pub(in crate::labs) const fn of<A: SpaceDemo>(lab: &'static SpaceLab) -> Self {
+        Self {
+            lab,
+            card: MethodCard::of::<A>(),
+            subject: A::SUBJECT,
+            tells_faces: A::TELLS_FACES,
+            record: A::record,
+            face_fate: A::face_fate,
+            verdict: A::verdict,
+        }
+    }
+}
+
+impl Carded for MethodInfo {
     fn card(&self) -> &MethodCard {
         &self.card
     }

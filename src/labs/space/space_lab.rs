@@ -1,6 +1,9 @@
 //! A lab in three dimensions.
 
-use crate::labs::{Lab, MethodCard};
+use crate::{
+    figure::{Link, Run},
+    labs::{Lab, MethodCard, Verdict},
+};
 
 use super::{Method, MethodInfo, Scene};
 
@@ -15,9 +18,11 @@ pub struct SpaceLab {
     /// Groups of handles that a lesson can lock.
     pub lock_groups: &'static [&'static str],
     /// Its methods, in the order in which they are taught.
-    pub methods: fn() -> &'static [MethodInfo<Scene>],
+    pub methods: fn() -> &'static [MethodInfo],
     /// What it opens on where there is no lesson.
     pub first_scene: fn() -> Scene,
+    /// Its verdict on what the method that runs has none on.
+    pub verdict: fn(&Scene, Link, &dyn Run) -> Option<Verdict>,
 }
 
 impl SpaceLab {

@@ -12,7 +12,7 @@ use crate::{
     },
     geom::{Mesh, Orbit},
     labs::{
-        Lab, MethodCard,
+        Lab,
         space::{
             MethodInfo, Model, NamedMesh, Object, OnScene, Opening, Scene, SpaceLab, TaughtCamera,
             demo::SpaceDemo,
@@ -30,28 +30,18 @@ pub static SURFACES: SpaceLab = SpaceLab {
     lock_groups: &["camera", "volume", "object"],
     methods: || &METHODS,
     first_scene,
+    verdict,
 };
 
 /// The same, for whoever knows no lab by name.
 pub static LAB: &dyn Lab = &SURFACES;
 
-const fn info<A: SpaceDemo>() -> MethodInfo<Scene> {
-    MethodInfo {
-        lab: &SURFACES,
-        siblings: || &METHODS,
-        card: MethodCard::of::<A>(),
-        subject: A::SUBJECT,
-        tells_faces: A::TELLS_FACES,
-        record: A::record,
-        face_fate: A::face_fate,
-        verdict: |scene, about, run| {
-            A::verdict(scene, about, run).or_else(|| verdict(scene, about))
-        },
-    }
+const fn info<A: SpaceDemo>() -> MethodInfo {
+    MethodInfo::of::<A>(&SURFACES)
 }
 
 /// Every method, in the order in which they are taught; the mistakes last.
-pub static METHODS: [MethodInfo<Scene>; 11] = [
+pub static METHODS: [MethodInfo; 11] = [
     info::<OnScene<DepthBuffer>>(),
     info::<OnScene<RayCasting>>(),
     info::<OnScene<Painter>>(),

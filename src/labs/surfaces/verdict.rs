@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use crate::{
     algo::surface::{DepthBuffer, DepthBufferInput, DepthSteps, Surfaces},
-    figure::{Caption, Link},
+    figure::{Caption, Link, Run},
     labs::{
         Verdict,
         space::{
@@ -18,7 +18,7 @@ use crate::{
 };
 
 /// The verdict on a pixel, of the camera's picture or of the raster; on a face of the object in focus; on an object.
-pub fn verdict(scene: &Scene, about: Link) -> Option<Verdict> {
+pub fn verdict(scene: &Scene, about: Link, _: &dyn Run) -> Option<Verdict> {
     pixel_verdict(scene, about)
         .or_else(|| raster_verdict(scene, about))
         .or_else(|| owner_verdict(scene, about))
@@ -129,7 +129,7 @@ mod tests {
         for method in crate::labs::surfaces::SURFACES.all() {
             scene.method = method;
             let run = (method.info().record)(&scene);
-            let told = |about| (method.info().verdict)(&scene, about, &*run);
+            let told = |about| scene.verdict(about, &*run);
             for about in [face_link(0), object_link(1)] {
                 let key = told(about).map(|verdict| verdict.why.decision.key);
                 assert_eq!(key, Some("owns-some"));

@@ -3,9 +3,13 @@
 
 use std::hint::black_box;
 
-use crate::labs::{
-    frustum::{Culling, CullingTask},
-    space::{Scene, street},
+use crate::{
+    labs::{
+        frustum::{Culling, CullingTask},
+        space::{Scene, street},
+    },
+    panels::space::StreetCosts,
+    text::Message,
 };
 
 /// Streets of so many boxes are measured, to see where the best choice changes.
@@ -14,9 +18,6 @@ pub const SWEEP: [usize; 9] = [1, 3, 10, 30, 100, 300, 1000, 3000, 10_000];
 const SEED: u64 = 1;
 /// Times that each way is taken, of which the fastest counts: what disturbs a measurement only makes it slower.
 const N_PASSES: usize = 5;
-/// Work in one frame, in seconds.
-const SLICE_SECS: f64 = 0.008;
-
 /// What one way costs.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct CullingCost {
@@ -61,24 +62,6 @@ struct Current {
 }
 
 impl CullingCosts {
-    /// Ready to measure a scene.
-    #[must_use]
-    pub fn new(scene: &Scene) -> Self {
-        Self {
-            scene: scene.clone(),
-            street: None,
-            here: None,
-            sweep: Vec::new(),
-            current: None,
-        }
-    }
-
-    /// Are they those of this scene?
-    #[must_use]
-    pub fn are_of(&self, scene: &Scene) -> bool {
-        self.scene.objects() == scene.objects() && self.scene.culler() == scene.culler()
-    }
-
     /// Of how many objects.
     #[must_use]
     pub fn n_objects(&self) -> usize {
@@ -109,45 +92,6 @@ impl CullingCosts {
         &self.sweep
     }
 
-    /// Is there nothing left to do?
-    #[must_use]
-    pub const fn is_done(&self) -> bool {
-        self.here.is_some() && self.sweep.len() == SWEEP.len()
-    }
-
-    /// Works for a slice of a frame.
-    pub fn work(&mut self, clock: &dyn Fn() -> f64) {
-        let start = clock();
-        while !self.is_done() && clock() - start < SLICE_SECS {
-            self.one(clock);
-        }
-    }
-
-    /// The smallest piece of work: a scene made ready, or one way taken once.
-    fn one(&mut self, clock: &dyn Fn() -> f64) {
-        let Some(mut current) = self.current.take() else {
-            self.current = self.next();
-            return;
-        };
-        let idx = current.n_done % Culling::ALL.len();
-        let cost = &mut current.costs[idx];
-        let start = clock();
-        cost.n_kept = black_box(current.task.cull(cost.culling));
-        let culled = clock();
-        cost.n_triangles = black_box(current.task.draw());
-        let drawn = clock();
-        cost.cull_secs = cost.cull_secs.min(culled - start);
-        cost.draw_secs = cost.draw_secs.min(drawn - culled);
-        current.n_done += 1;
-        if current.n_done < N_PASSES * Culling::ALL.len() {
-            self.current = Some(current);
-        } else if current.is_here {
-            self.here = Some(current.costs);
-        } else {
-            self.sweep.push(current.costs);
-        }
-    }
-
     /// What is measured next: what was asked for before the streets.
     fn next(&self) -> Option<Current> {
         let is_here = self.here.is_none();
@@ -174,6 +118,63 @@ impl CullingCosts {
             n_done: 0,
             is_here,
         })
+    }
+}
+
+impl StreetCosts for CullingCosts {
+    const TITLE_KEY: &'static str = "culling-title";
+    const NOTE_KEY: &'static str = "culling-note";
+    const N_STREETS: usize = SWEEP.len();
+
+    fn new(scene: &Scene) -> Self {
+        Self {
+            scene: scene.clone(),
+            street: None,
+            here: None,
+            sweep: Vec::new(),
+            current: None,
+        }
+    }
+
+    fn are_of(&self, scene: &Scene) -> bool {
+        self.scene.objects() == scene.objects() && self.scene.culler() == scene.culler()
+    }
+
+    fn n_known(&self) -> usize {
+        self.sweep.len()
+    }
+
+    fn is_done(&self) -> bool {
+        self.here.is_some() && self.n_known() == Self::N_STREETS
+    }
+
+    /// A scene made ready, or one way taken once.
+    fn one(&mut self, clock: &dyn Fn() -> f64) {
+        let Some(mut current) = self.current.take() else {
+            self.current = self.next();
+            return;
+        };
+        let idx = current.n_done % Culling::ALL.len();
+        let cost = &mut current.costs[idx];
+        let start = clock();
+        cost.n_kept = black_box(current.task.cull(cost.culling));
+        let culled = clock();
+        cost.n_triangles = black_box(current.task.draw());
+        let drawn = clock();
+        cost.cull_secs = cost.cull_secs.min(culled - start);
+        cost.draw_secs = cost.draw_secs.min(drawn - culled);
+        current.n_done += 1;
+        if current.n_done < N_PASSES * Culling::ALL.len() {
+            self.current = Some(current);
+        } else if current.is_here {
+            self.here = Some(current.costs);
+        } else {
+            self.sweep.push(current.costs);
+        }
+    }
+
+    fn about(&self) -> Message {
+        Message::new("culling-about")
     }
 }
 

@@ -1,6 +1,6 @@
 //! What culling costs, as bars of what it takes and what is left to draw, and where the best choice changes.
 
-use egui::{Align2, Color32, ProgressBar, RichText, Slider, Ui};
+use egui::{Align2, Color32, RichText, Slider, Ui};
 use egui_plot::{Bar, BarChart, LineStyle, PlotBounds, PlotPoint, Text};
 
 use crate::{
@@ -13,24 +13,9 @@ use crate::{
 
 use super::culling_costs::{Costs, CullingCost, CullingCosts, SWEEP};
 
-/// What was asked for in the window.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum CullingAsk {
-    /// Close it.
-    Close,
-}
-
-/// The window's content.
-pub fn culling_window(ui: &mut Ui, look: Look<'_>, costs: &mut CullingCosts) -> Option<CullingAsk> {
-    ui.set_max_width(600.0_f32.min(ui.ctx().content_rect().width() - 48.0));
-    ui.label(RichText::new(look.say("culling-title")).heading());
-    ui.label(RichText::new(look.say("culling-about")).color(look.theme.soft));
+/// The scene's costs as bars, the streets' as lines, and which way is the best.
+pub fn culling_view(ui: &mut Ui, look: Look<'_>, costs: &mut CullingCosts, height: f32) {
     objects(ui, look, costs);
-    if !costs.is_done() {
-        let progress = costs.sweep().len() as f32 / SWEEP.len() as f32;
-        ui.add(ProgressBar::new(progress).desired_height(6.0));
-    }
-    let height = (ui.ctx().content_rect().height() - 330.0).clamp(120.0, 380.0);
     if let Some(here) = costs.here() {
         bars(ui, look, here, 0.45 * height);
         ui.label(look.catalog.message(&inequality(look, here)));
@@ -39,10 +24,6 @@ pub fn culling_window(ui: &mut Ui, look: Look<'_>, costs: &mut CullingCosts) -> 
     if let Some(message) = best(costs.sweep()) {
         ui.label(RichText::new(look.catalog.message(&message)).text_style(theme::strong()));
     }
-    let note = RichText::new(look.say("culling-note")).small();
-    ui.label(note.color(look.theme.soft));
-    let is_closed = ui.button(look.say("action-close")).clicked();
-    is_closed.then_some(CullingAsk::Close)
 }
 
 /// Whose costs are measured: the scene's own objects, or a street of as many as are asked for.

@@ -12,16 +12,24 @@ use crate::{
     widgets::Look,
 };
 
-use super::space::{SpaceMenu, add_mesh};
+use super::space::{SpaceMenu, StreetBench, add_mesh};
 
 use culling_costs::CullingCosts;
-use culling_view::{CullingAsk, culling_window};
+use culling_view::culling_view;
 
 /// The lab's part of the window.
-#[derive(Default)]
 pub struct FrustumPanel {
     menu: SpaceMenu,
-    costs: Option<CullingCosts>,
+    costs: StreetBench<CullingCosts>,
+}
+
+impl Default for FrustumPanel {
+    fn default() -> Self {
+        Self {
+            menu: SpaceMenu::default(),
+            costs: StreetBench::new(culling_view),
+        }
+    }
 }
 
 impl LabPanel for FrustumPanel {
@@ -42,31 +50,6 @@ impl LabPanel for FrustumPanel {
     }
 
     fn bench(&mut self) -> Option<&mut dyn Bench> {
-        Some(self)
-    }
-}
-
-impl Bench for FrustumPanel {
-    fn show(&mut self, ui: &mut Ui, look: Look<'_>, scene: &Scene) -> bool {
-        let Some(scene) = scene.get() else {
-            return false;
-        };
-        let fits = self.costs.take().filter(|costs| costs.are_of(scene));
-        let costs = self
-            .costs
-            .insert(fits.unwrap_or_else(|| CullingCosts::new(scene)));
-        let asked = culling_window(ui, look, costs);
-        if !costs.is_done() {
-            ui.ctx().request_repaint();
-        }
-        asked != Some(CullingAsk::Close)
-    }
-
-    fn work(&mut self, clock: &dyn Fn() -> f64) -> bool {
-        let Some(costs) = self.costs.as_mut().filter(|costs| !costs.is_done()) else {
-            return false;
-        };
-        costs.work(clock);
-        true
+        Some(&mut self.costs)
     }
 }

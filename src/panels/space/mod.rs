@@ -2,6 +2,7 @@
 
 mod camera;
 mod objects;
+mod street_bench;
 
 use std::sync::Arc;
 
@@ -16,6 +17,8 @@ use crate::{
     panels::{PanelAsk, Seeded},
     widgets::Look,
 };
+
+pub use street_bench::{StreetBench, StreetCosts};
 
 /// What the menu of such a lab remembers that is no part of the scene.
 pub struct SpaceMenu {

@@ -1,51 +1,29 @@
 //! What it costs to find who is in front, as lines over the number of triangles, and how steep they are.
 
-use egui::{ProgressBar, RichText, Ui};
+use egui::{RichText, Ui};
 use egui_plot::LineStyle;
 
 use crate::{
     labs::surfaces::{SurfaceCounts, fitted_slope},
     paint::theme,
-    panels::{PowerLine, power_plot},
+    panels::{PowerLine, power_plot, space::StreetCosts},
     text::{Message, Value},
     widgets::Look,
 };
 
-use super::surface_costs::{SWEEP, SurfaceCosts};
+use super::surface_costs::SurfaceCosts;
 
-/// What was asked for in the window.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum CostsAsk {
-    /// Close it.
-    Close,
-}
-
-/// The window's content.
-pub fn costs_window(ui: &mut Ui, look: Look<'_>, costs: &SurfaceCosts) -> Option<CostsAsk> {
-    ui.set_max_width(600.0_f32.min(ui.ctx().content_rect().width() - 48.0));
-    ui.label(RichText::new(look.say("surface-costs-title")).heading());
-    let [columns, rows] = costs.size().map(|side| side as usize);
-    let about = Message::new("surface-costs-about")
-        .with("columns", columns)
-        .with("rows", rows);
-    ui.label(RichText::new(look.catalog.message(&about)).color(look.theme.soft));
-    if !costs.is_done() {
-        let progress = costs.sweep().len() as f32 / SWEEP.len() as f32;
-        ui.add(ProgressBar::new(progress).desired_height(6.0));
-    }
-    let height = (ui.ctx().content_rect().height() - 330.0).clamp(120.0, 380.0);
+/// The counts as lines, and once all are known what they tell.
+pub fn costs_view(ui: &mut Ui, look: Look<'_>, costs: &mut SurfaceCosts, height: f32) {
+    let sweep = costs.sweep();
     let axes = ["surface-costs-triangles", "surface-costs-counts"];
-    let lines = lines(look, costs.sweep());
+    let lines = lines(look, sweep);
     power_plot(ui, look, ("surface-costs-lines", axes), height, lines);
     if costs.is_done() {
-        for message in told(costs.sweep()) {
+        for message in told(sweep) {
             ui.label(RichText::new(look.catalog.message(&message)).text_style(theme::strong()));
         }
     }
-    let note = RichText::new(look.say("surface-costs-note")).small();
-    ui.label(note.color(look.theme.soft));
-    let is_closed = ui.button(look.say("action-close")).clicked();
-    is_closed.then_some(CostsAsk::Close)
 }
 
 /// What is counted.

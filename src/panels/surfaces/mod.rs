@@ -13,16 +13,24 @@ use crate::{
     widgets::Look,
 };
 
-use super::space::{SpaceMenu, add_mesh};
+use super::space::{SpaceMenu, StreetBench, add_mesh};
 
-use costs_view::{CostsAsk, costs_window};
+use costs_view::costs_view;
 use surface_costs::SurfaceCosts;
 
 /// The lab's part of the window.
-#[derive(Default)]
 pub struct SurfacesPanel {
     menu: SpaceMenu,
-    costs: Option<SurfaceCosts>,
+    costs: StreetBench<SurfaceCosts>,
+}
+
+impl Default for SurfacesPanel {
+    fn default() -> Self {
+        Self {
+            menu: SpaceMenu::default(),
+            costs: StreetBench::new(costs_view),
+        }
+    }
 }
 
 impl LabPanel for SurfacesPanel {
@@ -45,31 +53,6 @@ impl LabPanel for SurfacesPanel {
     }
 
     fn bench(&mut self) -> Option<&mut dyn Bench> {
-        Some(self)
-    }
-}
-
-impl Bench for SurfacesPanel {
-    fn show(&mut self, ui: &mut Ui, look: Look<'_>, scene: &Scene) -> bool {
-        let Some(scene) = scene.get() else {
-            return false;
-        };
-        let fits = self.costs.take().filter(|costs| costs.are_of(scene));
-        let costs = self
-            .costs
-            .insert(fits.unwrap_or_else(|| SurfaceCosts::new(scene)));
-        let asked = costs_window(ui, look, costs);
-        if !costs.is_done() {
-            ui.ctx().request_repaint();
-        }
-        asked != Some(CostsAsk::Close)
-    }
-
-    fn work(&mut self, clock: &dyn Fn() -> f64) -> bool {
-        let Some(costs) = self.costs.as_mut().filter(|costs| !costs.is_done()) else {
-            return false;
-        };
-        costs.work(clock);
-        true
+        Some(&mut self.costs)
     }
 }

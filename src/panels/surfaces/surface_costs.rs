@@ -1,15 +1,16 @@
 //! What each way to find who is in front costs, counted on streets of more and more triangles, a slice of the work in each frame.
 
-use crate::labs::{
-    space::Scene,
-    surfaces::{SurfaceCounting, SurfaceCounts},
+use crate::{
+    labs::{
+        space::Scene,
+        surfaces::{SurfaceCounting, SurfaceCounts},
+    },
+    panels::space::StreetCosts,
+    text::Message,
 };
 
 /// Streets of so many boxes are counted: of 12 triangles each, from about 10 to about 10,000.
 pub const SWEEP: [usize; 7] = [1, 3, 8, 25, 83, 250, 833];
-/// Work in one frame, in seconds.
-const SLICE_SECS: f64 = 0.008;
-
 /// Counts under way, or done.
 pub struct SurfaceCosts {
     scene: Scene,
@@ -18,26 +19,6 @@ pub struct SurfaceCosts {
 }
 
 impl SurfaceCosts {
-    /// Ready to count on a scene's raster.
-    #[must_use]
-    pub fn new(scene: &Scene) -> Self {
-        Self {
-            scene: scene.clone(),
-            sweep: Vec::new(),
-            current: None,
-        }
-    }
-
-    /// Are they those of this scene's raster?
-    #[must_use]
-    pub fn are_of(&self, scene: &Scene) -> bool {
-        let raster = |scene: &Scene| {
-            let size = scene.raster.size(scene.camera.aspect());
-            (size, scene.raster.culls_backs)
-        };
-        raster(&self.scene) == raster(scene)
-    }
-
     /// Columns and rows.
     #[must_use]
     pub fn size(&self) -> [u32; 2] {
@@ -49,27 +30,52 @@ impl SurfaceCosts {
     pub fn sweep(&self) -> &[SurfaceCounts] {
         &self.sweep
     }
+}
 
-    /// Is there nothing left to do?
-    #[must_use]
-    pub const fn is_done(&self) -> bool {
-        self.sweep.len() == SWEEP.len()
+impl StreetCosts for SurfaceCosts {
+    const TITLE_KEY: &'static str = "surface-costs-title";
+    const NOTE_KEY: &'static str = "surface-costs-note";
+    const N_STREETS: usize = SWEEP.len();
+
+    fn new(scene: &Scene) -> Self {
+        Self {
+            scene: scene.clone(),
+            sweep: Vec::new(),
+            current: None,
+        }
     }
 
-    /// Works for a slice of a frame.
-    pub fn work(&mut self, clock: &dyn Fn() -> f64) {
-        let start = clock();
-        while !self.is_done() && clock() - start < SLICE_SECS {
-            let n_boxes = SWEEP[self.sweep.len()];
-            let Some(current) = &mut self.current else {
-                self.current = SurfaceCounting::new(&self.scene, n_boxes).ok();
-                continue;
-            };
-            if let Some(counts) = current.work() {
-                self.sweep.push(counts);
-                self.current = None;
-            }
+    /// Of this scene's raster, whatever is in it.
+    fn are_of(&self, scene: &Scene) -> bool {
+        let raster = |scene: &Scene| {
+            let size = scene.raster.size(scene.camera.aspect());
+            (size, scene.raster.culls_backs)
+        };
+        raster(&self.scene) == raster(scene)
+    }
+
+    fn n_known(&self) -> usize {
+        self.sweep.len()
+    }
+
+    /// A street made ready, or a part of its counts.
+    fn one(&mut self, _: &dyn Fn() -> f64) {
+        let n_boxes = SWEEP[self.sweep.len()];
+        let Some(current) = &mut self.current else {
+            self.current = SurfaceCounting::new(&self.scene, n_boxes).ok();
+            return;
+        };
+        if let Some(counts) = current.work() {
+            self.sweep.push(counts);
+            self.current = None;
         }
+    }
+
+    fn about(&self) -> Message {
+        let [columns, rows] = self.size().map(|side| side as usize);
+        Message::new("surface-costs-about")
+            .with("columns", columns)
+            .with("rows", rows)
     }
 }
 

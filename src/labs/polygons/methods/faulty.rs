@@ -6,14 +6,14 @@ use crate::{
         CutsTwice, DropsOnBorder, EndFirst, Faulty, KeepsUv, LeavesOpen, WalksClockwise,
     },
     geom::Point,
-    labs::{code_line, crossing_formulas::Weights},
+    labs::{but_for, crossing_formulas::Weights},
     text::Formula,
 };
 
 use super::{
     clip_edge::EdgeLook,
     skin::{LabVertex, Named},
-    variant::{EACH, EDGES, IN_OUT, OUT_IN, Pseudocode, Variant, but_for},
+    variant::{CODE, EACH, EDGES, IN_OUT, OUT_IN, Pseudocode, Variant},
 };
 
 /// Takes a vertex on the border for outside.
@@ -36,18 +36,17 @@ impl Variant for DropsOnBorder {
         is_strict: true,
         ..EdgeLook::RIGHT
     };
-    const CODE: Pseudocode = but_for([(
-        EACH,
-        code_line(0, "code-faulty-on-border", "words-faulty-on-border"),
-    )]);
+    const CODE: Pseudocode = but_for(
+        CODE,
+        [(EACH, "code-faulty-on-border", "words-faulty-on-border")],
+    );
     const DIFFERS_KEY: Option<&'static str> = Some("faulty-on-border-differs");
 }
 
 impl Variant for LeavesOpen {
     const ID: &'static str = "faulty-open";
     const NAME_KEY: &'static str = "alg-faulty-open";
-    const CODE: Pseudocode =
-        but_for([(EDGES, code_line(1, "code-faulty-open", "words-faulty-open"))]);
+    const CODE: Pseudocode = but_for(CODE, [(EDGES, "code-faulty-open", "words-faulty-open")]);
     const DIFFERS_KEY: Option<&'static str> = Some("faulty-open-differs");
 }
 
@@ -58,36 +57,33 @@ impl Variant for WalksClockwise {
         is_flipped: true,
         ..EdgeLook::RIGHT
     };
-    const CODE: Pseudocode = but_for([(
-        EACH,
-        code_line(0, "code-faulty-clockwise", "words-faulty-clockwise"),
-    )]);
+    const CODE: Pseudocode = but_for(
+        CODE,
+        [(EACH, "code-faulty-clockwise", "words-faulty-clockwise")],
+    );
     const DIFFERS_KEY: Option<&'static str> = Some("faulty-clockwise-differs");
 }
 
 impl Variant for CutsTwice {
     const ID: &'static str = "faulty-twice";
     const NAME_KEY: &'static str = "alg-faulty-twice";
-    const CODE: Pseudocode = but_for([
-        (
-            IN_OUT,
-            code_line(2, "code-faulty-twice-out", "words-faulty-twice-out"),
-        ),
-        (
-            OUT_IN,
-            code_line(2, "code-faulty-twice-in", "words-faulty-twice-in"),
-        ),
-    ]);
+    const CODE: Pseudocode = but_for(
+        CODE,
+        [
+            (IN_OUT, "code-faulty-twice-out", "words-faulty-twice-out"),
+            (OUT_IN, "code-faulty-twice-in", "words-faulty-twice-in"),
+        ],
+    );
     const DIFFERS_KEY: Option<&'static str> = Some("faulty-twice-differs");
 }
 
 impl Variant for EndFirst {
     const ID: &'static str = "faulty-end-first";
     const NAME_KEY: &'static str = "alg-faulty-end-first";
-    const CODE: Pseudocode = but_for([(
-        OUT_IN,
-        code_line(2, "code-faulty-end-first", "words-faulty-end-first"),
-    )]);
+    const CODE: Pseudocode = but_for(
+        CODE,
+        [(OUT_IN, "code-faulty-end-first", "words-faulty-end-first")],
+    );
     const DIFFERS_KEY: Option<&'static str> = Some("faulty-end-first-differs");
 }
 

@@ -32,17 +32,6 @@ pub const CODE: Pseudocode = [
     code_line(1, "code-sh-pass", "words-sh-pass"),
 ];
 
-/// The right pseudocode with other lines in some places.
-pub const fn but_for<const N: usize>(others: [(usize, CodeLine); N]) -> Pseudocode {
-    let mut lines = CODE;
-    let mut i = 0;
-    while i < N {
-        lines[others[i].0] = others[i].1;
-        i += 1;
-    }
-    lines
-}
-
 /// Rules that can be shown: the right ones, or some with a mistake.
 pub trait Variant: Rules + 'static {
     /// As JSON spells the method.

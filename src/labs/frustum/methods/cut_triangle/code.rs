@@ -62,14 +62,3 @@ pub const HOMOGENEOUS: [CodeLine; 6] = [
     code_line(1, "code-ht-cross", "words-ht-cross"),
     code_line(0, "code-ht-fan", "words-ht-fan"),
 ];
-
-/// Right pseudocode with another line in one place.
-pub const fn but_for<const N: usize>(
-    mut lines: [CodeLine; N],
-    place: usize,
-    code: &'static str,
-    words: &'static str,
-) -> [CodeLine; N] {
-    lines[place] = code_line(lines[place].depth, code, words);
-    lines
-}

@@ -4,11 +4,11 @@ use crate::{
     algo::volume::faulty::{
         AllSides, DividesFirst, DropsOnPlane, EdgeByEdge, KeepsPlaceInTexture, MissesEdge,
     },
-    labs::CodeLine,
+    labs::{CodeLine, but_for},
 };
 
 use super::{
-    code::{HOMOGENEOUS, ONE_BY_ONE, ONE_POLYGON, but_for, homogeneous, one_by_one, polygon},
+    code::{HOMOGENEOUS, ONE_BY_ONE, ONE_POLYGON, homogeneous, one_by_one, polygon},
     variant::{Homogeneous, OneByOne, OnePolygon, Variant},
 };
 
@@ -17,9 +17,11 @@ impl Variant<OneByOne> for MissesEdge {
     const NAME_KEY: &'static str = "alg-faulty-missed-edge";
     const CODE: &'static [CodeLine] = &but_for(
         ONE_BY_ONE,
-        one_by_one::ONE,
-        "code-faulty-missed-edge",
-        "words-faulty-missed-edge",
+        [(
+            one_by_one::ONE,
+            "code-faulty-missed-edge",
+            "words-faulty-missed-edge",
+        )],
     );
     const DIFFERS_KEY: Option<&'static str> = Some("faulty-missed-edge-differs");
 }
@@ -29,9 +31,11 @@ impl Variant<OnePolygon> for DropsOnPlane {
     const NAME_KEY: &'static str = "alg-faulty-on-plane";
     const CODE: &'static [CodeLine] = &but_for(
         ONE_POLYGON,
-        polygon::INSIDE,
-        "code-faulty-on-plane",
-        "words-faulty-on-plane",
+        [(
+            polygon::INSIDE,
+            "code-faulty-on-plane",
+            "words-faulty-on-plane",
+        )],
     );
     const DIFFERS_KEY: Option<&'static str> = Some("faulty-on-plane-differs");
 }
@@ -41,9 +45,11 @@ impl Variant<OnePolygon> for KeepsPlaceInTexture {
     const NAME_KEY: &'static str = "alg-faulty-kept-uv";
     const CODE: &'static [CodeLine] = &but_for(
         ONE_POLYGON,
-        polygon::CROSS,
-        "code-faulty-kept-uv",
-        "words-faulty-kept-uv",
+        [(
+            polygon::CROSS,
+            "code-faulty-kept-uv",
+            "words-faulty-kept-uv",
+        )],
     );
     const DIFFERS_KEY: Option<&'static str> = Some("faulty-kept-uv-differs");
     const IS_TEXTURED: bool = true;
@@ -54,9 +60,11 @@ impl Variant<OnePolygon> for EdgeByEdge {
     const NAME_KEY: &'static str = "alg-faulty-edge-by-edge";
     const CODE: &'static [CodeLine] = &but_for(
         ONE_POLYGON,
-        polygon::EACH,
-        "code-faulty-edge-by-edge",
-        "words-faulty-edge-by-edge",
+        [(
+            polygon::EACH,
+            "code-faulty-edge-by-edge",
+            "words-faulty-edge-by-edge",
+        )],
     );
     const DIFFERS_KEY: Option<&'static str> = Some("faulty-edge-by-edge-differs");
 }
@@ -66,9 +74,11 @@ impl Variant<Homogeneous> for AllSides {
     const NAME_KEY: &'static str = "alg-faulty-all-sides";
     const CODE: &'static [CodeLine] = &but_for(
         HOMOGENEOUS,
-        homogeneous::EACH,
-        "code-faulty-all-sides",
-        "words-faulty-all-sides",
+        [(
+            homogeneous::EACH,
+            "code-faulty-all-sides",
+            "words-faulty-all-sides",
+        )],
     );
     const DIFFERS_KEY: Option<&'static str> = Some("faulty-all-sides-differs");
 }
@@ -78,9 +88,11 @@ impl Variant<Homogeneous> for DividesFirst {
     const NAME_KEY: &'static str = "alg-faulty-divided-triangle";
     const CODE: &'static [CodeLine] = &but_for(
         HOMOGENEOUS,
-        homogeneous::CODES,
-        "code-faulty-divided-triangle",
-        "words-faulty-divided-triangle",
+        [(
+            homogeneous::CODES,
+            "code-faulty-divided-triangle",
+            "words-faulty-divided-triangle",
+        )],
     );
     const DIFFERS_KEY: Option<&'static str> = Some("faulty-divided-triangle-differs");
 }

@@ -5,12 +5,12 @@ use crate::{
         ring::{Right, Rules},
         volume::{SpaceVertex, TrianglePlanes, VolumeRules},
     },
-    labs::CodeLine,
+    labs::{CodeLine, but_for},
 };
 
 use super::{
     super::super::Scene,
-    code::{HOMOGENEOUS, ONE_BY_ONE, ONE_POLYGON, but_for, polygon},
+    code::{HOMOGENEOUS, ONE_BY_ONE, ONE_POLYGON, polygon},
 };
 
 /// Triangle by triangle.
@@ -82,9 +82,11 @@ impl Variant<OnePolygon> for EvenOnScreen {
     const NAME_KEY: &'static str = "alg-undivided-texture";
     const CODE: &'static [CodeLine] = &but_for(
         ONE_POLYGON,
-        polygon::FAN,
-        "code-undivided-texture",
-        "words-undivided-texture",
+        [(
+            polygon::FAN,
+            "code-undivided-texture",
+            "words-undivided-texture",
+        )],
     );
     const IS_TEXTURED: bool = true;
     const IS_EVEN_ON_SCREEN: bool = true;

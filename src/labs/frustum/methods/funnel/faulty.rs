@@ -2,17 +2,17 @@
 
 use crate::{
     algo::cull::faulty::{AroundOrigin, Clockwise, ConstantView, OneAngle, TurnsSign},
-    labs::code_line,
+    labs::but_for,
 };
 
-use super::variant::{CULL, FACE, PLANE, Pseudocode, SPHERE, Variant, but_for};
+use super::variant::{CODE, CULL, FACE, PLANE, Pseudocode, SPHERE, Variant};
 
 impl Variant for OneAngle {
     const ID: &'static str = "faulty-one-angle";
     const NAME_KEY: &'static str = "alg-faulty-one-angle";
     const CODE: Pseudocode = but_for(
-        PLANE,
-        code_line(1, "code-faulty-one-angle", "words-faulty-one-angle"),
+        CODE,
+        [(PLANE, "code-faulty-one-angle", "words-faulty-one-angle")],
     );
     const DIFFERS_KEY: Option<&'static str> = Some("faulty-one-angle-differs");
 }
@@ -21,8 +21,8 @@ impl Variant for TurnsSign {
     const ID: &'static str = "faulty-turned-sign";
     const NAME_KEY: &'static str = "alg-faulty-turned-sign";
     const CODE: Pseudocode = but_for(
-        CULL,
-        code_line(2, "code-faulty-turned-sign", "words-faulty-turned-sign"),
+        CODE,
+        [(CULL, "code-faulty-turned-sign", "words-faulty-turned-sign")],
     );
     const DIFFERS_KEY: Option<&'static str> = Some("faulty-turned-sign-differs");
 }
@@ -31,8 +31,12 @@ impl Variant for AroundOrigin {
     const ID: &'static str = "faulty-around-origin";
     const NAME_KEY: &'static str = "alg-faulty-around-origin";
     const CODE: Pseudocode = but_for(
-        SPHERE,
-        code_line(1, "code-faulty-around-origin", "words-faulty-around-origin"),
+        CODE,
+        [(
+            SPHERE,
+            "code-faulty-around-origin",
+            "words-faulty-around-origin",
+        )],
     );
     const DIFFERS_KEY: Option<&'static str> = Some("faulty-around-origin-differs");
 }
@@ -41,8 +45,8 @@ impl Variant for Clockwise {
     const ID: &'static str = "faulty-winding";
     const NAME_KEY: &'static str = "alg-faulty-winding";
     const CODE: Pseudocode = but_for(
-        FACE,
-        code_line(1, "code-faulty-winding", "words-faulty-winding"),
+        CODE,
+        [(FACE, "code-faulty-winding", "words-faulty-winding")],
     );
     const DIFFERS_KEY: Option<&'static str> = Some("faulty-winding-differs");
 }
@@ -51,8 +55,12 @@ impl Variant for ConstantView {
     const ID: &'static str = "faulty-constant-view";
     const NAME_KEY: &'static str = "alg-faulty-constant-view";
     const CODE: Pseudocode = but_for(
-        FACE,
-        code_line(1, "code-faulty-constant-view", "words-faulty-constant-view"),
+        CODE,
+        [(
+            FACE,
+            "code-faulty-constant-view",
+            "words-faulty-constant-view",
+        )],
     );
     const DIFFERS_KEY: Option<&'static str> = Some("faulty-constant-view-differs");
 }

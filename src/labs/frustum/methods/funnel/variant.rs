@@ -30,13 +30,6 @@ pub const CODE: Pseudocode = [
     code_line(0, "code-funnel-draw", "words-funnel-draw"),
 ];
 
-/// The right pseudocode with another line in one place.
-pub const fn but_for(place: usize, line: CodeLine) -> Pseudocode {
-    let mut lines = CODE;
-    lines[place] = line;
-    lines
-}
-
 /// Rules that can be shown: the right ones, or some with a mistake.
 pub trait Variant: 'static {
     /// As lesson files spell the method.

@@ -2,23 +2,20 @@
 
 use crate::{
     algo::volume::{ClipSpace, faulty::DividesFirst},
-    labs::{CodeLine, code_line},
+    labs::{CodeLine, but_for},
 };
 
 use super::{
     look::Variant,
-    variants::{HOMOGENEOUS, Pseudocode, START},
-};
-
-const CODE: Pseudocode = {
-    let mut lines = HOMOGENEOUS;
-    lines[START] = code_line(0, "code-faulty-divide", "words-faulty-divide");
-    lines
+    variants::{HOMOGENEOUS, START},
 };
 
 impl Variant<4, ClipSpace> for DividesFirst {
     const ID: &'static str = "faulty-divide-first";
     const NAME_KEY: &'static str = "alg-faulty-divide-first";
-    const CODE: &'static [CodeLine] = &CODE;
+    const CODE: &'static [CodeLine] = &but_for(
+        HOMOGENEOUS,
+        [(START, "code-faulty-divide", "words-faulty-divide")],
+    );
     const DIFFERS_KEY: Option<&'static str> = Some("faulty-divide-first-differs");
 }

@@ -8,7 +8,7 @@ use crate::{
             faulty::{ClearsToNear, StraightDistance, TurnsComparison, WritesAlways},
         },
     },
-    labs::{CodeLine, code_line},
+    labs::{CodeLine, but_for, code_line},
 };
 
 pub const CLEAR: usize = 0;
@@ -28,12 +28,6 @@ const RIGHT: Pseudocode = [
     code_line(3, "code-depth-write", "words-depth-write"),
 ];
 
-const fn but_for(line: usize, wrong: CodeLine) -> Pseudocode {
-    let mut lines = RIGHT;
-    lines[line] = wrong;
-    lines
-}
-
 /// The depth buffer by some rules.
 pub trait Variant: SurfaceRules {
     const ID: &'static str;
@@ -52,8 +46,8 @@ impl Variant for ClearsToNear {
     const ID: &'static str = "faulty-depth-clear";
     const NAME_KEY: &'static str = "alg-faulty-depth-clear";
     const CODE: &'static [CodeLine] = &but_for(
-        CLEAR,
-        code_line(0, "code-faulty-depth-clear", "words-faulty-depth-clear"),
+        RIGHT,
+        [(CLEAR, "code-faulty-depth-clear", "words-faulty-depth-clear")],
     );
     const DIFFERS_KEY: Option<&'static str> = Some("faulty-depth-clear-differs");
 }
@@ -62,8 +56,12 @@ impl Variant for TurnsComparison {
     const ID: &'static str = "faulty-depth-compare";
     const NAME_KEY: &'static str = "alg-faulty-depth-compare";
     const CODE: &'static [CodeLine] = &but_for(
-        COMPARE,
-        code_line(2, "code-faulty-depth-compare", "words-faulty-depth-compare"),
+        RIGHT,
+        [(
+            COMPARE,
+            "code-faulty-depth-compare",
+            "words-faulty-depth-compare",
+        )],
     );
     const DIFFERS_KEY: Option<&'static str> = Some("faulty-depth-compare-differs");
 }
@@ -72,8 +70,12 @@ impl Variant for WritesAlways {
     const ID: &'static str = "faulty-depth-always";
     const NAME_KEY: &'static str = "alg-faulty-depth-always";
     const CODE: &'static [CodeLine] = &but_for(
-        COMPARE,
-        code_line(2, "code-faulty-depth-always", "words-faulty-depth-always"),
+        RIGHT,
+        [(
+            COMPARE,
+            "code-faulty-depth-always",
+            "words-faulty-depth-always",
+        )],
     );
     const DIFFERS_KEY: Option<&'static str> = Some("faulty-depth-always-differs");
 }
@@ -82,12 +84,12 @@ impl Variant for StraightDistance {
     const ID: &'static str = "faulty-depth-straight";
     const NAME_KEY: &'static str = "alg-faulty-depth-straight";
     const CODE: &'static [CodeLine] = &but_for(
-        FRAGMENT,
-        code_line(
-            1,
+        RIGHT,
+        [(
+            FRAGMENT,
             "code-faulty-depth-straight",
             "words-faulty-depth-straight",
-        ),
+        )],
     );
     const DIFFERS_KEY: Option<&'static str> = Some("faulty-depth-straight-differs");
 }

@@ -8,7 +8,7 @@ use crate::{
             faulty::{KeysOnly, NearestKeys},
         },
     },
-    labs::{CodeLine, code_line},
+    labs::{CodeLine, but_for, code_line},
 };
 
 pub const KEY: usize = 0;
@@ -32,12 +32,6 @@ const RIGHT: Pseudocode = [
     code_line(0, "code-paint-paint", "words-paint-paint"),
 ];
 
-const fn but_for(line: usize, wrong: CodeLine) -> Pseudocode {
-    let mut lines = RIGHT;
-    lines[line] = wrong;
-    lines
-}
-
 /// Painter's algorithm by some rules.
 pub trait Variant: SurfaceRules {
     const ID: &'static str;
@@ -56,12 +50,12 @@ impl Variant for NearestKeys {
     const ID: &'static str = "faulty-painter-nearest";
     const NAME_KEY: &'static str = "alg-faulty-painter-nearest";
     const CODE: &'static [CodeLine] = &but_for(
-        KEY,
-        code_line(
-            0,
+        RIGHT,
+        [(
+            KEY,
             "code-faulty-painter-nearest",
             "words-faulty-painter-nearest",
-        ),
+        )],
     );
     const DIFFERS_KEY: Option<&'static str> = Some("faulty-painter-nearest-differs");
 }
@@ -70,8 +64,8 @@ impl Variant for KeysOnly {
     const ID: &'static str = "faulty-painter-keys";
     const NAME_KEY: &'static str = "alg-faulty-painter-keys";
     const CODE: &'static [CodeLine] = &but_for(
-        ASK,
-        code_line(0, "code-faulty-painter-keys", "words-faulty-painter-keys"),
+        RIGHT,
+        [(ASK, "code-faulty-painter-keys", "words-faulty-painter-keys")],
     );
     const DIFFERS_KEY: Option<&'static str> = Some("faulty-painter-keys-differs");
 }
