@@ -25,8 +25,10 @@ const REACH: u32 = 120;
 /// In a scene of more faces nothing else is looked for: it would take too long.
 const MOST_FACES: usize = 2000;
 
-/// To the right, to the left, down, up.
-const DIRECTIONS: [([i64; 2], &str); 4] = [
+/// One pixel further, and the catalogue key of where that is.
+type Direction = ([i32; 2], &'static str);
+
+const DIRECTIONS: [Direction; 4] = [
     ([1, 0], "pixel-right"),
     ([-1, 0], "pixel-left"),
     ([0, 1], "pixel-down"),
@@ -47,12 +49,9 @@ pub fn pixel_link(scene: &Scene, [x, y]: [f64; 2]) -> Link {
 /// The pixel that a link is about.
 fn pixel_of(scene: &Scene, about: Link) -> Option<[u32; 2]> {
     let [width, height] = picture_size(scene);
-    let is_it = |[column, row]: [u32; 2]| {
-        Link::nth("pixel", row as usize * STRIDE + column as usize) == about
-    };
     let nth = about.number_of("pixel")?;
     let pixel = [(nth % STRIDE) as u32, (nth / STRIDE) as u32];
-    (pixel[0] < width && pixel[1] < height && is_it(pixel)).then_some(pixel)
+    (pixel[0] < width && pixel[1] < height).then_some(pixel)
 }
 
 fn picture_size(scene: &Scene) -> [u32; 2] {
@@ -129,37 +128,55 @@ fn other_beside(
     if input.order.len() > MOST_FACES {
         return None;
     }
-    let [by, key, other] = shift(input, pixel, seen)?;
-    let (_, key) = DIRECTIONS[key as usize];
-    let direction = Value::Term(key);
-    let message = match u32::try_from(other) {
-        Ok(id) => told_of(scene, id, Message::new("pixel-other")),
-        Err(_) => Message::new("pixel-other-nothing"),
+    let shift = shift(input, pixel, seen)?;
+    let message = match shift.seen {
+        Some(id) => told_of(scene, id, Message::new("pixel-other")),
+        None => Message::new("pixel-other-nothing"),
     };
-    Some(
-        message
-            .with("count", by as usize)
-            .with("direction", direction),
-    )
+    let (_, direction) = shift.direction;
+    let message = message.with("count", shift.by as usize);
+    Some(message.with("direction", Value::Term(direction)))
 }
 
-/// By how many pixels, in which direction, and what is seen there: −1 for nothing.
-fn shift(input: &DepthBufferInput, [column, row]: [u32; 2], seen: Option<u32>) -> Option<[i64; 3]> {
-    let [width, height] = input.surfaces.size().map(i64::from);
-    for by in 1..=i64::from(REACH) {
-        for (direction, ([dx, dy], _)) in (0..).zip(DIRECTIONS) {
-            let at = [i64::from(column) + dx * by, i64::from(row) + dy * by];
-            if !(0..width).contains(&at[0]) || !(0..height).contains(&at[1]) {
+/// Where something else is seen.
+struct Shift {
+    by: u32,
+    direction: Direction,
+    seen: Option<u32>,
+}
+
+/// The triangle that is seen at a pixel.
+fn seen_at(input: &DepthBufferInput, pixel: [u32; 2]) -> Option<u32> {
+    let story = pixel_story::<Right>(input, pixel);
+    story.iter().rfind(|fragment| fragment.kept).map(|it| it.id)
+}
+
+/// The nearest pixel straight beside one where something else is seen than at it.
+fn shift(input: &DepthBufferInput, pixel: [u32; 2], seen: Option<u32>) -> Option<Shift> {
+    let size = input.surfaces.size();
+    for by in 1..=REACH {
+        for direction in DIRECTIONS {
+            let moved = moved(pixel, direction, by);
+            let inside = |i: usize| moved[i].filter(|&at| at < size[i]);
+            let (Some(column), Some(row)) = (inside(0), inside(1)) else {
                 continue;
-            }
-            let story = pixel_story::<Right>(input, at.map(|x| x as u32));
-            let there = story.iter().rfind(|fragment| fragment.kept).map(|it| it.id);
+            };
+            let there = seen_at(input, [column, row]);
             if there != seen {
-                return Some([by, direction, there.map_or(-1, i64::from)]);
+                return Some(Shift {
+                    by,
+                    direction,
+                    seen: there,
+                });
             }
         }
     }
     None
+}
+
+/// A pixel moved by so many; none where it would be left of or above all.
+fn moved(pixel: [u32; 2], (steps, _): Direction, by: u32) -> [Option<u32>; 2] {
+    std::array::from_fn(|i| pixel[i].checked_add_signed(steps[i] * by as i32))
 }
 
 #[cfg(test)]
@@ -172,24 +189,19 @@ mod tests {
         let scene = first_scene();
         let size = picture_size(&scene);
         let input = DepthBufferInput::new(surfaces_of(&scene, size));
-        let seen_at = |pixel: [u32; 2]| {
-            let story = pixel_story::<Right>(&input, pixel);
-            story.iter().rfind(|fragment| fragment.kept).map(|it| it.id)
-        };
         let mut n_shifted = 0;
         for pixel in (0..12).map(|i| [size[0] * (2 * i + 1) / 24, size[1] / 2]) {
-            let seen = seen_at(pixel);
-            let Some([by, direction, other]) = shift(&input, pixel, seen) else {
+            let seen = seen_at(&input, pixel);
+            let Some(shift) = shift(&input, pixel, seen) else {
                 continue;
             };
-            let ([dx, dy], _) = DIRECTIONS[direction as usize];
-            let moved = |by: i64| {
-                let along = |at: u32, d: i64| (i64::from(at) + d * by) as u32;
-                seen_at([along(pixel[0], dx), along(pixel[1], dy)])
+            let after = |by: u32| {
+                let at = moved(pixel, shift.direction, by);
+                seen_at(&input, at.map(|x| x.expect("inside")))
             };
-            assert_eq!(moved(by).map_or(-1, i64::from), other);
-            assert_ne!(moved(by), seen);
-            assert_eq!(moved(by - 1), seen);
+            assert_eq!(after(shift.by), shift.seen);
+            assert_ne!(after(shift.by), seen);
+            assert_eq!(after(shift.by - 1), seen);
             n_shifted += 1;
         }
         assert!(n_shifted > 6);

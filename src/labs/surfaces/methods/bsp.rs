@@ -17,16 +17,14 @@ use crate::{
     labs::{
         Answer, CodeLine, Demo, Step, code_line,
         space::{
-            OnScene, OnSceneInput, Scene, Subject,
-            demo::SpaceDemo,
-            soup::{place_of, surfaces_on_raster},
-            stage::{FaceLook, Fate},
+            OnScene, OnSceneInput, Scene, Subject, demo::SpaceDemo, soup::surfaces_on_raster,
+            stage::Fate,
         },
     },
-    text::{Message, Value},
+    text::Value,
 };
 
-use super::on_raster::{lettered, outline, pixels};
+use super::on_raster::{faces, lettered, name_of, outline, pixels};
 use captions::Input;
 
 type Shown = OnScene<Bsp>;
@@ -111,14 +109,7 @@ impl Demo for Shown {
             return Vec::new();
         };
         let scene = scenery.scene();
-        let own = own(step).and_then(|id| place_of(scene, id));
-        let look = |object: usize, face: usize| {
-            if own == Some([object, face]) {
-                FaceLook::Own(Role::Accent)
-            } else {
-                FaceLook::Whole
-            }
-        };
+        let look = faces([(own(step), Role::Accent)], scene);
         let marks = marks(step, scene.camera.camera());
         let mut views = vec![
             scenery.observer_with(|_| Fate::ToCome, look, marks),
@@ -206,9 +197,6 @@ fn in_its_plane(triangle: &[[f64; 3]; 3]) -> [[f64; 3]; 4] {
 fn raster(step: &Step<'_, Shown>) -> Raster {
     let surfaces = step.input.own.surfaces();
     let [columns, rows] = surfaces.size().map(|side| side as usize);
-    let title = Message::new("raster-rays")
-        .with("columns", columns)
-        .with("rows", rows);
     let own = own(step);
     let picture = &step.state.so_far.picture;
     let others = surfaces
@@ -222,12 +210,12 @@ fn raster(step: &Step<'_, Shown>) -> Raster {
             .flat_map(|id| outline(surfaces, id, Role::Accent)),
     );
     Raster {
-        title: Value::Message(title),
+        title: Value::Term("raster-so-far"),
         size: [columns, rows],
         pixels: pixels(
             picture,
             own,
-            lettered(picture, |id| captions::name_of(step.input, id)),
+            lettered(picture, |id| name_of(step.input, id)),
         ),
         current: None,
         over,

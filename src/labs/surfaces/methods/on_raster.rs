@@ -4,11 +4,16 @@ use std::collections::{BTreeMap, HashMap};
 
 use crate::{
     algo::{
-        surface::{DepthBuffer, DepthBufferInput, DepthSteps, Picture, Rays, Surfaces},
+        surface::{DepthBuffer, DepthBufferInput, Picture, Rays, Surfaces},
         volume::{ClipSpace, ClipVertex, HomogeneousLine, HomogeneousTriangle, LineInput},
     },
     figure::{Mark3, Pixel, RasterMark, RasterShape, Role, Shape3},
     geom::Camera,
+    labs::space::{
+        OnSceneInput, Scene,
+        soup::{place_of, surface_name},
+        stage::{FaceLook, Scenery},
+    },
     text::{Formula, Message, Value},
     trace::silent,
 };
@@ -28,6 +33,26 @@ pub fn pixel_formula(pixel: [u32; 2]) -> Formula {
 pub fn depth_list(depths: &[f64]) -> Vec<Option<f64>> {
     let depth = |&depth: &f64| depth.is_finite().then_some(depth);
     depths.iter().map(depth).collect()
+}
+
+/// What a triangle is called: `A₇`, or its number where there is no scene.
+pub fn name_of<I>(input: &OnSceneInput<I>, id: u32) -> Value {
+    let scenery = input.scenery.as_deref();
+    surface_name(scenery.map(Scenery::scene), id)
+}
+
+/// How faces look in space where some triangles stand out: the first that is named counts.
+pub fn faces<const N: usize>(
+    marked: [(Option<u32>, Role); N],
+    scene: &Scene,
+) -> impl Fn(usize, usize) -> FaceLook {
+    let marked = marked.map(|(id, role)| (id.and_then(|id| place_of(scene, id)), role));
+    move |object, face| {
+        let own = marked
+            .iter()
+            .find(|(place, _)| *place == Some([object, face]));
+        own.map_or(FaceLook::Whole, |&(_, role)| FaceLook::Own(role))
+    }
 }
 
 /// The picture so far; `own` is the triangle that the step is about, `value` what a pixel says of itself.
@@ -140,10 +165,7 @@ pub fn titled(title: Value, n_wrong: usize) -> Value {
 
 /// A cross on each pixel that shows another surface than the one in front, by a depth buffer that rounds nothing.
 pub fn wrong_pixels(surfaces: &Surfaces, picture: &Picture) -> Vec<RasterMark> {
-    let truth = silent::<DepthBuffer>(&DepthBufferInput {
-        steps: DepthSteps::Triangles,
-        ..DepthBufferInput::new(surfaces.clone())
-    });
+    let truth = silent::<DepthBuffer>(&DepthBufferInput::new(surfaces.clone()));
     let [width, _] = surfaces.size().map(|side| side as usize);
     let pairs = picture.ids().iter().zip(truth.picture.ids()).enumerate();
     let wrong = pairs.filter(|(_, (shown, seen))| shown != seen);

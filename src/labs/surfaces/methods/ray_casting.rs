@@ -12,18 +12,13 @@ use crate::{
     figure::{Caption, Tick, View, Watch, WatchRow, WatchSection},
     labs::{
         Answer, CodeLine, Demo, Step, code_line,
-        space::stage::Scenery,
-        space::{
-            OnScene, OnSceneInput, Scene, Subject,
-            demo::SpaceDemo,
-            soup::{surface_name, surfaces_on_raster},
-        },
+        space::{OnScene, OnSceneInput, Scene, Subject, demo::SpaceDemo, soup::surfaces_on_raster},
         words::name,
     },
     text::{Formula, Message, Value},
 };
 
-use super::on_raster::{depth_list, pixel_formula};
+use super::on_raster::{depth_list, name_of, pixel_formula};
 
 type Input = OnSceneInput<RayCastingInput>;
 type Shown = OnScene<RayCasting>;
@@ -52,11 +47,6 @@ impl SpaceDemo for Shown {
         let pixel = asked.or(middle);
         OnSceneInput::of(scene, RayCastingInput { surfaces, pixel })
     }
-}
-
-fn name_of(input: &Input, id: u32) -> Value {
-    let scenery = input.scenery.as_deref();
-    surface_name(scenery.map(Scenery::scene), id)
 }
 
 /// `t = −(n·o + d) / (n·r) = 3.012 / 1.025 = 2.94`

@@ -7,16 +7,11 @@ use crate::{
     },
     figure::Caption,
     geom::Plane,
-    labs::space::{OnSceneInput, soup::surface_name, stage::Scenery},
+    labs::{space::OnSceneInput, surfaces::methods::on_raster::name_of},
     text::{Formula, Message, Value},
 };
 
 pub type Input = OnSceneInput<BspInput>;
-
-pub fn name_of(input: &Input, id: u32) -> Value {
-    let scenery = input.scenery.as_deref();
-    surface_name(scenery.map(Scenery::scene), id)
-}
 
 /// `A`, and of a part `A+−`: before the first plane that has cut it, behind the second.
 pub fn piece_name(input: &Input, piece: &BspPiece) -> Value {

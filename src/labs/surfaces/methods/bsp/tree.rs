@@ -3,11 +3,14 @@
 use crate::{
     algo::surface::{BspEvent as Event, BspSide, BspState as State},
     figure::{ItemMarker, ListColumn, ListRow, Lists, Role},
-    labs::space::{Scene, soup::surface_link},
+    labs::{
+        space::{Scene, soup::surface_link},
+        surfaces::methods::on_raster::name_of,
+    },
     text::Value,
 };
 
-use super::captions::{Input, name_of, piece_name};
+use super::captions::{Input, piece_name};
 
 /// The tree, and the order in which pieces are painted.
 pub fn tree(state: &State, event: Option<Event>, input: &Input, scene: &Scene) -> Lists {

@@ -7,8 +7,8 @@ use crate::{
     },
     figure::Caption,
     labs::{
-        space::OnSceneInput, space::soup::surface_name, space::stage::Scenery,
-        surfaces::methods::on_raster::pixel_formula,
+        space::OnSceneInput,
+        surfaces::methods::on_raster::{name_of, pixel_formula},
     },
     text::{Formula, Message, Value},
 };
@@ -16,11 +16,6 @@ use crate::{
 use super::numbers::{comparison, depth};
 
 pub type Input = OnSceneInput<DepthBufferInput>;
-
-pub fn name_of(input: &Input, id: u32) -> Value {
-    let scenery = input.scenery.as_deref();
-    surface_name(scenery.map(Scenery::scene), id)
-}
 
 pub fn opening(input: &Input) -> Caption {
     let [columns, rows] = input.own.surfaces.size().map(|side| side as usize);

@@ -27,9 +27,9 @@ use crate::{
     trace::silent,
 };
 
-use super::on_raster::{depth_list, pixel_formula};
+use super::on_raster::{depth_list, name_of, pixel_formula};
 
-use captions::{Input, name_of};
+use captions::Input;
 use variant::Variant;
 
 /// More steps than these are not recorded: a step is then a row, or a whole triangle.

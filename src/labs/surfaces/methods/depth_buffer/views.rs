@@ -7,10 +7,10 @@ use crate::{
     figure::{Body, Cell, Mark3, Raster, Role, Shape3, Table, TableRow, View},
     labs::{
         Step,
-        space::soup::{place_of, surface_link},
-        space::stage::{FaceLook, Fate, Scenery},
+        space::soup::surface_link,
+        space::stage::{Fate, Scenery},
         surfaces::methods::on_raster::{
-            outline, pixel_formula, pixels, sight, titled, wrong_pixels,
+            faces, name_of, outline, pixel_formula, pixels, sight, titled, wrong_pixels,
         },
     },
     text::{Formula, Message, Value},
@@ -19,7 +19,6 @@ use crate::{
 
 use super::{
     Shown,
-    captions::name_of,
     curve::curves,
     numbers::{in_pixel, value},
     variant::Variant,
@@ -43,14 +42,7 @@ pub fn views<L: Variant>(step: &Step<'_, Shown<L>>) -> Vec<View> {
     };
     let scene = scenery.scene();
     let own = step.state.triangle.map(|(id, _)| id);
-    let place = own.and_then(|id| place_of(scene, id));
-    let look = |object: usize, face: usize| {
-        if place == Some([object, face]) {
-            FaceLook::Own(Role::Accent)
-        } else {
-            FaceLook::Whole
-        }
-    };
+    let look = faces([(own, Role::Accent)], scene);
     let mut views = vec![
         scenery.observer_with(|_| Fate::ToCome, look, marks(step, scenery)),
         View::new(RASTER_VIEW, Body::Raster(raster(step))),
@@ -122,21 +114,14 @@ fn raster<L: Variant>(step: &Step<'_, Shown<L>>) -> Raster {
     let current = step.state.triangle.map(|(id, _)| id);
     let depth = |place: usize| in_pixel(&own.format, *so_far.depth.get(place)?);
     let [columns, rows] = own.surfaces.size().map(|side| side as usize);
-    let key = match own.format.number {
-        DepthNumber::Double | DepthNumber::Single => "raster-depth",
-        DepthNumber::Fixed(_) => "raster-depth-steps",
-    };
-    let title = Message::new(key)
-        .with("columns", columns)
-        .with("rows", rows);
-    let title = match own.format.number {
-        DepthNumber::Double | DepthNumber::Single => title,
-        DepthNumber::Fixed(bits) => title
-            .with("bits", bits.get() as usize)
-            .with("last", bits.largest() as usize),
+    let mut title = match own.format.number {
+        DepthNumber::Double | DepthNumber::Single => Value::Term("raster-depth"),
+        DepthNumber::Fixed(bits) => {
+            let message = Message::new("raster-depth-steps").with("bits", bits.get() as usize);
+            Value::Message(message.with("last", bits.largest() as usize))
+        }
     };
     let mut over = current.map_or_else(Vec::new, |id| outline(&own.surfaces, id, Role::Accent));
-    let mut title = Value::Message(title);
     if step.state.is_done {
         let wrong = wrong_pixels(&own.surfaces, &so_far.picture);
         title = titled(title, wrong.len());

@@ -12,7 +12,7 @@ use crate::{
         space::stage::{Fate, object_link},
         surfaces::methods::on_raster::{lettered, pixels, segment},
     },
-    text::{Message, Value},
+    text::Value,
 };
 
 use super::{Shown, captions::name_of};
@@ -58,9 +58,6 @@ fn asked_box(step: &Step<'_, Shown>) -> Option<AlignedBox> {
 fn raster(step: &Step<'_, Shown>) -> Raster {
     let own = &step.input.own;
     let [columns, rows] = own.surfaces.size().map(|side| side as usize);
-    let title = Message::new("raster-rays")
-        .with("columns", columns)
-        .with("rows", rows);
     // Objects are in the order of their triangles.
     let object_of = |id: u32| own.objects.partition_point(|object| object.first <= id) as u32 - 1;
     let picture = step.state.so_far.picture.renamed(object_of);
@@ -85,7 +82,7 @@ fn raster(step: &Step<'_, Shown>) -> Raster {
     }));
     let names = lettered(&picture, |object| name_of(step.input, object as usize));
     Raster {
-        title: Value::Message(title),
+        title: Value::Term("raster-so-far"),
         size: [columns, rows],
         // Where pixels are asked, their marks stand in place of letters.
         pixels: pixels(&picture, drawn, |place| {

@@ -3,16 +3,11 @@
 use crate::{
     algo::surface::{PainterEvent as Event, PainterState as State, PairTest, Surfaces},
     figure::Caption,
-    labs::{space::OnSceneInput, space::soup::surface_name, space::stage::Scenery},
-    text::{Formula, Message, Value},
+    labs::{space::OnSceneInput, surfaces::methods::on_raster::name_of},
+    text::{Formula, Message},
 };
 
 pub type Input = OnSceneInput<Surfaces>;
-
-pub fn name_of(input: &Input, id: u32) -> Value {
-    let scenery = input.scenery.as_deref();
-    surface_name(scenery.map(Scenery::scene), id)
-}
 
 pub fn opening(input: &Input) -> Caption {
     let triangles = input.own.triangles().len();

@@ -5,17 +5,15 @@ use crate::{
     figure::{Body, ItemMarker, Link, ListColumn, ListRow, Lists, Raster, Role, View},
     labs::{
         Step,
-        space::soup::{place_of, surface_link},
-        space::{
-            Scene,
-            stage::{FaceLook, Fate},
+        space::{Scene, soup::surface_link, stage::Fate},
+        surfaces::methods::on_raster::{
+            faces, lettered, name_of, outline, pixels, titled, wrong_pixels,
         },
-        surfaces::methods::on_raster::{lettered, outline, pixels, titled, wrong_pixels},
     },
     text::{Formula, Message, Value},
 };
 
-use super::{Shown, captions::name_of, variant::Variant};
+use super::{Shown, variant::Variant};
 
 const RASTER_VIEW: &str = "raster";
 const LISTS_VIEW: &str = "lists";
@@ -53,17 +51,8 @@ pub fn views<L: Variant>(step: &Step<'_, Shown<L>>) -> Vec<View> {
         return Vec::new();
     };
     let scene = scenery.scene();
-    let [own, other] = [own(step), other(step)].map(|id| id.and_then(|id| place_of(scene, id)));
-    let look = |object: usize, face: usize| {
-        let here = Some([object, face]);
-        if here == own {
-            FaceLook::Own(Role::Accent)
-        } else if here == other {
-            FaceLook::Own(Role::Signal)
-        } else {
-            FaceLook::Whole
-        }
-    };
+    let marked = [(own(step), Role::Accent), (other(step), Role::Signal)];
+    let look = faces(marked, scene);
     vec![
         scenery.observer_with(|_| Fate::ToCome, look, Vec::new()),
         View::new(RASTER_VIEW, Body::Raster(raster(step))),
@@ -74,9 +63,6 @@ pub fn views<L: Variant>(step: &Step<'_, Shown<L>>) -> Vec<View> {
 fn raster<L: Variant>(step: &Step<'_, Shown<L>>) -> Raster {
     let surfaces = &step.input.own;
     let [columns, rows] = surfaces.size().map(|side| side as usize);
-    let title = Message::new("raster-rays")
-        .with("columns", columns)
-        .with("rows", rows);
     let (own, other) = (own(step), other(step));
     // Before anything is painted, outlines say where everything will be.
     let is_empty = step
@@ -108,7 +94,7 @@ fn raster<L: Variant>(step: &Step<'_, Shown<L>>) -> Raster {
         own.into_iter()
             .flat_map(|id| outline(surfaces, id, Role::Accent)),
     );
-    let mut title = Value::Message(title);
+    let mut title = Value::Term("raster-so-far");
     if step.state.is_done && step.state.cycle.is_empty() {
         let wrong = wrong_pixels(surfaces, &step.state.picture);
         title = titled(title, wrong.len());

@@ -8,15 +8,15 @@ use crate::{
     labs::{
         Step,
         space::{
-            soup::{place_of, surface_link},
-            stage::{FaceLook, Fate, Scenery},
+            soup::surface_link,
+            stage::{Fate, Scenery},
         },
-        surfaces::methods::on_raster::{lettered, pixel_formula, pixels, sight},
+        surfaces::methods::on_raster::{faces, lettered, name_of, pixel_formula, pixels, sight},
     },
-    text::{Formula, Message, Value},
+    text::{Formula, Value},
 };
 
-use super::{Shown, name_of};
+use super::Shown;
 
 const RASTER_VIEW: &str = "raster";
 const ASKED_VIEW: &str = "asked";
@@ -30,14 +30,7 @@ pub fn views(step: &Step<'_, Shown>) -> Vec<View> {
     };
     let scene = scenery.scene();
     let own = now(step).or(step.state.nearest.map(|hit| hit.id));
-    let place = own.and_then(|id| place_of(scene, id));
-    let look = |object: usize, face: usize| {
-        if place == Some([object, face]) {
-            FaceLook::Own(Role::Accent)
-        } else {
-            FaceLook::Whole
-        }
-    };
+    let look = faces([(own, Role::Accent)], scene);
     vec![
         scenery.observer_with(|_| Fate::ToCome, look, marks(step, scenery)),
         View::new(RASTER_VIEW, Body::Raster(raster(step, own))),
@@ -106,13 +99,10 @@ fn marks(step: &Step<'_, Shown>, scenery: &Scenery) -> Vec<Mark3> {
 
 fn raster(step: &Step<'_, Shown>, own: Option<u32>) -> Raster {
     let [columns, rows] = step.input.own.surfaces.size().map(|side| side as usize);
-    let title = Message::new("raster-rays")
-        .with("columns", columns)
-        .with("rows", rows);
     let current = cast(step);
     let picture = &step.state.so_far.picture;
     Raster {
-        title: Value::Message(title),
+        title: Value::Term("raster-so-far"),
         size: [columns, rows],
         pixels: pixels(
             picture,
