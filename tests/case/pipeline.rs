@@ -1,28 +1,8 @@
-//! Cases of the way to the screen and their answers: what every script and grader builds on.
+//! Cases of the way to the screen.
 
-use clipscope::{
-    case::{Detail, Format, Solvers, Style, trace},
-    text::Lang,
-};
 use serde_json::{Value as Json, json};
 
-fn answer(case: &str) -> Json {
-    let style = Style {
-        format: Format::Json,
-        detail: Detail::Steps,
-        lang: Lang::En,
-    };
-    let mut out = Vec::new();
-    trace(
-        Solvers::standard(),
-        case.as_bytes(),
-        &mut out,
-        style,
-        |_| {},
-    )
-    .expect("memory can be read and written");
-    serde_json::from_slice(&out).expect("one answer of JSON")
-}
+use super::asked::answer;
 
 const POINT: &str = r#""point":[1,1,1]"#;
 const MODEL: &str = r#""model":[[1.5,0,0,2],[0,1.5,0,1.5],[0,0,1.5,0.5],[0,0,0,1]]"#;

@@ -1,38 +1,15 @@
-//! Cases of the polygons lab and their answers: what every script and grader builds on.
+//! Cases of the polygons lab.
 
 use clipscope::{
-    case::{Detail, Format, Solver, Solvers, Style, trace},
+    case::{Format, Solver, Solvers},
     text::Lang,
 };
 use serde_json::{Value as Json, json};
 
-const JSON: Style = Style {
-    format: Format::Json,
-    detail: Detail::Steps,
-    lang: Lang::En,
+use super::asked::{
+    JSON, answer, answer_alone, answers, line, lines_are_at_most_a_hundred_columns_wide, output,
+    refusal, reports_are_as_they_were, steps_are_all_that_is_left_out, style,
 };
-
-fn answers(cases: &str, style: Style) -> String {
-    let mut out = Vec::new();
-    trace(
-        Solvers::standard(),
-        cases.as_bytes(),
-        &mut out,
-        style,
-        |_| {},
-    )
-    .expect("memory can be read and written");
-    String::from_utf8(out).expect("answers are UTF-8")
-}
-
-fn answer(case: &str) -> Json {
-    serde_json::from_str(&answers(case, JSON)).expect("one answer of JSON")
-}
-
-fn output(algorithm: &str, fields: &str) -> Json {
-    let case = format!(r#"{{"algorithm":"{algorithm}",{fields}}}"#);
-    answer(&case)["output"].clone()
-}
 
 /// Those that take a polygon.
 fn polygon_solvers() -> impl Iterator<Item = &'static Solver> {
@@ -190,35 +167,8 @@ fn an_answer_has_the_form_that_was_promised() {
 fn without_events_the_answer_is_the_same() {
     for solver in polygon_solvers() {
         let case = case_of(solver, "[[0,0],[3,0],[1,1],[0,3]]");
-        let mut with = answer(&case);
-        let style = Style {
-            detail: Detail::Answers,
-            ..JSON
-        };
-        let without: Json = serde_json::from_str(&answers(&case, style)).expect("JSON");
-        let events = with.as_object_mut().and_then(|a| a.remove("events"));
-        let events = events.expect("steps");
-        for event in events.as_array().expect("a list") {
-            assert!(event["event"].is_string(), "{event} has a name");
-        }
-        assert_eq!(with, without);
+        steps_are_all_that_is_left_out(&case);
     }
-}
-
-/// The code and the place of a refusal.
-fn refusal(case: &str) -> [String; 2] {
-    let answer = answer(case);
-    let word = |key: &str| {
-        let word = answer["error"][key].as_str();
-        word.unwrap_or_else(|| panic!("{case:.200} is refused, not {answer:.200}"))
-            .to_owned()
-    };
-    assert!(!word("message").contains('⟦'), "{answer} has its sentence");
-    [word("code"), word("field")]
-}
-
-fn line(id: &str, fields: &str) -> String {
-    format!(r#"{{"algorithm":"{id}",{fields}}}"#)
 }
 
 /// Cases with their codes and places.
@@ -359,16 +309,6 @@ fn star(n: usize, valley: f64, turn: usize) -> String {
     (0..n).map(vertex).collect::<Json>().to_string()
 }
 
-const ANSWERS: Style = Style {
-    format: Format::Json,
-    detail: Detail::Answers,
-    lang: Lang::En,
-};
-
-fn answer_alone(case: &str) -> Json {
-    serde_json::from_str(&answers(case, ANSWERS)).expect("one answer of JSON")
-}
-
 #[test]
 fn as_much_as_ten_thousand_vertices_against_a_window_is_reported_and_more_answered() {
     let polygon = star(10_000, 1.5, 0);
@@ -402,12 +342,7 @@ fn only_a_report_is_limited_and_the_refusal_says_so() {
     assert_eq!(sorted(&clipped), sorted(&window));
     assert_eq!(refusal(&case), ["too-large", "polygon"]);
     for lang in Lang::ALL {
-        let style = Style {
-            format: Format::Text,
-            detail: Detail::Steps,
-            lang,
-        };
-        let text = answers(&case, style);
+        let text = answers(&case, style(Format::Text, lang));
         let words: Vec<&str> = text.split_whitespace().collect();
         let says = words.join(" ").contains("--events false");
         assert!(says, "{lang}: {text}");
@@ -450,12 +385,7 @@ fn degenerate_polygons_are_answered_or_refused() {
             let is_refused = answer["error"]["code"].is_string();
             assert!(is_answered != is_refused, "{polygon}: {answer}");
             for lang in Lang::ALL {
-                let style = Style {
-                    format: Format::Markdown,
-                    lang,
-                    ..JSON
-                };
-                let report = answers(&case_of(solver, polygon), style);
+                let report = answers(&case_of(solver, polygon), style(Format::Markdown, lang));
                 assert!(!report.contains('⟦'), "{report}");
             }
         }
@@ -469,49 +399,20 @@ fn reported() -> String {
 }
 
 #[test]
-fn reports_are_as_they_were() {
-    for (name, format, lang) in [
+fn reports_on_polygons_are_as_they_were() {
+    let files = [
         ("polygons-en.md", Format::Markdown, Lang::En),
         ("polygons-zh-CN.txt", Format::Text, Lang::ZhCn),
         ("polygons-es.txt", Format::Text, Lang::Es),
         ("polygons-pt-BR.md", Format::Markdown, Lang::PtBr),
-    ] {
-        let style = Style {
-            format,
-            detail: Detail::Steps,
-            lang,
-        };
-        let report = answers(&reported(), style);
-        assert!(!report.contains('⟦'), "{name}: every sentence is there");
-        let path = format!("{}/tests/reports/{name}", env!("CARGO_MANIFEST_DIR"));
-        if std::env::var_os("UPDATE_SNAPSHOTS").is_some() {
-            std::fs::write(&path, &report).expect("a snapshot can be written");
-        }
-        let expected = std::fs::read_to_string(&path).unwrap_or_default();
-        assert_eq!(
-            report, expected,
-            "{path}; UPDATE_SNAPSHOTS=1 writes what is now right"
-        );
-    }
+    ];
+    reports_are_as_they_were(&reported(), &files);
 }
 
 #[test]
-fn a_terminals_lines_are_at_most_a_hundred_columns_wide() {
-    use unicode_width::UnicodeWidthStr;
-    for lang in Lang::ALL {
-        let style = Style {
-            format: Format::Text,
-            detail: Detail::Steps,
-            lang,
-        };
-        for solver in polygon_solvers() {
-            let case = case_of(
-                solver,
-                "[[0.123,-1.456],[3.333,0.1],[0.751,0.512],[-1.125,3.2],[-0.3,1.01]]",
-            );
-            for line in answers(&case, style).lines() {
-                assert!(line.width() <= 100, "{lang}, {}: {line}", solver.id());
-            }
-        }
+fn a_terminals_lines_fit_it() {
+    let polygon = "[[0.123,-1.456],[3.333,0.1],[0.751,0.512],[-1.125,3.2],[-0.3,1.01]]";
+    for solver in polygon_solvers() {
+        lines_are_at_most_a_hundred_columns_wide(&case_of(solver, polygon));
     }
 }

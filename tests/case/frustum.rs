@@ -1,43 +1,12 @@
-//! Cases of the frustum lab and their answers: what every script and grader builds on.
+//! Cases of the frustum lab.
 
-use clipscope::{
-    case::{Detail, Format, Solvers, Style, trace},
-    text::Lang,
-};
+use clipscope::{case::Format, text::Lang};
 use serde_json::{Value as Json, json};
 
-const JSON: Style = Style {
-    format: Format::Json,
-    detail: Detail::Steps,
-    lang: Lang::En,
+use super::asked::{
+    JSON, answer, answer_alone, answers, line, output, refusal, reports_are_as_they_were,
+    steps_are_all_that_is_left_out, style,
 };
-
-fn answers(cases: &str, style: Style) -> String {
-    let mut out = Vec::new();
-    trace(
-        Solvers::standard(),
-        cases.as_bytes(),
-        &mut out,
-        style,
-        |_| {},
-    )
-    .expect("memory can be read and written");
-    String::from_utf8(out).expect("answers are UTF-8")
-}
-
-fn answer(case: &str) -> Json {
-    serde_json::from_str(&answers(case, JSON)).expect("one answer of JSON")
-}
-
-fn line(id: &str, fields: &str) -> String {
-    format!(r#"{{"algorithm":"{id}",{fields}}}"#)
-}
-
-fn output(id: &str, fields: &str) -> Json {
-    let answer = answer(&line(id, fields));
-    assert!(answer["error"].is_null(), "{fields}: {answer}");
-    answer["output"].clone()
-}
 
 const FRUSTUM: &str = r#""frustum":{"fov_y_deg":90,"aspect":1,"near":1,"far":10}"#;
 /// In x and z the same as that of 90°: x ≤ −z and x ≥ z; between z = −1 and z = −9.
@@ -231,31 +200,8 @@ fn without_events_the_answer_is_the_same() {
         line("back-face", &format!(r#"{N2},"eye":[0,0.5,9]"#)),
     ];
     for case in cases {
-        let mut with = answer(&case);
-        let style = Style {
-            detail: Detail::Answers,
-            ..JSON
-        };
-        let without: Json = serde_json::from_str(&answers(&case, style)).expect("JSON");
-        let events = with.as_object_mut().and_then(|a| a.remove("events"));
-        let events = events.expect("steps");
-        for event in events.as_array().expect("a list") {
-            assert!(event["event"].is_string(), "{event} has a name");
-        }
-        assert_eq!(with, without);
+        steps_are_all_that_is_left_out(&case);
     }
-}
-
-/// The code and the place of a refusal.
-fn refusal(case: &str) -> [String; 2] {
-    let answer = answer(case);
-    let word = |key: &str| {
-        let word = answer["error"][key].as_str();
-        word.unwrap_or_else(|| panic!("{case:.200} is refused, not {answer:.200}"))
-            .to_owned()
-    };
-    assert!(!word("message").contains('⟦'), "{answer} has its sentence");
-    [word("code"), word("field")]
 }
 
 #[test]
@@ -427,11 +373,7 @@ fn only_a_report_of_very_many_planes_is_refused() {
         &format!(r#""planes":[{planes}],"sphere":[1,0,0,1]"#),
     );
     assert_eq!(refusal(&case), ["too-large", "planes"]);
-    let style = Style {
-        detail: Detail::Answers,
-        ..JSON
-    };
-    let alone: Json = serde_json::from_str(&answers(&case, style)).expect("JSON");
+    let alone = answer_alone(&case);
     assert_eq!(alone["output"]["class"], "inside");
 }
 
@@ -477,30 +419,14 @@ fn reported() -> String {
 }
 
 #[test]
-fn reports_are_as_they_were() {
-    for (name, format, lang) in [
+fn reports_on_space_are_as_they_were() {
+    let files = [
         ("frustum-en.md", Format::Markdown, Lang::En),
         ("frustum-zh-CN.txt", Format::Text, Lang::ZhCn),
         ("frustum-es.txt", Format::Text, Lang::Es),
         ("frustum-pt-BR.md", Format::Markdown, Lang::PtBr),
-    ] {
-        let style = Style {
-            format,
-            detail: Detail::Steps,
-            lang,
-        };
-        let report = answers(&reported(), style);
-        assert!(!report.contains('⟦'), "{name}: every sentence is there");
-        let path = format!("{}/tests/reports/{name}", env!("CARGO_MANIFEST_DIR"));
-        if std::env::var_os("UPDATE_SNAPSHOTS").is_some() {
-            std::fs::write(&path, &report).expect("a snapshot can be written");
-        }
-        let expected = std::fs::read_to_string(&path).unwrap_or_default();
-        assert_eq!(
-            report, expected,
-            "{path}; UPDATE_SNAPSHOTS=1 writes what is now right"
-        );
-    }
+    ];
+    reports_are_as_they_were(&reported(), &files);
 }
 
 /// A square in the plane z = −2, in view space, and a triangle around its lower left corner.
@@ -622,12 +548,7 @@ fn a_triangles_answer_key_says_everything_in_four_languages() {
     .join("\n");
     for lang in Lang::ALL {
         for format in [Format::Markdown, Format::Text] {
-            let style = Style {
-                format,
-                detail: Detail::Steps,
-                lang,
-            };
-            let report = answers(&cases, style);
+            let report = answers(&cases, style(format, lang));
             assert!(!report.contains('⟦'), "{lang}: {report}");
         }
     }

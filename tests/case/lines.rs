@@ -1,48 +1,21 @@
-//! Cases and their answers: what every script and grader builds on.
+//! Cases of the lines lab.
 
 use clipscope::{
-    case::{
-        CaseLine, Code, Detail, Format, MAX_LINE_BYTES, Solver, Solvers, Style, Tally, read, trace,
-    },
+    case::{CaseLine, Code, Detail, Format, MAX_LINE_BYTES, Solver, Solvers, read},
     text::Lang,
 };
 use serde_json::{Value as Json, json};
 
-const JSON: Style = Style {
-    format: Format::Json,
-    detail: Detail::Steps,
-    lang: Lang::En,
+use super::asked::{
+    JSON, answer, answers, lines_are_at_most_a_hundred_columns_wide, refusal,
+    reports_are_as_they_were, steps_are_all_that_is_left_out, tallied,
 };
-
-fn answers(cases: &[u8], style: Style) -> (String, Tally) {
-    let mut out = Vec::new();
-    let tally = trace(Solvers::standard(), cases, &mut out, style, |_| {})
-        .expect("memory can be read and written");
-    (String::from_utf8(out).expect("answers are UTF-8"), tally)
-}
-
-fn answer(case: &str) -> Json {
-    let (text, _) = answers(case.as_bytes(), JSON);
-    serde_json::from_str(&text).expect("one answer of JSON")
-}
 
 /// Those that clip a segment in the plane.
 fn line_solvers() -> impl Iterator<Item = &'static Solver> {
     let takes = |solver: &Solver, name| solver.fields().iter().any(|field| field.name == name);
     let is_flat = move |solver: &&Solver| takes(solver, "segment") && takes(solver, "window");
     Solvers::standard().iter().filter(is_flat)
-}
-
-/// The code and the place of a refusal.
-fn refusal(case: &str) -> [String; 2] {
-    let answer = answer(case);
-    let word = |key: &str| {
-        let word = answer["error"][key].as_str();
-        word.unwrap_or_else(|| panic!("{case} is refused, not {answer}"))
-            .to_owned()
-    };
-    assert!(!word("message").contains('⟦'), "{answer} has its sentence");
-    [word("code"), word("field")]
 }
 
 #[test]
@@ -69,7 +42,7 @@ fn the_slides_worked_numbers_come_out_of_every_algorithm() {
 fn an_answer_has_the_form_that_was_promised() {
     let case =
         r#"{"id":7,"algorithm":"cohen-sutherland","window":[-1,-1,1,1],"segment":[-0.5,0,2,0]}"#;
-    let (text, tally) = answers(case.as_bytes(), JSON);
+    let (text, tally) = tallied(case.as_bytes(), JSON);
     assert_eq!(
         text,
         concat!(
@@ -95,15 +68,7 @@ fn without_events_the_answer_is_the_same() {
             r#"{{"algorithm":"{}","window":[-1,-1,1,1],"segment":[-2,-1,2,1.5]}}"#,
             solver.id()
         );
-        let mut with = answer(&case);
-        let style = Style {
-            detail: Detail::Answers,
-            ..JSON
-        };
-        let without: Json = serde_json::from_str(&answers(case.as_bytes(), style).0).expect("JSON");
-        let events = with.as_object_mut().and_then(|a| a.remove("events"));
-        assert!(events.is_some_and(|events| !events[0]["event"].is_null()));
-        assert_eq!(with, without);
+        steps_are_all_that_is_left_out(&case);
     }
 }
 
@@ -228,13 +193,13 @@ fn any_id_is_echoed_digit_for_digit() {
         (r#"{ "b": [1, true], "a": {} }"#, r#"{"b":[1,true],"a":{}}"#),
         ("[ ]", "[]"),
     ] {
-        let (text, _) = answers(format!(r#"{{"id": {id}}}"#).as_bytes(), JSON);
+        let text = answers(&format!(r#"{{"id": {id}}}"#), JSON);
         assert!(
             text.starts_with(&format!(r#"{{"id":{echo},"error""#)),
             "{text}"
         );
     }
-    let (text, _) = answers(br#"{"algorithm":"x"}"#, JSON);
+    let text = answers(r#"{"algorithm":"x"}"#, JSON);
     assert!(text.starts_with(r#"{"id":null,"#), "{text}");
 }
 
@@ -259,7 +224,7 @@ fn a_bad_line_does_not_stop_the_rest() {
     cases.resize(cases.len() + MAX_LINE_BYTES + 1, b' ');
     cases.extend_from_slice(b"\n");
     cases.extend_from_slice(good.as_bytes());
-    let (text, tally) = answers(&cases, JSON);
+    let (text, tally) = tallied(&cases, JSON);
     let lines: Vec<Json> = text
         .lines()
         .map(|line| serde_json::from_str(line).expect("each line is JSON"))
@@ -279,10 +244,10 @@ fn a_line_of_the_largest_size_is_still_read() {
     line.resize(MAX_LINE_BYTES, b' ');
     for end in ["", "\n", "\n\n"] {
         let cases = [&line, end.as_bytes()].concat();
-        assert_eq!(answers(&cases, JSON).1.answered, 1);
+        assert_eq!(tallied(&cases, JSON).1.answered, 1);
     }
     let too_long = [&line[..], b" "].concat();
-    assert_eq!(answers(&too_long, JSON).1.refused, 1);
+    assert_eq!(tallied(&too_long, JSON).1.refused, 1);
     let Err(refused) = read(Solvers::standard(), CaseLine::TooLong, Detail::Answers) else {
         panic!("a line that is too long is refused");
     };
@@ -308,52 +273,26 @@ const REPORTED: &str = concat!(
 );
 
 #[test]
-fn reports_are_as_they_were() {
-    for (name, format, lang) in [
+fn reports_on_lines_are_as_they_were() {
+    let files = [
         ("en.md", Format::Markdown, Lang::En),
         ("zh-CN.md", Format::Markdown, Lang::ZhCn),
         ("es.md", Format::Markdown, Lang::Es),
         ("pt-BR.md", Format::Markdown, Lang::PtBr),
         ("en.txt", Format::Text, Lang::En),
         ("zh-CN.txt", Format::Text, Lang::ZhCn),
-    ] {
-        let style = Style {
-            format,
-            detail: Detail::Steps,
-            lang,
-        };
-        let (report, _) = answers(REPORTED.as_bytes(), style);
-        assert!(!report.contains('⟦'), "{name}: every sentence is there");
-        let path = format!("{}/tests/reports/{name}", env!("CARGO_MANIFEST_DIR"));
-        if std::env::var_os("UPDATE_SNAPSHOTS").is_some() {
-            std::fs::write(&path, &report).expect("a snapshot can be written");
-        }
-        let expected = std::fs::read_to_string(&path).unwrap_or_default();
-        assert_eq!(
-            report, expected,
-            "{path}; UPDATE_SNAPSHOTS=1 writes what is now right"
-        );
-    }
+    ];
+    reports_are_as_they_were(REPORTED, &files);
 }
 
 #[test]
-fn a_terminals_lines_are_at_most_a_hundred_columns_wide() {
-    use unicode_width::UnicodeWidthStr;
-    for lang in Lang::ALL {
-        let style = Style {
-            format: Format::Text,
-            detail: Detail::Steps,
-            lang,
-        };
-        for solver in line_solvers() {
-            let case = format!(
-                r#"{{"algorithm":"{}","window":[-1.125,-1.1,1.01,1],"segment":[-2.123,-1.456,2.789,1.5432]}}"#,
-                solver.id()
-            );
-            for line in answers(case.as_bytes(), style).0.lines() {
-                assert!(line.width() <= 100, "{lang}, {}: {line}", solver.id());
-            }
-        }
+fn a_terminals_lines_fit_it() {
+    for solver in line_solvers() {
+        let case = format!(
+            r#"{{"algorithm":"{}","window":[-1.125,-1.1,1.01,1],"segment":[-2.123,-1.456,2.789,1.5432]}}"#,
+            solver.id()
+        );
+        lines_are_at_most_a_hundred_columns_wide(&case);
     }
 }
 

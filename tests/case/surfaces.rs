@@ -1,28 +1,8 @@
-//! Cases of visible surfaces and their answers: what every script and grader builds on.
+//! Cases of visible surfaces.
 
-use clipscope::{
-    case::{Detail, Format, Solvers, Style, trace},
-    text::Lang,
-};
 use serde_json::{Value as Json, json};
 
-fn answer(case: &str, detail: Detail) -> Json {
-    let style = Style {
-        format: Format::Json,
-        detail,
-        lang: Lang::En,
-    };
-    let mut out = Vec::new();
-    trace(
-        Solvers::standard(),
-        case.as_bytes(),
-        &mut out,
-        style,
-        |_| {},
-    )
-    .expect("memory can be read and written");
-    serde_json::from_slice(&out).expect("one answer of JSON")
-}
+use super::asked::{answer, answer_alone};
 
 const ALGORITHMS: [&str; 4] = ["depth-buffer", "ray-casting", "painter", "bsp"];
 const FRUSTUM: &str = r#"{"fov_y_deg":90,"aspect":1,"near":1,"far":9}"#;
@@ -33,7 +13,7 @@ fn solved(algorithm: &str, size: &str, triangles: &str, more: &str) -> Json {
     let case = format!(
         r#"{{"algorithm":"{algorithm}","size":{size},"frustum":{FRUSTUM},"triangles":{triangles}{more}}}"#
     );
-    answer(&case, Detail::Steps)
+    answer(&case)
 }
 
 #[test]
@@ -127,7 +107,7 @@ fn a_tree_that_would_be_too_large_is_refused() {
         r#"{{"algorithm":"bsp","size":[2,2],"frustum":{FRUSTUM},"triangles":{}}}"#,
         Json::from(triangles)
     );
-    let error = &answer(&case, Detail::Answers)["error"];
+    let error = &answer_alone(&case)["error"];
     assert_eq!(
         (&error["code"], &error["field"]),
         (&json!("too-large"), &json!("triangles")),
@@ -180,7 +160,7 @@ fn every_refusal_names_its_place() {
         let case = format!(
             r#"{{"algorithm":"{algorithm}","size":[2,2],"triangles":[],"frustum":{{"fov_y_deg":90,"aspect":1,"near":2,"far":1}}}}"#
         );
-        let error = &answer(&case, Detail::Steps)["error"];
+        let error = &answer(&case)["error"];
         assert_eq!(
             (&error["code"], &error["field"]),
             (&json!("degenerate"), &json!("frustum.far")),
@@ -195,9 +175,9 @@ fn an_answer_alone_may_be_large() {
     let case = format!(
         r#"{{"algorithm":"depth-buffer","size":[50,50],"frustum":{FRUSTUM},"triangles":[{many}]}}"#
     );
-    let refused = answer(&case, Detail::Steps);
+    let refused = answer(&case);
     assert_eq!(refused["error"]["code"], "too-large");
     assert_eq!(refused["error"]["field"], "triangles");
-    let solved = answer(&case, Detail::Answers);
+    let solved = answer_alone(&case);
     assert_eq!(solved["output"]["ids"].as_array().map(Vec::len), Some(2500));
 }

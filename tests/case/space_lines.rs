@@ -1,39 +1,9 @@
-//! Cases of segments in space and their answers: fields, outputs and refusals as `interfaces.md` promises them.
+//! Cases of segments in space.
 
-use clipscope::{
-    case::{Detail, Format, Solvers, Style, trace},
-    text::Lang,
-};
+use clipscope::{case::Format, text::Lang};
 use serde_json::{Value as Json, json};
 
-fn answers(cases: &str, format: Format) -> String {
-    let style = Style {
-        format,
-        detail: Detail::Steps,
-        lang: Lang::En,
-    };
-    let mut out = Vec::new();
-    let done = trace(
-        Solvers::standard(),
-        cases.as_bytes(),
-        &mut out,
-        style,
-        |_| {},
-    );
-    done.expect("memory can be read and written");
-    String::from_utf8(out).expect("answers are UTF-8")
-}
-
-fn answer(id: &str, fields: &str) -> Json {
-    let case = format!(r#"{{"algorithm":"{id}",{fields}}}"#);
-    serde_json::from_str(&answers(&case, Format::Json)).expect("one answer of JSON")
-}
-
-fn output(id: &str, fields: &str) -> Json {
-    let answer = answer(id, fields);
-    assert!(answer["error"].is_null(), "{fields}: {answer}");
-    answer["output"].clone()
-}
+use super::asked::{answer, answers, line, output, refusal, style};
 
 const UNIT: &str = r#""box":[-1,-1,-1,1,1,1]"#;
 const BOTH: [&str; 2] = ["cohen-sutherland-3d", "liang-barsky-3d"];
@@ -59,7 +29,7 @@ fn a_box_shows_a_part_a_touch_or_nothing() {
 #[test]
 fn codes_are_written_far_near_top_bottom_right_left_and_the_lowest_bit_is_cut_first() {
     let fields = format!(r#"{UNIT},"segment":[-2,-1.5,3,4,2,-3]"#);
-    let answer = answer(BOTH[0], &fields);
+    let answer = answer(&line(BOTH[0], &fields));
     let events = answer["events"].as_array().expect("steps");
     let codes: Vec<&Json> = events.iter().filter(|e| e["event"] == "code").collect();
     assert_eq!(codes[0]["code"], "100101", "beyond far, bottom and left");
@@ -80,10 +50,10 @@ fn planes_are_asked_in_order_and_any_normal_will_do() {
     assert_eq!(found, json!({"visible": true, "segment": part}));
     let found = output("plane-line", &format!(r#"{wedge},"segment":[5,5,5,9,9,9]"#));
     assert_eq!(found, json!({"visible": false, "segment": null}));
-    let answer = answer(
+    let answer = answer(&line(
         "plane-line",
         &format!(r#"{wedge},"segment":[-5,0,0,5,0,0]"#),
-    );
+    ));
     let rows = answer["events"].as_array().expect("steps").iter();
     let rows: Vec<&Json> = rows.filter(|e| e["event"] == "row").collect();
     assert_eq!(
@@ -163,11 +133,7 @@ fn refusals_name_code_and_field() {
             "w",
         ),
     ] {
-        let error = &answer(id, &fields)["error"];
-        let [found, place] = ["code", "field"].map(|key| error[key].as_str().unwrap_or("none"));
-        assert_eq!([found, place], [code, field], "{id} {fields}");
-        let said = error["message"].as_str().unwrap_or("⟦");
-        assert!(!said.contains('⟦'), "{said}");
+        assert_eq!(refusal(&line(id, &fields)), [code, field], "{id} {fields}");
     }
 }
 
@@ -186,9 +152,8 @@ fn answer_keys_say_every_step() {
         ),
     ];
     for (id, fields) in cases {
-        let case = format!(r#"{{"algorithm":"{id}",{fields}}}"#);
         for format in [Format::Text, Format::Markdown] {
-            let key = answers(&case, format);
+            let key = answers(&line(id, &fields), style(format, Lang::En));
             assert!(!key.contains('⟦') && key.lines().count() > 10, "{key}");
         }
     }
