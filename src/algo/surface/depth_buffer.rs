@@ -148,67 +148,18 @@ impl<L: SurfaceRules> Algorithm for DepthBuffer<L> {
         emit(Event::Clear {
             depth: cleared::<L>(&input.format),
         });
-        let (mut drawing, mut tally, mut turn) = (
-            Drawing::<L>::new(input),
-            FragmentTally::default(),
-            (0, false),
-        );
-        // Places in the list: where the triangle, or the row, began.
-        let mut begun = 0;
+        let mut drawing = Drawing::<L>::new(input);
+        let mut telling = Telling::new(input.steps);
         drawing.all::<R>(&mut |told| {
-            let places = |begun: usize, tally: FragmentTally| [begun, tally.writes as usize];
-            match told {
-                Told::Triangle { id, drawn } => {
-                    turn = (id, drawn);
-                    if input.steps != DepthSteps::Triangles {
-                        let writes = places(begun, tally);
-                        emit(Event::Triangle {
-                            id,
-                            drawn,
-                            writes,
-                            tally,
-                        });
-                    }
-                }
-                Told::Fragment(fragment) => {
-                    tally.add(&fragment);
-                    if input.steps == DepthSteps::Fragments {
-                        begun = tally.writes as usize;
-                        emit(Event::Fragment { fragment, tally });
-                    }
-                }
-                Told::SpanDone { row, columns } => {
-                    if input.steps == DepthSteps::Spans {
-                        let (id, writes) = (turn.0, places(begun, tally));
-                        begun = tally.writes as usize;
-                        emit(Event::Span {
-                            id,
-                            row,
-                            columns,
-                            writes,
-                            tally,
-                        });
-                    }
-                }
-                Told::TriangleDone => {
-                    if input.steps == DepthSteps::Triangles {
-                        let ((id, drawn), writes) = (turn, places(begun, tally));
-                        begun = tally.writes as usize;
-                        emit(Event::Triangle {
-                            id,
-                            drawn,
-                            writes,
-                            tally,
-                        });
-                    }
-                }
+            if let Some(event) = telling.event(told) {
+                emit(event);
             }
         });
         emit(Event::Done);
         DepthBufferOutput {
             picture: drawing.picture,
             depth: drawing.depth,
-            tally,
+            tally: telling.tally,
         }
     }
 
@@ -262,6 +213,73 @@ impl<L: SurfaceRules> Algorithm for DepthBuffer<L> {
             DepthSteps::Triangles => 0,
         };
         2 + input.order.len() * (1 + of_triangle)
+    }
+}
+
+/// What the loops come past, as events.
+struct Telling {
+    steps: DepthSteps,
+    tally: FragmentTally,
+    /// The triangle whose turn it is, and whether anything of it is drawn.
+    turn: (u32, bool),
+    /// The place in the list of the states where what is told next began.
+    begun: usize,
+}
+
+impl Telling {
+    fn new(steps: DepthSteps) -> Self {
+        Self {
+            steps,
+            tally: FragmentTally::default(),
+            turn: (0, false),
+            begun: 0,
+        }
+    }
+
+    /// Nothing where the steps are larger, or smaller.
+    #[inline]
+    fn event(&mut self, told: Told) -> Option<DepthBufferEvent> {
+        match told {
+            Told::Triangle { id, drawn } => {
+                self.turn = (id, drawn);
+                (self.steps != DepthSteps::Triangles).then(|| self.triangle())
+            }
+            Told::Fragment(fragment) => {
+                self.tally.add(&fragment);
+                (self.steps == DepthSteps::Fragments).then(|| {
+                    self.writes();
+                    let tally = self.tally;
+                    DepthBufferEvent::Fragment { fragment, tally }
+                })
+            }
+            Told::SpanDone { row, columns } => (self.steps == DepthSteps::Spans).then(|| {
+                let writes = self.writes();
+                DepthBufferEvent::Span {
+                    id: self.turn.0,
+                    row,
+                    columns,
+                    writes,
+                    tally: self.tally,
+                }
+            }),
+            Told::TriangleDone => (self.steps == DepthSteps::Triangles).then(|| self.triangle()),
+        }
+    }
+
+    fn triangle(&mut self) -> DepthBufferEvent {
+        let ((id, drawn), writes) = (self.turn, self.writes());
+        DepthBufferEvent::Triangle {
+            id,
+            drawn,
+            writes,
+            tally: self.tally,
+        }
+    }
+
+    /// What has been written since this was last asked: places in the list of the states.
+    fn writes(&mut self) -> [usize; 2] {
+        let end = self.tally.writes as usize;
+        [std::mem::replace(&mut self.begun, end), end]
     }
 }
 
