@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::{
-    algo::surface::{DepthBuffer, DepthBufferInput, DepthSteps, Surfaces},
+    algo::surface::{DepthBuffer, DepthBufferInput, Surfaces},
     figure::Link,
     labs::{split_mix::SplitMix64, words::subscript},
     text::Value,
@@ -43,10 +43,7 @@ pub fn surfaces_on_raster(scene: &Scene) -> Surfaces {
 
 /// At how many pixels some of the triangles are seen, if there are no others.
 pub fn pixels_covered(surfaces: &Surfaces, ids: Range<usize>) -> usize {
-    let alone = DepthBufferInput {
-        steps: DepthSteps::Triangles,
-        ..DepthBufferInput::new(surfaces.part(ids))
-    };
+    let alone = DepthBufferInput::new(surfaces.part(ids));
     silent::<DepthBuffer>(&alone).tally.pixels as usize
 }
 

@@ -3,8 +3,8 @@
 
 use crate::{
     algo::surface::{
-        DepthBuffer, DepthBufferInput, DepthSteps, FragmentTally, Painter, PainterAnswer,
-        RayCasting, RayCastingInput, Surfaces,
+        DepthBuffer, DepthBufferInput, FragmentTally, Painter, PainterAnswer, RayCasting,
+        RayCastingInput, Surfaces,
     },
     geom::SpaceError,
     labs::space::{Opening, Scene, TaughtCamera, soup::surfaces_on_raster, street},
@@ -83,10 +83,7 @@ impl SurfaceCounting {
                 Stage::DepthBuffer
             }
             Stage::DepthBuffer => {
-                let output = silent::<DepthBuffer>(&DepthBufferInput {
-                    steps: DepthSteps::Triangles,
-                    ..DepthBufferInput::new(self.surfaces.clone())
-                });
+                let output = silent::<DepthBuffer>(&DepthBufferInput::new(self.surfaces.clone()));
                 self.counts.tally = output.tally;
                 Stage::Rays(0)
             }

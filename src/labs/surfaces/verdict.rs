@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::{
-    algo::surface::{DepthBuffer, DepthBufferInput, DepthSteps, Surfaces},
+    algo::surface::{DepthBuffer, DepthBufferInput, Surfaces},
     figure::{Caption, Link, Run},
     labs::{
         Verdict,
@@ -58,10 +58,7 @@ struct PixelCounts {
 
 impl PixelCounts {
     fn of(surfaces: &Surfaces, ids: Range<usize>) -> Self {
-        let all = silent::<DepthBuffer>(&DepthBufferInput {
-            steps: DepthSteps::Triangles,
-            ..DepthBufferInput::new(surfaces.clone())
-        });
+        let all = silent::<DepthBuffer>(&DepthBufferInput::new(surfaces.clone()));
         let is_own = |id: &&i32| usize::try_from(**id).is_ok_and(|id| ids.contains(&id));
         Self {
             seen: all.picture.ids().iter().filter(is_own).count(),
