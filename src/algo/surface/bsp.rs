@@ -192,7 +192,8 @@ impl BspState {
     /// One of them.
     #[must_use]
     pub fn piece(&self, number: u32) -> Option<&BspPiece> {
-        self.pieces().nth(number as usize)
+        let known = &self.pieces[..self.n_known];
+        known.get(number as usize).map(|(piece, _)| piece)
     }
 }
 
