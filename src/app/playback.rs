@@ -8,11 +8,11 @@ use crate::{
 
 use super::stopwatch::Stopwatch;
 
-/// One run, or two side by side; with the frames of the present step.
+/// One run, or several side by side; with the frames of the present step.
 pub struct Playback {
     transport: Transport,
     main: Box<dyn Run>,
-    other: Option<Box<dyn Run>>,
+    beside: Vec<Box<dyn Run>>,
     /// Steps at which a phase begins, the first few hundred.
     phases: Vec<usize>,
     /// Where a method that is wrong on purpose first differs from the right one.
@@ -49,12 +49,12 @@ impl Playback {
     /// Records the scene's methods, with the cursor at `position`.
     #[must_use]
     pub fn record(scene: &Scene, position: usize) -> Self {
-        let (main, other, difference) = runs(scene);
+        let (main, beside, difference) = runs(scene);
         let mut playback = Self {
             transport: Transport::new(main.n_steps()),
             phases: phases(&*main),
             main,
-            other,
+            beside,
             difference,
             baseline: scene.document().baseline(),
             frames: Vec::new(),
@@ -73,7 +73,7 @@ impl Playback {
     /// Records the changed scene; the cursor stays at the same moment where it comes again.
     pub fn rerecord(&mut self, scene: &Scene) {
         let stopwatch = Stopwatch::start();
-        let (main, other, difference) = runs(scene);
+        let (main, beside, difference) = runs(scene);
         let is_slow = stopwatch.secs() > MOST_SECS;
         self.n_slow = if is_slow { self.n_slow + 1 } else { 0 };
         self.is_late = false;
@@ -82,7 +82,7 @@ impl Playback {
         self.transport.rebase(main.n_steps(), position);
         self.reached = position;
         self.phases = phases(&*main);
-        (self.main, self.other, self.difference) = (main, other, difference);
+        (self.main, self.beside, self.difference) = (main, beside, difference);
         self.baseline = scene.document().baseline();
         self.framed_at = None;
         self.recording += 1;
@@ -121,9 +121,9 @@ impl Playback {
         &*self.main
     }
 
-    /// All that is on stage: one run, or two.
+    /// All that is on stage, the scene's method first.
     pub fn runs(&self) -> impl Iterator<Item = &dyn Run> {
-        std::iter::once(&*self.main).chain(self.other.as_deref())
+        std::iter::once(&*self.main).chain(self.beside.iter().map(|run| &**run))
     }
 
     /// Another number whenever the scene has been recorded again.
@@ -169,7 +169,7 @@ impl Playback {
         }
         let beside = |run: &dyn Run| run.frame(run.beside(&*self.main, position));
         self.frames = std::iter::once(self.main.frame(position))
-            .chain(self.other.as_deref().map(beside))
+            .chain(self.beside.iter().map(|run| beside(&**run)))
             .collect();
         self.framed_at = Some(position);
         self.reached = self.reached.max(position);
@@ -204,7 +204,7 @@ impl Playback {
         &self.frames
     }
 
-    /// Cost so far and in the end, of the scene's method and of the one beside it.
+    /// Cost so far and in the end, of the scene's method and of those beside it.
     #[must_use]
     pub fn costs(&self) -> Vec<[Counts; 2]> {
         let runs = self.runs().zip(self.steps());
@@ -237,8 +237,8 @@ fn phases(run: &dyn Run) -> Vec<usize> {
         .collect()
 }
 
-/// The run of the scene's method, the one beside it, and how they differ.
-type Runs = (Box<dyn Run>, Option<Box<dyn Run>>, Option<Difference>);
+/// The run of the scene's method, those beside it, and how they differ.
+type Runs = (Box<dyn Run>, Vec<Box<dyn Run>>, Option<Difference>);
 
 fn runs(scene: &Scene) -> Runs {
     let runs = scene.document().record();
@@ -246,5 +246,5 @@ fn runs(scene: &Scene) -> Runs {
     let difference = Difference::between(&scene.document().methods(), &all);
     let mut runs = runs.into_iter();
     let main = runs.next().expect("a scene has a method");
-    (main, runs.next(), difference)
+    (main, runs.collect(), difference)
 }

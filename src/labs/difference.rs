@@ -7,7 +7,7 @@ use crate::{
 
 use super::MethodCard;
 
-/// Two methods side by side, one of them wrong.
+/// Methods side by side, one of them wrong.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Difference {
     /// The column that the wrong one stands in.
@@ -17,16 +17,14 @@ pub struct Difference {
 }
 
 impl Difference {
-    /// Of the methods on stage and their runs; `None` unless exactly one of two is wrong on purpose.
+    /// Of the methods on stage and their runs; `None` unless exactly one is wrong on purpose, and another is not.
     #[must_use]
     pub fn between(methods: &[&MethodCard], runs: &[&dyn Run]) -> Option<Self> {
-        let [a, b] = methods else {
-            return None;
-        };
-        if a.is_faulty == b.is_faulty {
+        let mut wrong = (0..methods.len()).filter(|&i| methods[i].is_faulty);
+        let column = wrong.next()?;
+        if methods.len() < 2 || wrong.next().is_some() {
             return None;
         }
-        let column = usize::from(b.is_faulty);
         let step = runs.get(column)?.differs_at();
         Some(Self { column, step })
     }

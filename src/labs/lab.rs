@@ -51,11 +51,12 @@ impl PartialEq for dyn Lab {
 pub trait Document: Plain {
     /// Its lab.
     fn lab(&self) -> &'static dyn Lab;
-    /// The methods on stage, from left to right: one, or two that are compared.
+    /// The methods on stage, from left to right: one, or several that are compared.
     fn methods(&self) -> Vec<&'static MethodCard>;
     /// Puts the method of this id first; an unknown one is ignored.
     fn set_method(&mut self, id: &str);
-    /// Puts the method of this id beside the first, or none.
+    /// Puts the method of this id beside the first, or none. Where several have room there, one that stands there already
+    /// is taken away.
     fn set_compare(&mut self, id: Option<&str>);
     /// Records the runs of [`Document::methods`], in their order.
     fn record(&self) -> Vec<Box<dyn Run>>;

@@ -44,11 +44,20 @@ pub fn method_picker(ui: &mut Ui, look: Look<'_>, scene: &Scene, asks: bool) -> 
     asked
 }
 
-/// The method beside it; the change that was asked for.
+/// The methods beside it; the change that was asked for.
 pub fn compare_picker(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<Edit> {
-    let beside = scene.document().methods().get(1).copied();
-    let shown = beside.map_or("cost-compare", |card| card.name_key);
-    let shown = look.say(shown);
+    let names: Vec<String> = scene
+        .document()
+        .methods()
+        .into_iter()
+        .skip(1)
+        .map(|card| look.say(card.name_key))
+        .collect();
+    let shown = if names.is_empty() {
+        look.say("cost-compare")
+    } else {
+        names.join(" + ")
+    };
     let combo = ComboBox::from_id_salt("compare")
         .height(LIST_PTS)
         .icon(chevron)
@@ -63,9 +72,9 @@ pub fn compare_picker(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<Edit
 pub fn compare_choices(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<Edit> {
     let mut asked = None;
     let methods = scene.document().methods();
-    let (main, beside) = (*methods.first()?, methods.get(1));
+    let (main, beside) = methods.split_first()?;
     let none = look.say("cost-compare-none");
-    if ui.selectable_label(beside.is_none(), none).clicked() {
+    if ui.selectable_label(beside.is_empty(), none).clicked() {
         asked = Some(Edit::Compare(None));
     }
     // The ones that are wrong on purpose come last, under their question.
@@ -82,7 +91,7 @@ pub fn compare_choices(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<Edi
             ui.separator();
             section(ui, look, &look.say("faulty-title"));
         }
-        let chosen = beside.is_some_and(|beside| beside.id == card.id);
+        let chosen = beside.iter().any(|beside| beside.id == card.id);
         if ui
             .selectable_label(chosen, look.say(card.name_key))
             .clicked()

@@ -48,6 +48,7 @@ problem-empty-text = This text is empty.
 problem-two-kinds-of-segments = Both “segments” and “random” are given: only one of the two may be.
 problem-two-kinds-of-polygons = Both “polygon” and “random” are given: only one of the two may be.
 problem-two-kinds-of-objects = Both “objects” and “street” are given: only one of the two may be.
+problem-too-many-beside = { $count } methods beside the first: at most { $most } have room there.
 problem-too-few-places = There are { $count } places here.
 problem-two-openings = Both “fov_y_deg” and “height” are given: the first is for perspective, the second for a parallel camera.
 problem-two-models = Both “solid” and “mesh” are given: only one of the two may be.

@@ -48,6 +48,7 @@ problem-empty-text = Este texto está vacío.
 problem-two-kinds-of-segments = Se dan a la vez «segments» y «random»: solo puede haber uno de los dos.
 problem-two-kinds-of-polygons = Se dan a la vez «polygon» y «random»: solo puede haber uno de los dos.
 problem-two-kinds-of-objects = Se dan a la vez «objects» y «street»: solo puede haber uno de los dos.
+problem-too-many-beside = { $count } métodos junto al primero: caben como máximo { $most }.
 problem-too-few-places = Lugares dados aquí: { $count }.
 problem-two-openings = Se dan a la vez «fov_y_deg» y «height»: el primero es para la perspectiva, el segundo para una cámara paralela.
 problem-two-models = Se dan a la vez «solid» y «mesh»: solo puede haber uno de los dos.

@@ -48,6 +48,7 @@ problem-empty-text = Este texto está vazio.
 problem-two-kinds-of-segments = “segments” e “random” foram dados ao mesmo tempo: só pode haver um dos dois.
 problem-two-kinds-of-polygons = “polygon” e “random” foram dados ao mesmo tempo: só pode haver um dos dois.
 problem-two-kinds-of-objects = “objects” e “street” foram dados ao mesmo tempo: só pode haver um dos dois.
+problem-too-many-beside = { $count } métodos ao lado do primeiro: cabem no máximo { $most }.
 problem-too-few-places = Lugares dados aqui: { $count }.
 problem-two-openings = “fov_y_deg” e “height” foram dados ao mesmo tempo: o primeiro é para a perspectiva, o segundo para uma câmera paralela.
 problem-two-models = “solid” e “mesh” foram dados ao mesmo tempo: só pode haver um dos dois.

@@ -44,6 +44,7 @@ problem-empty-text = 这段文本是空的。
 problem-two-kinds-of-segments = 同时给出了“segments”和“random”：只能给出其中之一。
 problem-two-kinds-of-polygons = 同时给出了“polygon”和“random”：只能给出其中之一。
 problem-two-kinds-of-objects = 同时给出了“objects”和“street”：只能给出其中之一。
+problem-too-many-beside = 第一个方法旁边列出了 { $count } 个方法：最多能并排放 { $most } 个。
 problem-too-few-places = 这里给出了 { $count } 个位置。
 problem-two-openings = 同时给出了“fov_y_deg”和“height”：前者用于透视相机，后者用于平行投影相机。
 problem-two-models = 同时给出了“solid”和“mesh”：只能给出其中之一。

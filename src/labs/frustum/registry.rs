@@ -37,6 +37,7 @@ pub static FRUSTUM: SpaceLab = SpaceLab {
     name_key: "lab-frustum",
     about_key: "lab-frustum-about",
     lock_groups: &["camera", "volume", "object", "point", "segment", "triangle"],
+    most_beside: 1,
     methods: || &METHODS,
     first_scene,
     verdict,

@@ -18,7 +18,7 @@ use super::{
 impl Scene {
     /// The methods on stage.
     pub(in crate::labs) fn on_stage(&self) -> impl Iterator<Item = Method> {
-        [Some(self.method), self.compare].into_iter().flatten()
+        std::iter::once(self.method).chain(self.beside.iter().copied())
     }
 
     /// The method of the same lab with this id.
@@ -80,12 +80,24 @@ impl Document for Scene {
     fn set_method(&mut self, id: &str) {
         if let Some(method) = self.sibling(id) {
             self.method = method;
-            self.compare = self.compare.filter(|&other| other != method);
+            self.beside.retain(|&other| other != method);
         }
     }
 
     fn set_compare(&mut self, id: Option<&str>) {
-        self.compare = id.and_then(|id| self.sibling(id));
+        let Some(method) = id.and_then(|id| self.sibling(id)) else {
+            self.beside.clear();
+            return;
+        };
+        let n_before = self.beside.len();
+        let most = self.method.info().lab.most_beside;
+        if most > 1 {
+            self.beside.retain(|&other| other != method);
+        }
+        if self.beside.len() == n_before {
+            self.beside.truncate(most - 1);
+            self.beside.push(method);
+        }
     }
 
     fn record(&self) -> Vec<Box<dyn Run>> {

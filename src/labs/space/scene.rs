@@ -20,8 +20,8 @@ pub type Method = crate::labs::Method<MethodInfo>;
 pub struct Scene {
     /// What is stepped.
     pub method: Method,
-    /// A second method on the same scene, side by side.
-    pub compare: Option<Method>,
+    /// Other methods on the same scene, side by side.
+    pub beside: Vec<Method>,
     /// Who looks, and culls.
     pub camera: TaughtCamera,
     /// Who culls in its place, so that the camera flies around what this one kept.
@@ -113,7 +113,7 @@ impl Scene {
         check(&objects)?;
         Ok(Self {
             method,
-            compare: None,
+            beside: Vec::new(),
             camera,
             eye,
             frozen: None,

@@ -17,6 +17,8 @@ pub struct SpaceLab {
     pub about_key: &'static str,
     /// Groups of handles that a lesson can lock.
     pub lock_groups: &'static [&'static str],
+    /// So many methods have room beside another.
+    pub most_beside: usize,
     /// Its methods, in the order in which they are taught.
     pub methods: fn() -> &'static [MethodInfo],
     /// What it opens on where there is no lesson.
@@ -62,7 +64,7 @@ impl Lab for SpaceLab {
     /// Any scene in three dimensions.
     fn adopt(&self, scene: &crate::labs::Scene) -> Option<crate::labs::Scene> {
         let mut scene: Scene = scene.get::<Scene>()?.clone();
-        (scene.method, scene.compare) = (self.all().next()?, None);
+        (scene.method, scene.beside) = (self.all().next()?, Vec::new());
         Some(scene.into())
     }
 

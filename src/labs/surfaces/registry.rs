@@ -28,6 +28,8 @@ pub static SURFACES: SpaceLab = SpaceLab {
     name_key: "lab-surfaces",
     about_key: "lab-surfaces-about",
     lock_groups: &["camera", "volume", "object"],
+    // One of each way to find who is in front.
+    most_beside: 2,
     methods: || &METHODS,
     first_scene,
     verdict,

@@ -46,7 +46,7 @@ fn every_field_is_read() {
     let scene = read(SCENE).expect("in order");
     assert_eq!(scene.method.card().id, "sphere-cull");
     assert_eq!(
-        scene.compare.map(|method| method.card().id),
+        scene.beside.first().map(|method| method.card().id),
         Some("box-cull")
     );
     assert_eq!(
@@ -102,6 +102,12 @@ fn where_no_eye_is_given_one_sees_the_whole_volume() {
 /// What is replaced in the scene, by what, and the place and code of the one problem.
 const BROKEN: &[(&str, &str, &str)] = &[
     ("\"sphere-cull\"", "\"sphere-cul\"", "1:10 unknown-method"),
+    (
+        "compare = \"box-cull\"",
+        "compare = [\"box-cull\", \"funnel\"]",
+        "2:11 too-many-beside",
+    ),
+    ("\"box-cull\"", "[\"box\"]", "2:12 unknown-method"),
     ("camera =", "camra =", "3:1 unknown-field"),
     ("position = [0, 2, 6], ", "", "3:10 missing-field"),
     (
@@ -334,7 +340,7 @@ prop_compose! {
         let camera = TaughtCamera::new([position, target, up], opening, aspect, [near, near + depth]).ok()?;
         let eye = Orbit::new(eye.0, eye.1, eye.2, eye.3);
         let mut scene = Scene::new(method, camera, eye, objects).ok()?;
-        scene.compare = (compare != method).then_some(compare);
+        scene.beside = [compare].into_iter().filter(|&it| it != method).collect();
         let [a, b, _] = corners;
         scene.places = scene.places.with_point(point).ok()?.with_segment([b, a]).ok()?.with_triangle(corners).ok()?;
         scene.frozen = if is_frozen { Some(camera.placed([target, position, up]).ok()?) } else { None };

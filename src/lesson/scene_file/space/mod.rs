@@ -85,9 +85,10 @@ fn scene(
     let method = fields
         .require("method", sink)
         .and_then(|item| method_of(lab, item, sink));
-    let compare = fields
-        .get("compare")
-        .and_then(|item| method_of(lab, item, sink));
+    let beside = match fields.get("compare") {
+        Some(item) => beside(lab, item, sink),
+        None => Some(Vec::new()),
+    };
     let camera = fields
         .require("camera", sink)
         .and_then(|item| camera(item, sink));
@@ -112,7 +113,7 @@ fn scene(
     let [face, vertex] = ["face", "vertex"].map(|name| index(name, MAX_PARTS));
     let scene = Scene::new(method?, camera?, eye?, objects?);
     let mut scene = refused_at(fields.span(), scene, sink)?;
-    (scene.compare, scene.frozen) = (compare, frozen);
+    (scene.beside, scene.frozen) = (beside?, frozen);
     (scene.places, scene.raster) = (places?, raster?);
     if let Some((item, focus)) = focus {
         refused_at(item.span(), scene.set_focus(focus), sink);
@@ -180,6 +181,25 @@ fn refused_at<T>(
 
 fn method_of(lab: &'static SpaceLab, item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Method> {
     lab.method(method(lab, item, sink)?)
+}
+
+/// The method beside the first, or a list of as many as have room there.
+fn beside(lab: &'static SpaceLab, item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Vec<Method>> {
+    let Some(items) = item.get_ref().as_array() else {
+        return Some(vec![method_of(lab, item, sink)?]);
+    };
+    if items.len() > lab.most_beside {
+        let message = Message::new("problem-too-many-beside")
+            .with("count", items.len())
+            .with("most", lab.most_beside);
+        sink.error(item.span(), message, []);
+        return None;
+    }
+    let methods: Vec<Method> = items
+        .iter()
+        .filter_map(|item| method_of(lab, item, sink))
+        .collect();
+    (methods.len() == items.len()).then_some(methods)
 }
 
 /// The objects of a scene, listed or a street of boxes: one of the two; where neither is given, a cube that the camera looks at.
@@ -253,9 +273,16 @@ fn places_to_toml(places: &Places, text: &mut String) {
 /// Writes a scene.
 fn to_toml(scene: &Scene) -> String {
     let mut text = format!("method = \"{}\"\n", scene.method.card().id);
-    if let Some(compare) = scene.compare {
-        let _ = writeln!(text, "compare = \"{}\"", compare.card().id);
-    }
+    let beside: Vec<String> = scene
+        .beside
+        .iter()
+        .map(|method| format!("\"{}\"", method.card().id))
+        .collect();
+    let _ = match &beside[..] {
+        [] => Ok(()),
+        [one] => writeln!(text, "compare = {one}"),
+        several => writeln!(text, "compare = [{}]", several.join(", ")),
+    };
     let _ = writeln!(text, "camera = {}", camera_to_toml(&scene.camera));
     let _ = writeln!(text, "eye = {}", eye_to_toml(&scene.eye));
     if let Some(frozen) = &scene.frozen {

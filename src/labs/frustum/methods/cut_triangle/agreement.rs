@@ -23,14 +23,14 @@ const SAME: f64 = 1e-6;
 
 /// Is it not beside another method? There is no room for more beside two pictures.
 pub fn is_alone(scenery: &Scenery) -> bool {
-    scenery.scene().compare.is_none()
+    scenery.scene().beside.is_empty()
 }
 
 /// Do the two methods on stage differ in what they cost or in what the camera sees, and not in their lists?
 pub fn is_about_pictures(scenery: Option<&Scenery>) -> bool {
     let Some(scene) = scenery
         .map(Scenery::scene)
-        .filter(|scene| scene.compare.is_some())
+        .filter(|scene| !scene.beside.is_empty())
     else {
         return false;
     };

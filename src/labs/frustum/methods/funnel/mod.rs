@@ -180,7 +180,7 @@ impl<L: CullRules + Variant> Demo for Shown<L> {
 /// Beside another method there is no room for the axes: the distances stand in the watch table.
 fn is_compared<L: CullRules>(step: &Step<'_, Shown<L>>) -> bool {
     let scenery = step.input.scenery.as_deref();
-    scenery.is_some_and(|scenery| scenery.scene().compare.is_some())
+    scenery.is_some_and(|scenery| !scenery.scene().beside.is_empty())
 }
 
 fn distances<L: CullRules>(step: &Step<'_, Shown<L>>) -> Gauges {
