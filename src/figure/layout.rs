@@ -87,7 +87,14 @@ enum Way {
 }
 
 impl Way {
-    const ROOMY: [Self; 3] = [Self::Beside, Self::Under, Self::Narrow];
+    /// What is tried first in columns of this shape: what is higher than it is wide has more room under the drawing.
+    fn roomy(is_portrait: bool) -> [Self; 3] {
+        if is_portrait {
+            [Self::Under, Self::Beside, Self::Narrow]
+        } else {
+            [Self::Beside, Self::Under, Self::Narrow]
+        }
+    }
 
     /// What views want at least, if they stand so.
     fn wanted(self, needs: &[Need]) -> Vec<Need> {
@@ -140,7 +147,8 @@ impl Sheet {
         let count = |views: &[Vec<(ViewId, Slot)>]| views.iter().map(Vec::len).sum::<usize>();
         let n_wanted: usize = needs.iter().map(Vec::len).sum();
         let mut best = Vec::new();
-        for way in Way::ROOMY
+        let is_portrait = stages.iter().all(|stage| stage.size()[0] < stage.size()[1]);
+        for way in Way::roomy(is_portrait)
             .into_iter()
             .chain(self.is_fixed.then_some(Way::Low))
         {

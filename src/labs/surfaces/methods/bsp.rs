@@ -24,7 +24,7 @@ use crate::{
     text::Value,
 };
 
-use super::on_raster::{faces, lettered, name_of, outline, pixels};
+use super::on_raster::{faces, fitting, lettered, name_of, outline, pixels};
 use captions::Input;
 
 type Shown = OnScene<Bsp>;
@@ -117,7 +117,7 @@ impl Demo for Shown {
         ];
         let tree = tree::tree(step.state, step.event, step.input, scene);
         views.push(View::new(TREE_VIEW, Body::Lists(tree)));
-        views
+        fitting(scene, views)
     }
 
     fn watch(step: &Step<'_, Self>) -> Watch {

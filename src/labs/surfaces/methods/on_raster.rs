@@ -7,7 +7,7 @@ use crate::{
         surface::{DepthBuffer, DepthBufferInput, Picture, Rays, Surfaces},
         volume::{ClipSpace, ClipVertex, HomogeneousLine, HomogeneousTriangle, LineInput},
     },
-    figure::{Mark3, Pixel, RasterMark, RasterShape, Role, Shape3},
+    figure::{Mark3, Pixel, RasterMark, RasterShape, Role, Shape3, View},
     geom::Camera,
     labs::space::{
         OnSceneInput, Scene,
@@ -53,6 +53,14 @@ pub fn faces<const N: usize>(
             .find(|(place, _)| *place == Some([object, face]));
         own.map_or(FaceLook::Whole, |&(_, role)| FaceLook::Own(role))
     }
+}
+
+/// What has room: beside two other methods only space and large pixels, which come first.
+pub fn fitting(scene: &Scene, mut views: Vec<View>) -> Vec<View> {
+    if scene.beside.len() > 1 {
+        views.truncate(2);
+    }
+    views
 }
 
 /// The picture so far; `own` is the triangle that the step is about, `value` what a pixel says of itself.

@@ -10,7 +10,7 @@ use crate::{
         space::soup::surface_link,
         space::stage::{Fate, Scenery},
         surfaces::methods::on_raster::{
-            faces, name_of, outline, pixel_formula, pixels, sight, titled, wrong_pixels,
+            faces, fitting, name_of, outline, pixel_formula, pixels, sight, titled, wrong_pixels,
         },
     },
     text::{Formula, Message, Value},
@@ -58,7 +58,7 @@ pub fn views<L: Variant>(step: &Step<'_, Shown<L>>) -> Vec<View> {
         let table = story(step, scenery, pixel);
         views.push(View::new(STORY_VIEW, Body::Table(table)));
     }
-    views
+    fitting(scene, views)
 }
 
 /// The line of sight to the fragment, and to what stands before or behind it.

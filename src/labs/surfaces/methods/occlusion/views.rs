@@ -10,7 +10,7 @@ use crate::{
     labs::{
         Step,
         space::stage::{Fate, object_link},
-        surfaces::methods::on_raster::{lettered, pixels, segment},
+        surfaces::methods::on_raster::{fitting, lettered, pixels, segment},
     },
     text::Value,
 };
@@ -40,11 +40,12 @@ pub fn views(step: &Step<'_, Shown>) -> Vec<View> {
         let ends = ends.map(|at| camera.world_from_view(at));
         Mark3::new(Role::Signal, Shape3::Segment(ends))
     });
-    vec![
+    let views = vec![
         scenery.observer(fate, marks.collect()),
         View::new(RASTER_VIEW, Body::Raster(raster(step))),
         View::new(LIST_VIEW, Body::Lists(lists(step))),
-    ]
+    ];
+    fitting(scenery.scene(), views)
 }
 
 /// The box that is asked, in view space.

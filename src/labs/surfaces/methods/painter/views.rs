@@ -7,7 +7,7 @@ use crate::{
         Step,
         space::{Scene, soup::surface_link, stage::Fate},
         surfaces::methods::on_raster::{
-            faces, lettered, name_of, outline, pixels, titled, wrong_pixels,
+            faces, fitting, lettered, name_of, outline, pixels, titled, wrong_pixels,
         },
     },
     text::{Formula, Message, Value},
@@ -53,11 +53,12 @@ pub fn views<L: Variant>(step: &Step<'_, Shown<L>>) -> Vec<View> {
     let scene = scenery.scene();
     let marked = [(own(step), Role::Accent), (other(step), Role::Signal)];
     let look = faces(marked, scene);
-    vec![
+    let views = vec![
         scenery.observer_with(|_| Fate::ToCome, look, Vec::new()),
         View::new(RASTER_VIEW, Body::Raster(raster(step))),
         View::new(LISTS_VIEW, Body::Lists(lists(step, scene))),
-    ]
+    ];
+    fitting(scene, views)
 }
 
 fn raster<L: Variant>(step: &Step<'_, Shown<L>>) -> Raster {

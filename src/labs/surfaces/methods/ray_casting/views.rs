@@ -11,7 +11,9 @@ use crate::{
             soup::surface_link,
             stage::{Fate, Scenery},
         },
-        surfaces::methods::on_raster::{faces, lettered, name_of, pixel_formula, pixels, sight},
+        surfaces::methods::on_raster::{
+            faces, fitting, lettered, name_of, pixel_formula, pixels, sight,
+        },
     },
     text::{Formula, Value},
 };
@@ -31,12 +33,13 @@ pub fn views(step: &Step<'_, Shown>) -> Vec<View> {
     let scene = scenery.scene();
     let own = now(step).or(step.state.nearest.map(|hit| hit.id));
     let look = faces([(own, Role::Accent)], scene);
-    vec![
+    let views = vec![
         scenery.observer_with(|_| Fate::ToCome, look, marks(step, scenery)),
         View::new(RASTER_VIEW, Body::Raster(raster(step, own))),
         View::new(ASKED_VIEW, Body::Table(asked(step, scenery))),
         View::new(AXIS_VIEW, Body::NumberLine(axis(step, scenery))),
-    ]
+    ];
+    fitting(scene, views)
 }
 
 const fn meeting_key(meeting: Meeting) -> &'static str {
