@@ -113,7 +113,13 @@ ray-seen = Pixel { $at } takes { $triangle }: the smallest t of { $hits ->
    *[other] { $hits } hits.
   }
 ray-seen-nothing = Pixel { $at } stays background: no triangle is hit.
-ray-done = Done: { $rays } rays, each asked { $triangles } triangles.
+ray-done = Done: { $rays ->
+    [one] one ray, which
+   *[other] { $rays } rays, each of which
+  } asked { $triangles ->
+    [one] one triangle
+   *[other] { $triangles } triangles
+  }.
 ray-culled = not asked
 ray-parallel = parallel
 ray-behind = behind the eye

@@ -113,7 +113,13 @@ ray-seen = El píxel { $at } toma { $triangle }: el menor t de { $hits ->
    *[other] { $hits } impactos.
   }
 ray-seen-nothing = El píxel { $at } queda como fondo: ningún triángulo recibe el rayo.
-ray-done = Terminado: { $rays } rayos, cada uno preguntó a { $triangles } triángulos.
+ray-done = Terminado: { $rays ->
+    [one] un rayo, que
+   *[other] { $rays } rayos, cada uno de los cuales
+  } preguntó a { $triangles ->
+    [one] un triángulo
+   *[other] { $triangles } triángulos
+  }.
 ray-culled = sin preguntar
 ray-parallel = paralelo
 ray-behind = tras el ojo
@@ -283,7 +289,13 @@ occlusion-in-vain = { $object } se dibuja en vano, { $triangles ->
     [one] un píxel,
    *[other] { $passed } píxeles,
   } { $object } mismo en ninguno. Una caja puede decir de más, nunca de menos.
-occlusion-done = Terminado: { $drawn } dibujados, { $skipped } saltados. Se ahorran { $spared } de { $triangles } triángulos, y la imagen es la misma que si se hubiera dibujado todo.
+occlusion-done = Terminado: { $drawn ->
+    [one] uno dibujado
+   *[other] { $drawn } dibujados
+  }, { $skipped ->
+    [one] uno saltado
+   *[other] { $skipped } saltados
+  }. Se ahorran { $spared } de { $triangles } triángulos, y la imagen es la misma que si se hubiera dibujado todo.
 occlusion-objects = objetos
 occlusion-asked = píxeles de la caja
 occlusion-passed = visibles

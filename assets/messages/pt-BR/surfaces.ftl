@@ -113,7 +113,13 @@ ray-seen = O pixel { $at } fica com { $triangle }: o menor t de { $hits ->
    *[other] { $hits } pontos atingidos.
   }
 ray-seen-nothing = O pixel { $at } continua fundo: nenhum triângulo é atingido.
-ray-done = Pronto: { $rays } raios, cada um perguntou a { $triangles } triângulos.
+ray-done = Pronto: { $rays ->
+    [one] um raio, que
+   *[other] { $rays } raios, cada um dos quais
+  } perguntou a { $triangles ->
+    [one] um triângulo
+   *[other] { $triangles } triângulos
+  }.
 ray-culled = não perguntado
 ray-parallel = paralelo
 ray-behind = atrás do olho
@@ -283,7 +289,13 @@ occlusion-in-vain = { $object } é desenhado em vão, { $triangles ->
     [one] um pixel,
    *[other] { $passed } pixels,
   } o próprio { $object } em nenhum. Uma caixa pode dizer demais, nunca de menos.
-occlusion-done = Pronto: { $drawn } desenhados, { $skipped } pulados. { $spared } de { $triangles } triângulos são poupados, e a imagem é a mesma que se tudo tivesse sido desenhado.
+occlusion-done = Pronto: { $drawn ->
+    [one] um desenhado
+   *[other] { $drawn } desenhados
+  }, { $skipped ->
+    [one] um pulado
+   *[other] { $skipped } pulados
+  }. { $spared } de { $triangles } triângulos são poupados, e a imagem é a mesma que se tudo tivesse sido desenhado.
 occlusion-objects = objetos
 occlusion-asked = pixels da caixa
 occlusion-passed = visíveis

@@ -53,19 +53,14 @@ pub struct ClipVertex<A = ()> {
     pub attributes: A,
 }
 
-impl<A> ClipVertex<A> {
-    /// By w, and then a point with w = 1; one with w = 0, which no point is, stays where it is.
-    pub(super) fn divided(self) -> Self {
-        let [x, y, z, w] = self.at;
-        let at = [x / w, y / w, z / w, 1.0];
-        Self {
-            at: if at.iter().all(|x| x.is_finite()) {
-                at
-            } else {
-                self.at
-            },
-            ..self
-        }
+/// By w, and then a point with w = 1; one with w = 0, which no point is, stays where it is.
+pub(super) fn divided<R: Real>(at: [f64; 4]) -> [f64; 4] {
+    let [x, y, z, w] = at.map(R::new);
+    let at_one = [(x / w).get(), (y / w).get(), (z / w).get(), 1.0];
+    if at_one.iter().all(|x| x.is_finite()) {
+        at_one
+    } else {
+        at
     }
 }
 

@@ -52,9 +52,9 @@ pub fn side_distances<R: Real>(side: VolumeSide, ends: &[[f64; 4]; 2]) -> [R; 2]
 }
 
 /// x/w, y/w, z/w, 1: what has no image is put as far away as there are numbers.
-fn divided([x, y, z, w]: [f64; 4]) -> [f64; 4] {
+fn divided<R: Real>([x, y, z, w]: [f64; 4]) -> [f64; 4] {
     let over_w = |a: f64| {
-        let quotient = a / w;
+        let quotient = (R::new(a) / R::new(w)).get();
         if quotient.is_nan() {
             0.0
         } else {
@@ -78,7 +78,7 @@ impl Bounds<4> for ClipSpace {
         emit: &mut impl FnMut(LineEvent<VolumeSide, 4>),
     ) -> Option<()> {
         if L::DIVIDES_FIRST {
-            *ends = ends.map(divided);
+            *ends = ends.map(divided::<R>);
         }
         let behind = ends.map(|at| R::new(at[3]) < R::new(0.0));
         let ends = *ends;

@@ -46,7 +46,7 @@ use crate::{
 use super::{
     VolumeRules,
     clip_polygon::ClipPolygon,
-    clip_vertex::{Attributes, ClipVertex},
+    clip_vertex::{Attributes, ClipVertex, divided},
     side_code::SideCode,
 };
 
@@ -151,7 +151,10 @@ impl<A: Attributes, L: VolumeRules> Algorithm for HomogeneousTriangle<A, L> {
     fn run<R: Real>(triangle: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Self::Output {
         use HomogeneousTriangleEvent as Event;
         let triangle = &if L::DIVIDES_FIRST {
-            let triangle = triangle.map(ClipVertex::divided);
+            let triangle = triangle.map(|v| ClipVertex {
+                at: divided::<R>(v.at),
+                ..v
+            });
             emit(Event::Divide { triangle });
             triangle
         } else {

@@ -118,11 +118,11 @@ impl<L: Variant<Homogeneous>> Demo for Shown<L> {
         let scenery = step.input.scenery.as_deref();
         let has_more = scenery.is_none_or(is_alone);
         if let Some(scenery) = scenery {
-            let marks = observer_marks(step.state, &parts, step.event, scenery);
+            let marks = observer_marks::<L>(step.state, &parts, step.event, scenery);
             views.push(scenery.observer(|_| Fate::ToCome, marks));
         }
         if let Some(scenery) = scenery.filter(|_| has_more) {
-            let marks = camera_marks::<L>(step.state, scenery);
+            let marks = camera_marks::<L>(step.state, step.event, scenery);
             views.push(scenery.camera(|_| Fate::ToCome, |_, _| FaceLook::Whole, marks));
         }
         if has_more {

@@ -157,16 +157,27 @@ fn bounds(state: &State) -> Vec<Option<f64>> {
         .collect()
 }
 
-fn ring(polygon: &ClipPolygon<Uv>, scenery: &Scenery) -> Vec<[f64; 3]> {
-    polygon
-        .vertices()
-        .iter()
-        .map(|v| in_world(v, scenery.scene()))
-        .collect()
+fn ring(polygon: &ClipPolygon<Uv>, place: impl Fn(&Vertex) -> [f64; 3]) -> Vec<[f64; 3]> {
+    polygon.vertices().iter().map(place).collect()
+}
+
+/// Where a vertex is drawn: in the world, or once it has been divided before it is clipped, where it lands on the screen.
+fn place_of<L: Variant<Homogeneous>>(
+    event: Option<Event>,
+    scenery: &Scenery,
+) -> impl Fn(&Vertex) -> [f64; 3] {
+    let is_divided = L::DIVIDES_FIRST && event.is_some();
+    move |v| {
+        if is_divided {
+            on_screen(scenery.scene().culler(), v.at)
+        } else {
+            in_world(v, scenery.scene())
+        }
+    }
 }
 
 /// The triangle, what is left of it, and the side at work.
-pub fn observer_marks(
+pub fn observer_marks<L: Variant<Homogeneous>>(
     state: &State,
     parts: &Parts<Vertex>,
     event: Option<Event>,
@@ -177,7 +188,8 @@ pub fn observer_marks(
     if let Some(side) = state.side {
         marks.extend(plane_mark(scenery, side as usize));
     }
-    let list = ring(&state.input, scenery);
+    let place = place_of::<L>(event, scenery);
+    let list = ring(&state.input, &place);
     let role = if state.is_done {
         Role::Accepted
     } else {
@@ -189,7 +201,7 @@ pub fn observer_marks(
     }
     let bounds = bounds(state);
     for (i, v) in state.input.vertices().iter().enumerate() {
-        let at = in_world(v, scenery.scene());
+        let at = place(v);
         let shape = match bounds.get(i).copied().flatten() {
             Some(d) if d < 0.0 => Shape3::Ring(at),
             Some(_) | None => Shape3::Dot(at),
@@ -200,7 +212,7 @@ pub fn observer_marks(
     if let (Some((crossing, _)), Some(Event::Cross { .. } | Event::Output { .. })) =
         (state.crossing, event)
     {
-        let at = in_world(&crossing, scenery.scene());
+        let at = place(&crossing);
         let mark = Mark3::new(Role::Signal, Shape3::Dot(at)).labelled(name("I"));
         marks.push(parts.linked(mark.strong(), &crossing));
     }
@@ -209,9 +221,13 @@ pub fn observer_marks(
 
 /// What the camera sees: the list as it stands. What has been divided first is drawn where it lands on the screen, beside the right
 /// outline.
-pub fn camera_marks<L: Variant<Homogeneous>>(state: &State, scenery: &Scenery) -> Vec<Mark3> {
+pub fn camera_marks<L: Variant<Homogeneous>>(
+    state: &State,
+    event: Option<Event>,
+    scenery: &Scenery,
+) -> Vec<Mark3> {
+    let list = ring(&state.input, place_of::<L>(event, scenery));
     if !L::DIVIDES_FIRST {
-        let list = ring(&state.input, scenery);
         let role = if state.is_done {
             Role::Accepted
         } else {
@@ -221,13 +237,7 @@ pub fn camera_marks<L: Variant<Homogeneous>>(state: &State, scenery: &Scenery) -
     }
     let corners = scenery.scene().places.triangle();
     let right = Mark3::new(Role::Accent, Shape3::Outline(corners.to_vec()));
-    let camera = scenery.scene().culler();
-    let landed = state
-        .input
-        .vertices()
-        .iter()
-        .map(|v| on_screen(camera, v.at));
-    let mut marks = area(landed.collect(), Role::Signal);
+    let mut marks = area(list, Role::Signal);
     marks.push(right);
     marks
 }
