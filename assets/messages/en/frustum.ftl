@@ -38,6 +38,7 @@ handle-point = Point P
 handle-space-end = End P{ $number }
 handle-space-corner = Corner V{ $number }
 handle-object = Object { $number }
+handle-object-corner = Object { $number }, corner { $corner }
 
 ## Methods
 

@@ -38,6 +38,7 @@ handle-point = Ponto P
 handle-space-end = Extremo P{ $number }
 handle-space-corner = Vértice V{ $number }
 handle-object = Objeto { $number }
+handle-object-corner = Objeto { $number }, vértice { $corner }
 
 ## Methods
 

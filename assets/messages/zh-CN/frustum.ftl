@@ -38,6 +38,7 @@ handle-point = 点 P
 handle-space-end = 端点 P{ $number }
 handle-space-corner = 顶点 V{ $number }
 handle-object = 物体 { $number }
+handle-object-corner = 物体 { $number } 的顶点 { $corner }
 
 ## Methods
 

@@ -51,6 +51,15 @@ static OBJECT: HandleKind = HandleKind {
     })
 };
 
+static OBJECT_CORNER: HandleKind = kind("object-corner", "object", |[i, corner]| {
+    Message::new("handle-object-corner")
+        .with("number", i + 1)
+        .with("corner", corner + 1)
+});
+
+/// In a scene of more objects corners cannot be taken hold of by themselves.
+const MOST_WITH_CORNERS: usize = 12;
+
 /// The handle of an object.
 pub fn object(object_idx: usize) -> Handle {
     OBJECT.at([object_idx, 0])
@@ -74,6 +83,11 @@ impl Scene {
         }
         if self.shows_objects() {
             handles.extend((0..self.objects().len()).map(object));
+            let has_few = self.objects().len() <= MOST_WITH_CORNERS;
+            let corners = |i: usize| [0, 1, 2].map(|corner| OBJECT_CORNER.at([i, corner]));
+            let triangles = (0..self.objects().len())
+                .filter(|&i| has_few && self.objects()[i].model().is_triangle());
+            handles.extend(triangles.flat_map(corners));
         }
         handles
     }
@@ -100,7 +114,13 @@ impl Scene {
         } else if handle.is(&CORNER) {
             *self.places.triangle().get(handle.idx()[0])?
         } else {
-            self.objects().get(handle.idx()[0])?.at()
+            let [object_idx, corner] = handle.idx();
+            let object = self.objects().get(object_idx)?;
+            if handle.is(&OBJECT_CORNER) {
+                object.points().nth(corner)?
+            } else {
+                object.at()
+            }
         })
     }
 
@@ -131,8 +151,13 @@ impl Scene {
             let moved = with(self.places.triangle(), handle, to);
             self.places = self.places.with_triangle(moved)?;
         } else if let Some(object) = self.objects().get(handle.idx()[0]) {
-            let moved = object.moved(to)?;
-            self.set_object(handle.idx()[0], moved);
+            let [object_idx, corner] = handle.idx();
+            let moved = if handle.is(&OBJECT_CORNER) {
+                object.with_corner(corner, to)?
+            } else {
+                object.moved(to)?
+            };
+            self.set_object(object_idx, moved);
         }
         Ok(())
     }

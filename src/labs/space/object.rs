@@ -6,6 +6,7 @@ use crate::{
     algo::cull::FunnelObject,
     figure::Skin,
     geom::{AlignedBox, Matrix, Mesh, Solid, SpaceError, Texture},
+    text::Diagnostic,
 };
 
 /// A mesh with a name: of a file, say.
@@ -57,6 +58,15 @@ impl Model {
 }
 
 impl Model {
+    /// Is it a mesh of one face, whose corners are all its vertices?
+    #[must_use]
+    pub fn is_triangle(&self) -> bool {
+        match self {
+            Self::Solid(_) => false,
+            Self::Mesh(named) => named.mesh.faces() == [[0, 1, 2]],
+        }
+    }
+
     /// What a face is painted with.
     #[must_use]
     pub fn skin(&self, face: [u32; 3]) -> Option<Skin> {
@@ -139,6 +149,32 @@ impl Object {
         Self::new(self.model.clone(), at, self.turn_deg, self.size)
     }
 
+    /// With another place for a vertex of its mesh, in the world. A solid keeps its vertices.
+    ///
+    /// # Errors
+    /// [`Diagnostic`]: too far away for a mesh's numbers.
+    pub fn with_corner(&self, vertex_idx: usize, to: [f64; 3]) -> Result<Self, Diagnostic> {
+        let Model::Mesh(named) = &self.model else {
+            return Ok(self.clone());
+        };
+        // A rotation is undone by its transpose.
+        let turned = Matrix::rotation(self.turn_deg.map(f64::to_radians)).rows();
+        let from_origin: [f64; 3] = std::array::from_fn(|i| to[i] - self.at[i]);
+        let column = |j: usize| (0..3).map(|i| turned[i][j] * from_origin[i]).sum::<f64>();
+        let mut positions = named.mesh.positions().to_vec();
+        if let Some(position) = positions.get_mut(vertex_idx) {
+            *position = [0, 1, 2].map(|j| (column(j) / self.size) as f32);
+        }
+        let uvs = named.mesh.uvs().to_vec();
+        let mesh = Mesh::new(positions, uvs, named.mesh.faces().to_vec())?;
+        let named = NamedMesh {
+            mesh,
+            ..NamedMesh::clone(named)
+        };
+        let model = Model::Mesh(Arc::new(named));
+        Ok(Self::new(model, self.at, self.turn_deg, self.size)?)
+    }
+
     /// From its model to the world.
     #[must_use]
     pub fn world_from_model(&self) -> Matrix {
@@ -179,5 +215,33 @@ impl Object {
         let world_from_model = self.world_from_model();
         let face = *mesh.faces().get(face_idx)?;
         Some(mesh.corners(face).map(|p| world_from_model.point(p)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_corner_lies_where_it_was_put_and_the_others_stay() {
+        let corners = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.5]];
+        let mesh = Mesh::new(corners, Vec::new(), vec![[0, 1, 2]]).expect("a triangle");
+        let named = NamedMesh {
+            name: "A".to_owned(),
+            mesh,
+            picture: None,
+        };
+        let model = Model::Mesh(Arc::new(named));
+        assert!(model.is_triangle());
+        let turned =
+            Object::new(model, [1.0, -2.0, 3.0], [20.0, 70.0, -35.0], 1.5).expect("finite");
+        let to = [-0.5, 4.0, 2.25];
+        let moved = turned.with_corner(1, to).expect("finite");
+        let [before, after]: [Vec<[f64; 3]>; 2] = [&turned, &moved].map(|it| it.points().collect());
+        assert_eq!((before[0], before[2]), (after[0], after[2]));
+        for (is, wanted) in after[1].into_iter().zip(to) {
+            assert!((is - wanted).abs() < 1e-6, "{is} is {wanted}");
+        }
+        assert!(turned.with_corner(1, [1e300, 0.0, 0.0]).is_err());
     }
 }

@@ -117,7 +117,7 @@ impl Demo for Shown {
         ];
         let tree = tree::tree(step.state, step.event, step.input, scene);
         views.push(View::new(TREE_VIEW, Body::Lists(tree)));
-        fitting(scene, views)
+        fitting(scenery, views)
     }
 
     fn watch(step: &Step<'_, Self>) -> Watch {

@@ -12,7 +12,7 @@ use crate::{
     labs::space::{
         OnSceneInput, Scene,
         soup::{place_of, surface_name},
-        stage::{FaceLook, Scenery},
+        stage::{FaceLook, Fate, Scenery},
     },
     text::{Formula, Message, Value},
     trace::silent,
@@ -55,10 +55,13 @@ pub fn faces<const N: usize>(
     }
 }
 
-/// What has room: beside two other methods only space and large pixels, which come first.
-pub fn fitting(scene: &Scene, mut views: Vec<View>) -> Vec<View> {
-    if scene.beside.len() > 1 {
-        views.truncate(2);
+/// What has room: beside two other methods only space and large pixels, which come first; alone, also the picture that the pixels
+/// are of, in full size.
+pub fn fitting(scenery: &Scenery, mut views: Vec<View>) -> Vec<View> {
+    match scenery.scene().beside.len() {
+        0 => views.push(scenery.camera(|_| Fate::ToCome, |_, _| FaceLook::Whole, Vec::new())),
+        1 => {}
+        _ => views.truncate(2),
     }
     views
 }

@@ -58,7 +58,7 @@ pub fn views<L: Variant>(step: &Step<'_, Shown<L>>) -> Vec<View> {
         let table = story(step, scenery, pixel);
         views.push(View::new(STORY_VIEW, Body::Table(table)));
     }
-    fitting(scene, views)
+    fitting(scenery, views)
 }
 
 /// The line of sight to the fragment, and to what stands before or behind it.

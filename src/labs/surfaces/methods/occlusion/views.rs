@@ -45,7 +45,7 @@ pub fn views(step: &Step<'_, Shown>) -> Vec<View> {
         View::new(RASTER_VIEW, Body::Raster(raster(step))),
         View::new(LIST_VIEW, Body::Lists(lists(step))),
     ];
-    fitting(scenery.scene(), views)
+    fitting(scenery, views)
 }
 
 /// The box that is asked, in view space.

@@ -58,7 +58,7 @@ pub fn views<L: Variant>(step: &Step<'_, Shown<L>>) -> Vec<View> {
         View::new(RASTER_VIEW, Body::Raster(raster(step))),
         View::new(LISTS_VIEW, Body::Lists(lists(step, scene))),
     ];
-    fitting(scene, views)
+    fitting(scenery, views)
 }
 
 fn raster<L: Variant>(step: &Step<'_, Shown<L>>) -> Raster {

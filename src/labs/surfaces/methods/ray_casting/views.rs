@@ -39,7 +39,7 @@ pub fn views(step: &Step<'_, Shown>) -> Vec<View> {
         View::new(ASKED_VIEW, Body::Table(asked(step, scenery))),
         View::new(AXIS_VIEW, Body::NumberLine(axis(step, scenery))),
     ];
-    fitting(scene, views)
+    fitting(scenery, views)
 }
 
 const fn meeting_key(meeting: Meeting) -> &'static str {
