@@ -6,4 +6,5 @@ mod occlusion;
 mod oracle;
 mod painter;
 mod ray_casting;
+mod scenes;
 mod soup;

@@ -189,19 +189,9 @@ impl<'a> Builder<'a> {
             return (side, None);
         }
         let cut = &self.pieces[piece as usize];
-        let Some([before, behind]) = self.halves(id, cut) else {
-            // Rounding leaves nothing on one of its sides: the other side has it all.
-            let n_before = cut
-                .polygon
-                .iter()
-                .filter(|v| self.vertex_side::<f64>(id, **v) == Ordering::Greater);
-            let is_before = 2 * n_before.count() >= cut.polygon.len();
-            let side = if is_before {
-                BspSide::Front
-            } else {
-                BspSide::Back
-            };
-            return (side, None);
+        let [before, behind] = match self.halves(id, cut) {
+            Ok(halves) => halves,
+            Err(side) => return (side, None),
         };
         let first = self.pieces.len() as u32;
         self.pieces.extend([before, behind]);
@@ -209,10 +199,20 @@ impl<'a> Builder<'a> {
         (BspSide::Cut, Some([first, first + 1]))
     }
 
-    fn halves(&self, id: u32, cut: &BspPiece) -> Option<[BspPiece; 2]> {
+    /// What lies before a plane and what lies behind it. Where rounding leaves nothing on one of the sides, the other has it all:
+    /// what should lie there is thinner than a cut is exact.
+    fn halves(&self, id: u32, cut: &BspPiece) -> Result<[BspPiece; 2], BspSide> {
         let ([x, y, z], d) = plane(self.corners(id));
-        let plane = Plane::new([x, y, z, d]).ok()?;
+        // A plane of a triangle too small for its own normal cuts nothing.
+        let plane = Plane::new([x, y, z, d]).map_err(|_| BspSide::Back)?;
         let [before, behind] = split(&cut.polygon, &plane);
+        if before.is_empty() || behind.is_empty() {
+            return Err(if before.is_empty() {
+                BspSide::Back
+            } else {
+                BspSide::Front
+            });
+        }
         let half = |polygon: Vec<[f64; 3]>, is_before| {
             let mut cuts = cut.cuts.clone();
             cuts.push((id, is_before));
@@ -222,8 +222,7 @@ impl<'a> Builder<'a> {
                 cuts,
             }
         };
-        let is_whole = before.is_empty() || behind.is_empty();
-        (!is_whole).then(|| [half(before, true), half(behind, false)])
+        Ok([half(before, true), half(behind, false)])
     }
 
     /// By its vertices; but its triangle's own corners, where they are all on one side, know better than what is rounded.
