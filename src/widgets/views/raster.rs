@@ -5,6 +5,7 @@ use egui::{Align2, Color32, Painter, Pos2, Rect, Stroke, StrokeKind, Vec2, vec2}
 use crate::{
     figure::{Link, Pixel, Raster, RasterMark, RasterShape, Role},
     paint::Theme,
+    text::Value,
     widgets::Look,
 };
 
@@ -21,8 +22,11 @@ const TITLE: f32 = 28.0;
 /// What is stored is written in this size at most, and at least; in points.
 const LARGEST: f32 = 11.0;
 const SMALLEST: f32 = 4.5;
-/// Width of three digits, with white space, over their size.
-const DIGITS: f32 = 2.1;
+/// Width of a character over its size, and of the white space around all.
+const CHARACTER: f32 = 0.6;
+const AROUND: f32 = 0.3;
+/// Numbers are as large as so many digits have room for.
+const DIGITS: usize = 3;
 /// The darkest that a shade may be under ink.
 const DARKEST: f32 = 0.45;
 
@@ -104,11 +108,18 @@ fn draw_pixel(slate: &mut Slate<'_>, place: Rect, pixel: &Pixel, hairline: Strok
     slate
         .painter
         .rect_stroke(place, 0.0, hairline, StrokeKind::Inside);
-    // As large as three digits have room for.
-    let pts = (place.width() / (DIGITS * slate.pts(1.0))).min(LARGEST);
-    let Some(value) = pixel.value.as_ref().filter(|_| pts >= SMALLEST) else {
+    let Some(value) = &pixel.value else {
         return;
     };
+    let n_characters = match value {
+        Value::Name(name) => name.chars().count(),
+        _ => DIGITS,
+    };
+    let wide = CHARACTER * n_characters as f32 + AROUND;
+    let pts = (place.width() / (wide * slate.pts(1.0))).min(LARGEST);
+    if pts < SMALLEST {
+        return;
+    }
     let text = slate.low(value, (Face::Mono, pts, slate.theme().ink));
     if text.size().x <= place.width() {
         slate.put(&text, place.center(), Align2::CENTER_CENTER);
@@ -156,12 +167,12 @@ fn draw_over(slate: &Slate<'_>, (origin, width): (Pos2, f32), mark: &RasterMark)
     }
 }
 
-/// A gap in the background's colour inside the signal's line: seen on any tone.
+/// A gap in the background's colour inside the signal's line: seen on any tone, and what is stored stays to be read.
 fn ring(slate: &Slate<'_>, place: Rect) {
     let theme = slate.theme();
-    let gap = theme.stroke(4.0, theme.background);
+    let gap = theme.stroke(2.0, theme.background);
     let line = theme.stroke(2.0, theme.signal);
     let painter = slate.painter;
-    painter.rect_stroke(place, 2.0, gap, StrokeKind::Inside);
-    painter.rect_stroke(place.expand(1.0), 3.0, line, StrokeKind::Outside);
+    painter.rect_stroke(place, 2.0, gap, StrokeKind::Outside);
+    painter.rect_stroke(place.expand(gap.width), 3.0, line, StrokeKind::Outside);
 }
