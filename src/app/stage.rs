@@ -18,6 +18,7 @@ use crate::{
     widgets::{
         Canvas, CanvasShown, Spot, StepWords, TEXT_PTS, beside_the_drawing, caption_text, covered,
         gripped, headline, link_at, picture_viewport, projected, rect_of, slot_of, title_of_space,
+        under_title,
     },
 };
 
@@ -287,12 +288,13 @@ impl Column<'_> {
         (rect, commands): (Rect, &mut Vec<Command>),
     ) -> CanvasShown {
         let look = model.look;
-        let viewport = state.viewport(drawing, rect);
+        let space = frame.space();
+        let seen_in = space.map_or(rect, |space| under_title(rect, look, space));
+        let viewport = state.viewport(drawing, seen_in);
         let lit = state.lit;
         let id = Id::unique(("stage", self.index));
         let is_flat = drawing.1 == Lens::Plane;
         let is_drawing = state.sketch.is_some();
-        let space = frame.space();
         let is_world = !space.is_some_and(|space| matches!(space.seer, Seer::Apart(_)));
         let spots = if is_world {
             self.spots(model, ui, state, id, (&viewport, drawing.1))

@@ -26,7 +26,9 @@ use egui::{Rect, Role, Sense, Ui, WidgetInfo};
 use crate::figure::{Body, Link, View};
 
 use super::Look;
-pub use space::{covered, picture_viewport, projected, space, title as title_of_space};
+pub use space::{
+    covered, picture_viewport, projected, space, title as title_of_space, under_title,
+};
 
 use links::Links;
 use on_slate::OnSlate;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use egui::{Align2, Context, Id, Rect, Role, Sense, StrokeKind, Ui, WidgetInfo, vec2};
 
 use crate::{
-    figure::{ColumnLayout, Lens, Link, Mark, Space, ViewId, project},
+    figure::{ColumnLayout, Lens, Link, Mark, Seer, Space, ViewId, project},
     paint::{self, Around, Viewport},
     widgets::{Look, hit, rect_of},
 };
@@ -15,6 +15,9 @@ use super::slate::{Face, Slate};
 /// Of a camera's picture: its frame, and the size of its title.
 const FRAME: f32 = 1.5;
 const TITLE_PTS: f32 = 13.0;
+
+/// A title that takes more of the height of a space by itself stands over it, not in it.
+const CROWDED: f32 = 0.12;
 
 /// Width over height that what an eye sees has room for, at least.
 const ASPECT: f32 = 1.4;
@@ -31,6 +34,18 @@ pub fn picture_viewport(rect: Rect, lens: &Lens) -> Viewport {
         rect: seen.unwrap_or(rect),
         centre: [0.0; 2],
         scale: f64::from(height) / 2.0,
+    }
+}
+
+/// Where the picture of a space stands: under its title, where that would cover more than a part of it.
+#[must_use]
+pub fn under_title(rect: Rect, look: Look<'_>, shown: &Space) -> Rect {
+    let title = 1.9 * TITLE_PTS * look.theme.text_scale;
+    let is_crowded = matches!(shown.seer, Seer::Apart(_)) && title > CROWDED * rect.height();
+    if is_crowded {
+        rect.with_min_y(rect.top() + title)
+    } else {
+        rect
     }
 }
 
@@ -89,7 +104,7 @@ pub fn space(
     let response = ui.interact(rect, id, Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, spoken(look, shown)));
     let lens = shown.seer.into();
-    let viewport = picture_viewport(rect, &lens);
+    let viewport = picture_viewport(under_title(rect, look, shown), &lens);
     let marks = projected(ui.ctx(), id, shown, &lens);
     let painter = ui.painter_at(viewport.rect);
     painter.rect_filled(viewport.rect, 0.0, look.theme.background);
@@ -104,7 +119,12 @@ pub fn space(
         ui.painter()
             .rect_stroke(viewport.rect, 0.0, frame, StrokeKind::Middle);
     }
-    title(ui, look, viewport.rect, shown);
+    let corner = if lens.aspect().is_some() {
+        viewport.rect
+    } else {
+        rect
+    };
+    title(ui, look, corner, shown);
     hit::link_at(&viewport, &marks, response.hover_pos()?)
 }
 
