@@ -12,7 +12,7 @@ use proptest::prelude::*;
 
 use crate::{
     oracle::{Seen, pixels, seen},
-    soup::{cases, of_mesh, placed, soup, surfaces, volume, volumes},
+    soup::{FAR, NEAR, cases, of_mesh, placed, soup, surfaces, volume, volumes},
 };
 
 fn all(surfaces: Surfaces) -> RayCastingInput {
@@ -53,6 +53,30 @@ proptest! {
         prop_assert_eq!(with.picture, without.picture);
         prop_assert_eq!(with.depth, without.depth);
         prop_assert!(with.n_asked <= without.n_asked);
+    }
+
+    /// Also where the boxes' numbers of 32 bits are at an end, and none is between those that are as near as can be.
+    #[test]
+    fn boxes_change_no_hit_at_any_scale(
+        triangles in soup(20),
+        parallel in any::<bool>(),
+        power in prop_oneof![Just(0_i32), -300..301_i32],
+        squeeze in prop_oneof![Just(0_i32), 20..60_i32],
+    ) {
+        let scale = 2.0_f64.powi(power);
+        let volume = if parallel {
+            ViewVolume::parallel(12.0 * scale, 1.0, -scale, 9.0 * scale)
+        } else {
+            ViewVolume::perspective(90.0, 1.0, NEAR * scale, FAR * scale)
+        };
+        // All about 5 before the eye, the nearer they are together the more are edge-on.
+        let near_together = |z: f64| if squeeze == 0 { z } else { -5.0 + z * 2.0_f64.powi(-squeeze) };
+        let placed = placed(&triangles).into_iter().map(|t| t.map(|[x, y, z]| [x, y, near_together(z)].map(|x| x * scale)));
+        let surfaces = Surfaces::new([16, 16], volume.expect("a volume"), placed.collect::<Vec<_>>(), false).expect("finite");
+        let without = silent::<RayCasting>(&all(surfaces.clone()));
+        let with = Hierarchy::new(&surfaces).picture(&surfaces);
+        prop_assert_eq!(with.picture, without.picture);
+        prop_assert_eq!(with.depth, without.depth);
     }
 }
 

@@ -9,6 +9,7 @@
 //! clipper, the same snapping and the same walk over a triangle's rows.
 
 mod assembly;
+mod box_division;
 mod bsp;
 mod bsp_choice;
 mod bsp_tree;
@@ -29,6 +30,8 @@ mod precedence;
 mod ray_casting;
 mod ray_plane;
 mod rays;
+mod rough_edges;
+mod rounded_box;
 mod rules;
 mod scan;
 mod screen_triangle;

@@ -14,7 +14,10 @@ use std::cmp::Ordering;
 
 use serde::Serialize;
 
-use crate::{geom::sign_of_three, trace::Real};
+use crate::{
+    geom::{Sight, sign_of_three},
+    trace::Real,
+};
 
 use super::{Ray, Rays, Surfaces, coverage::plane};
 
@@ -57,11 +60,11 @@ pub(super) struct RayTriangle {
     pub id: u32,
     pub corners: [[f64; 3]; 3],
     /// `Equal` where it is left out.
-    turn: Ordering,
+    pub turn: Ordering,
     n: [f64; 3],
     d: f64,
     /// Of each edge, Vᵢ × Vⱼ along the lines of sight, and the sums of the products' sizes.
-    edges: [[[f64; 3]; 2]; 3],
+    pub edges: [[[f64; 3]; 2]; 3],
     /// The nearest and the farthest vertex, before the eye's plane.
     distances: [f64; 2],
 }
@@ -90,11 +93,7 @@ impl RayTriangle {
         Self {
             id,
             corners: *corners,
-            turn: if surfaces.shows(corners) {
-                surfaces.turn(*corners)
-            } else {
-                Ordering::Equal
-            },
+            turn: surfaces.shown_turn(corners),
             n,
             d,
             edges,
@@ -104,6 +103,34 @@ impl RayTriangle {
 
     pub fn is_shown(&self) -> bool {
         self.turn != Ordering::Equal
+    }
+
+    /// Its corners, and where they would be as near as rounding can tell t of any of its points: n·p + d, which should be 0 there, over what t
+    /// is divided by. So a box around these begins no later than any t that is told.
+    pub fn reach(&self, surfaces: &Surfaces, eye_z: f64) -> [[f64; 3]; 6] {
+        let (n, d) = (self.n, self.d);
+        let (mut rest, mut size) = (0.0_f64, (n[2] * eye_z).abs());
+        for v in self.corners {
+            let products = [0, 1, 2].map(|i| n[i] * v[i]);
+            rest = rest.max((products[0] + products[1] + products[2] + d).abs());
+            size = size.max(products.iter().map(|x| x.abs()).sum::<f64>());
+        }
+        // Of four roundings is what t is divided by, and of four the other sum; t is one more. This leaves room for those here.
+        let error = 4.0 * (rest + 16.0 * f64::EPSILON * (size + d.abs()));
+        let is_told = |by: f64| (1e-250..1e250).contains(&by.abs()) && error < by.abs();
+        let nearest = self
+            .corners
+            .map(|[x, y, z]| match surfaces.volume().sight() {
+                Sight::Perspective if is_told(d) => [x, y, z].map(|x| x * (1.0 - error / d.abs())),
+                Sight::Perspective => [0.0; 3],
+                Sight::Parallel if is_told(n[2]) => {
+                    [x, y, (z + error / n[2].abs()).min(eye_z).max(z)]
+                }
+                Sight::Parallel => [x, y, eye_z.max(z)],
+            });
+        let [a, b, c] = self.corners;
+        let [near_a, near_b, near_c] = nearest;
+        [a, b, c, near_a, near_b, near_c]
     }
 
     /// Of a line of sight.

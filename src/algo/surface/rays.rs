@@ -31,6 +31,7 @@ pub struct Ray {
 
 impl Ray {
     /// The point at t.
+    #[inline]
     #[must_use]
     pub fn at(&self, t: f64) -> [f64; 3] {
         std::array::from_fn(|i| self.origin[i] + t * self.direction[i])

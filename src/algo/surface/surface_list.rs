@@ -103,10 +103,14 @@ impl Surfaces {
     /// and such are left out. Exact.
     #[must_use]
     pub fn shows(&self, triangle: &[[f64; 3]; 3]) -> bool {
+        self.shown_turn(triangle) != Ordering::Equal
+    }
+
+    /// Which way it turns; `Equal` where it is not shown.
+    pub(super) fn shown_turn(&self, triangle: &[[f64; 3]; 3]) -> Ordering {
         match self.turn(*triangle) {
-            Ordering::Greater => true,
-            Ordering::Less => !self.culls_backs,
-            Ordering::Equal => false,
+            Ordering::Less if self.culls_backs => Ordering::Equal,
+            turn => turn,
         }
     }
 
