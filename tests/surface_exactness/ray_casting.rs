@@ -55,29 +55,49 @@ proptest! {
         prop_assert!(with.n_asked <= without.n_asked);
     }
 
-    /// Also where the boxes' numbers of 32 bits are at an end, and none is between those that are as near as can be.
     #[test]
-    fn boxes_change_no_hit_at_any_scale(
-        triangles in soup(20),
-        parallel in any::<bool>(),
-        power in prop_oneof![Just(0_i32), -300..301_i32],
-        squeeze in prop_oneof![Just(0_i32), 20..60_i32],
-    ) {
+    fn boxes_change_no_hit_at_any_scale(triangles in soup(20), parallel in any::<bool>(), power in -300..301_i32) {
         let scale = 2.0_f64.powi(power);
         let volume = if parallel {
             ViewVolume::parallel(12.0 * scale, 1.0, -scale, 9.0 * scale)
         } else {
             ViewVolume::perspective(90.0, 1.0, NEAR * scale, FAR * scale)
         };
-        // All about 5 before the eye, the nearer they are together the more are edge-on.
-        let near_together = |z: f64| if squeeze == 0 { z } else { -5.0 + z * 2.0_f64.powi(-squeeze) };
-        let placed = placed(&triangles).into_iter().map(|t| t.map(|[x, y, z]| [x, y, near_together(z)].map(|x| x * scale)));
-        let surfaces = Surfaces::new([16, 16], volume.expect("a volume"), placed.collect::<Vec<_>>(), false).expect("finite");
+        let scaled: Vec<_> = placed(&triangles).into_iter().map(|t| t.map(|v| v.map(|x| x * scale))).collect();
+        let surfaces = Surfaces::new([16, 16], volume.expect("a volume"), scaled, false).expect("finite");
         let without = silent::<RayCasting>(&all(surfaces.clone()));
         let with = Hierarchy::new(&surfaces).picture(&surfaces);
         prop_assert_eq!(with.picture, without.picture);
         prop_assert_eq!(with.depth, without.depth);
     }
+}
+
+#[test]
+fn boxes_begin_before_what_is_told() {
+    // A needle along the ray through the middle of pixel (9, 5), which meets it at 3.7008; its plane runs so near the eye that 3.6980 is told,
+    // which is before it begins. So many walls are between that the needle gets a box of its own.
+    let needle = [
+        [0.6937499999999979, 1.1562500000000009, -3.699999999999997],
+        [0.6937500000000023, 1.156249999999997, -3.6999999999999997],
+        [0.6939374999999995, 1.1565625000000004, -3.7009999999999996],
+    ];
+    let wall = [
+        [-90.0, -90.0, -3.699],
+        [90.0, -90.0, -3.699],
+        [0.0, 190.0, -3.699],
+    ];
+    let surfaces = Surfaces::new(
+        [16, 16],
+        volume(),
+        [wall, wall, wall, wall, wall, needle],
+        false,
+    );
+    let surfaces = surfaces.expect("finite");
+    let without = silent::<RayCasting>(&all(surfaces.clone()));
+    assert_eq!(without.picture.at([9, 5]), Some(5));
+    let with = Hierarchy::new(&surfaces).picture(&surfaces);
+    assert_eq!(with.picture, without.picture);
+    assert_eq!(with.depth, without.depth);
 }
 
 proptest! {
