@@ -55,12 +55,12 @@ pub fn faces<const N: usize>(
     }
 }
 
-/// What has room: beside two other methods only space and large pixels, which come first; alone, also the picture that the pixels
-/// are of, in full size.
+/// What has room: beside two other methods only space and large pixels, which come first, beside one a third view; alone, also the
+/// picture that the pixels are of, in full size.
 pub fn fitting(scenery: &Scenery, mut views: Vec<View>) -> Vec<View> {
     match scenery.scene().beside.len() {
         0 => views.push(scenery.camera(|_| Fate::ToCome, |_, _| FaceLook::Whole, Vec::new())),
-        1 => {}
+        1 => views.truncate(3),
         _ => views.truncate(2),
     }
     views
