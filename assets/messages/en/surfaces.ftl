@@ -160,6 +160,7 @@ code-faulty-painter-keys = for each P in the list: P is next
 words-faulty-painter-keys = Take the list as it is sorted, and ask nobody.
 faulty-painter-nearest-differs = Step { $step } is the first that differs: the key is the nearest vertex, not the farthest.
 faulty-painter-keys-differs = Step { $step } is the first that differs: nobody is asked whether this one may come next.
+surfaces-first = The first { $triangles } of { $all } triangles only: nobody could follow the steps of all.
 painter-opening = { $triangles ->
     [one] One triangle is
    *[other] { $triangles } triangles are

@@ -160,6 +160,7 @@ code-faulty-painter-keys = for each P in the list: P is next
 words-faulty-painter-keys = Toma la lista tal como está ordenada, sin preguntar.
 faulty-painter-nearest-differs = El paso { $step } es el primero que difiere: la clave es el vértice más cercano, no el más lejano.
 faulty-painter-keys-differs = El paso { $step } es el primero que difiere: a nadie se le pregunta si este puede ser el siguiente.
+surfaces-first = Solo los primeros { $triangles } de { $all } triángulos: nadie podría seguir los pasos de todos.
 painter-opening = { $triangles ->
     [one] Hay un triángulo
    *[other] Hay { $triangles } triángulos

@@ -160,6 +160,7 @@ code-faulty-painter-keys = for each P in the list: P is next
 words-faulty-painter-keys = Pegue a lista como está ordenada, sem perguntar.
 faulty-painter-nearest-differs = O passo { $step } é o primeiro que difere: a chave é o vértice mais próximo, não o mais distante.
 faulty-painter-keys-differs = O passo { $step } é o primeiro que difere: não se pergunta a ninguém se este pode ser o próximo.
+surfaces-first = Só os primeiros { $triangles } de { $all } triângulos: ninguém poderia acompanhar os passos de todos.
 painter-opening = { $triangles ->
     [one] Há um triângulo
    *[other] Há { $triangles } triângulos

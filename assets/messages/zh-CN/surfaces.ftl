@@ -133,6 +133,7 @@ code-faulty-painter-keys = for each P in the list: P is next
 words-faulty-painter-keys = 照排好的次序取，不作询问。
 faulty-painter-nearest-differs = 第 { $step } 步最先不同：键取了最近的顶点，而不是最远的。
 faulty-painter-keys-differs = 第 { $step } 步最先不同：没有询问它是否可以接着画。
+surfaces-first = 只取 { $all } 个三角形中的前 { $triangles } 个：全部的步骤没有人能跟得上。
 painter-opening = 要画 { $triangles } 个三角形，最远的先画：后画的遮住先画的。
 painter-key = { $triangle } 的键是 { $key }。它位于这两个距离之间：
 painter-sort = { $triangle } 在表中排第 { $place }，最远的在前。

@@ -24,7 +24,7 @@ use crate::{
     text::Value,
 };
 
-use super::on_raster::{faces, fitting, lettered, name_of, outline, pixels};
+use super::on_raster::{faces, fitting, lettered, name_of, opening, outline, pixels};
 use captions::Input;
 
 type Shown = OnScene<Bsp>;
@@ -101,7 +101,7 @@ impl Demo for Shown {
     }
 
     fn opening(input: &Input) -> Caption {
-        captions::opening(input)
+        opening("bsp-opening", input.own.surfaces().triangles().len(), input)
     }
 
     fn views(step: &Step<'_, Self>) -> Vec<View> {

@@ -7,12 +7,15 @@ use crate::{
         surface::{DepthBuffer, DepthBufferInput, Picture, Rays, Surfaces},
         volume::{ClipSpace, ClipVertex, HomogeneousLine, HomogeneousTriangle, LineInput},
     },
-    figure::{Mark3, Pixel, RasterMark, RasterShape, Role, Shape3, View},
+    figure::{Caption, Mark3, Pixel, RasterMark, RasterShape, Role, Shape3, View},
     geom::Camera,
-    labs::space::{
-        OnSceneInput, Scene,
-        soup::{place_of, surface_name},
-        stage::{FaceLook, Fate, Scenery},
+    labs::{
+        Document,
+        space::{
+            OnSceneInput, Scene,
+            soup::{place_of, surface_name},
+            stage::{FaceLook, Fate, Scenery},
+        },
     },
     text::{Formula, Message, Value},
     trace::silent,
@@ -39,6 +42,19 @@ pub fn depth_list(depths: &[f64]) -> Vec<Option<f64>> {
 pub fn name_of<I>(input: &OnSceneInput<I>, id: u32) -> Value {
     let scenery = input.scenery.as_deref();
     surface_name(scenery.map(Scenery::scene), id)
+}
+
+/// How a run of so many triangles begins; of a scene that has more it says so.
+pub fn opening<I>(key: &'static str, n_triangles: usize, input: &OnSceneInput<I>) -> Caption {
+    let scenery = input.scenery.as_deref();
+    let all = scenery.map_or(n_triangles, |scenery| scenery.scene().size());
+    let key = if all > n_triangles {
+        "surfaces-first"
+    } else {
+        key
+    };
+    let message = Message::new(key).with("triangles", n_triangles);
+    Caption::new(message.with("all", all))
 }
 
 /// How faces look in space where some triangles stand out: the first that is named counts.

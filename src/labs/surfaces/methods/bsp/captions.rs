@@ -38,11 +38,6 @@ fn name_of_piece(input: &Input, state: &State, number: u32) -> Value {
     })
 }
 
-pub fn opening(input: &Input) -> Caption {
-    let triangles = input.own.surfaces().triangles().len();
-    Caption::new(Message::new("bsp-opening").with("triangles", triangles))
-}
-
 pub fn caption(event: &Event, before: &State, input: &Input) -> Caption {
     match *event {
         Event::Node { id, parent, .. } => {

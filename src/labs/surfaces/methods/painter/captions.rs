@@ -9,11 +9,6 @@ use crate::{
 
 pub type Input = OnSceneInput<Surfaces>;
 
-pub fn opening(input: &Input) -> Caption {
-    let triangles = input.own.triangles().len();
-    Caption::new(Message::new("painter-opening").with("triangles", triangles))
-}
-
 pub fn caption(event: &Event, before: &State, input: &Input) -> Caption {
     let named = |key, id| Message::new(key).with("triangle", name_of(input, id));
     match *event {

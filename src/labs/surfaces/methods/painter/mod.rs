@@ -23,6 +23,8 @@ use crate::{
     text::Value,
 };
 
+use super::on_raster::opening;
+
 use captions::Input;
 use variant::Variant;
 
@@ -91,7 +93,7 @@ impl<L: Variant> Demo for Shown<L> {
     }
 
     fn opening(input: &Input) -> Caption {
-        captions::opening(input)
+        opening("painter-opening", input.own.triangles().len(), input)
     }
 
     fn views(step: &Step<'_, Self>) -> Vec<View> {
