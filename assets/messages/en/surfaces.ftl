@@ -256,7 +256,7 @@ words-occlusion-draw = Else draw it.
 occlusion-opening = { $objects ->
     [one] One object
    *[other] { $objects } objects
-  } on { $columns } × { $rows } pixels. The third of those in the picture that covers the most pixels hides the others and is drawn first: { $occluders }.
+  } on { $columns } × { $rows } pixels. Of those in the picture, the one third that covers the most pixels may hide the others and is drawn first: { $occluders }.
 occlusion-none = none
 occlusion-occluder = { $object } is an occluder, drawn unasked: { $triangles ->
     [one] one triangle,
