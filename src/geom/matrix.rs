@@ -62,7 +62,9 @@ impl Matrix {
     #[inline]
     #[must_use]
     pub fn times(&self, [x, y, z, w]: [f64; 4]) -> [f64; 4] {
-        self.0.map(|[a, b, c, d]| a * x + b * y + c * z + d * w)
+        // Row by row, without a copy of the matrix.
+        let [p, q, r, s] = &self.0;
+        [p, q, r, s].map(|[a, b, c, d]| a * x + b * y + c * z + d * w)
     }
 
     /// Of a point; `matrix` is affine.

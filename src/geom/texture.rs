@@ -6,7 +6,10 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub struct Texture {
     size: [usize; 2],
-    texels: Arc<[[u8; 3]]>,
+    /// The same numbers.
+    ends: [f32; 2],
+    /// 0x00rrggbb
+    texels: Arc<[u32]>,
 }
 
 impl PartialEq for Texture {
@@ -18,12 +21,24 @@ impl PartialEq for Texture {
 }
 
 impl Texture {
-    /// Columns and rows, and their red, green and blue. `None` where there is no texel, or not one for each place.
+    /// As wide, and as high, as a texture may be: one of more would fill the memory.
+    pub const MAX_SIDE: usize = 8192;
+
+    /// Columns and rows, and their red, green and blue. `None` where there is no texel, or not one for each place, or more
+    /// than [`Texture::MAX_SIDE`] beside each other.
     #[must_use]
-    pub fn new(size: [usize; 2], texels: impl Into<Arc<[[u8; 3]]>>) -> Option<Self> {
-        let texels = texels.into();
-        let n_texels = size[0].checked_mul(size[1])?;
-        (n_texels > 0 && n_texels == texels.len()).then_some(Self { size, texels })
+    pub fn new(size: [usize; 2], texels: impl AsRef<[[u8; 3]]>) -> Option<Self> {
+        let texels = texels.as_ref();
+        let is_usable = size.iter().all(|side| (1..=Self::MAX_SIDE).contains(side))
+            && size[0] * size[1] == texels.len();
+        is_usable.then(|| Self {
+            size,
+            ends: size.map(|n| n as f32),
+            texels: texels
+                .iter()
+                .map(|&[r, g, b]| u32::from_be_bytes([0, r, g, b]))
+                .collect(),
+        })
     }
 
     /// Columns and rows.
@@ -44,14 +59,103 @@ impl Texture {
     #[inline]
     #[must_use]
     pub fn at(&self, [u, v]: [f32; 2]) -> [u8; 3] {
-        let place = |along: f32, n: usize| {
-            // Cheaper than `floor`, for which the base set of x86-64 has no instruction.
-            let part = along - along as i32 as f32;
-            let part = if part < 0.0 { part + 1.0 } else { part };
-            ((part * n as f32) as usize).min(n - 1)
-        };
-        let [columns, rows] = self.size;
-        let row = rows - 1 - place(v, rows);
-        self.texels[row * columns + place(u, columns)]
+        let [texel] = self.at_each(&[[u], [v]]);
+        let [_, r, g, b] = texel.to_be_bytes();
+        [r, g, b]
+    }
+
+    /// The same for some at once, as 0x00rrggbb. Any texel where u or v is no number, or so large that f32 has no fractions.
+    #[inline]
+    #[must_use]
+    pub fn at_each<const N: usize>(&self, uv: &[[f32; N]; 2]) -> [u32; N] {
+        self.indices(uv).map(|i| self.texels[i as usize])
+    }
+
+    /// Where the texels stand. A call of its own: what it writes side by side is worked out side by side.
+    #[inline(never)]
+    fn indices<const N: usize>(&self, [u, v]: &[[f32; N]; 2]) -> [u32; N] {
+        let [columns, rows] = self.size.map(|n| n as u32);
+        let [n_columns, n_rows] = self.ends;
+        let (right, up) = (places(u, n_columns), places(v, n_rows));
+        std::array::from_fn(|i| (rows - 1 - up[i]) * columns + right[i])
+    }
+}
+
+/// Which of `n` texels beside each other, from 0 to 1 and from there on again. Floats from 2²³ on hold whole numbers in their
+/// last bits: nothing is cast, which the processor would do one by one.
+#[inline]
+fn places<const N: usize>(along: &[f32; N], n: f32) -> [u32; N] {
+    const WHOLE: f32 = 8_388_608.0;
+    const WHOLE_OF_ANY_SIGN: f32 = 1.5 * WHOLE;
+    let last = n - 1.0;
+    let places: [f32; N] = std::array::from_fn(|i| {
+        let part = along[i] - ((along[i] + WHOLE_OF_ANY_SIGN) - WHOLE_OF_ANY_SIGN);
+        let place = (part + if part < 0.0 { 1.0 } else { 0.0 }) * n;
+        let place = if place < last { place } else { last };
+        if place > 0.0 { place } else { 0.0 }
+    });
+    std::array::from_fn(|i| {
+        let nearest = places[i] + WHOLE;
+        let is_above = nearest - WHOLE > places[i];
+        (nearest.to_bits() - u32::from(is_above)).wrapping_sub(WHOLE.to_bits())
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// By `floor` and a cast.
+    fn place(along: f32, n: usize) -> u32 {
+        let place = (along - along.floor()) * n as f32;
+        (place as u32).min(n as u32 - 1)
+    }
+
+    #[test]
+    fn places_are_those_of_the_floor() {
+        for n in [1, 2, 3, 7, 1000, 1024, Texture::MAX_SIDE] {
+            let mut along = -8.0_f32;
+            while along < 8.0 {
+                let (exact, thirds) = (along * 1.25, along / 3.0);
+                let beside = [exact.next_down(), exact, exact.next_up(), thirds];
+                assert_eq!(
+                    places(&beside, n as f32),
+                    beside.map(|x| place(x, n)),
+                    "{beside:?}"
+                );
+                along += 1.0 / 256.0;
+            }
+            let small = [0.0, -0.0, f32::MIN_POSITIVE, -1e-9, 1e-9, -1e-30];
+            assert_eq!(places(&small, n as f32), small.map(|x| place(x, n)));
+        }
+    }
+
+    #[test]
+    fn there_is_a_texel_wherever_one_is_asked_for() {
+        let texture = Texture::new([3, 2], [[9; 3]; 6]).expect("six texels");
+        let mut wild = vec![f32::NAN, f32::INFINITY, f32::NEG_INFINITY];
+        for power in 0..128 {
+            let large = f32::from_bits((127 + power) << 23);
+            wild.extend([
+                large,
+                large.next_down(),
+                large.next_up(),
+                -large,
+                -large.next_down(),
+            ]);
+        }
+        for &u in &wild {
+            assert_eq!(texture.at([u, 0.5]), [9; 3]);
+            assert_eq!(texture.at([0.5, u]), [9; 3]);
+        }
+    }
+
+    #[test]
+    fn a_texture_has_texels_and_not_too_many_beside_each_other() {
+        assert_eq!(Texture::new([0, 1], []), None);
+        assert_eq!(Texture::new([2, 2], [[0; 3]; 3]), None);
+        let line = vec![[0; 3]; Texture::MAX_SIDE + 1];
+        assert_eq!(Texture::new([line.len(), 1], &line), None);
+        assert!(Texture::new([1, line.len() - 1], &line[1..]).is_some());
     }
 }

@@ -11,9 +11,6 @@ use crate::{geom::Texture, labs::space::Picture};
 
 use super::read_mtl;
 
-/// A picture of more columns or rows is not read: it would fill the memory.
-const MAX_SIDE: usize = 8192;
-
 /// The picture in the bytes of a PNG or a JPEG file, told apart by how they begin. `None` where they are neither, broken,
 /// or more than 8192 texels wide or high.
 #[must_use]
@@ -51,7 +48,7 @@ fn read_png(bytes: &[u8]) -> Option<Texture> {
     let mut reader = decoder.read_info().ok()?;
     let header = reader.info();
     let size = [header.width, header.height].map(|side| side as usize);
-    if size.iter().any(|&side| side > MAX_SIDE) {
+    if size.iter().any(|&side| side > Texture::MAX_SIDE) {
         return None;
     }
     let mut samples = vec![0; reader.output_buffer_size()?];
@@ -73,8 +70,8 @@ fn read_png(bytes: &[u8]) -> Option<Texture> {
 fn read_jpeg(bytes: &[u8]) -> Option<Texture> {
     let options = DecoderOptions::default()
         .jpeg_set_out_colorspace(ColorSpace::RGB)
-        .set_max_width(MAX_SIDE)
-        .set_max_height(MAX_SIDE);
+        .set_max_width(Texture::MAX_SIDE)
+        .set_max_height(Texture::MAX_SIDE);
     let mut decoder = JpegDecoder::new_with_options(Cursor::new(bytes), options);
     let samples = decoder.decode().ok()?;
     let (width, height) = decoder.dimensions()?;
