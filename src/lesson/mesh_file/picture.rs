@@ -75,7 +75,7 @@ fn read_jpeg(bytes: &[u8]) -> Option<Texture> {
     let mut decoder = JpegDecoder::new_with_options(Cursor::new(bytes), options);
     let samples = decoder.decode().ok()?;
     let (width, height) = decoder.dimensions()?;
-    Texture::new([width, height], samples.as_chunks().0.to_vec())
+    Texture::new([width, height], samples.as_chunks().0)
 }
 
 #[cfg(test)]
