@@ -151,7 +151,7 @@ impl<L: SurfaceRules> Algorithm for DepthBuffer<L> {
         let mut drawing = Drawing::<L>::new(input);
         let mut telling = Telling::new(input.steps);
         drawing.all::<R>(&mut |told| {
-            if let Some(event) = telling.event(told) {
+            if let Some(event) = telling.event(&told) {
                 emit(event);
             }
         });
@@ -238,8 +238,8 @@ impl Telling {
 
     /// Nothing where the steps are larger, or smaller.
     #[inline]
-    fn event(&mut self, told: Told) -> Option<DepthBufferEvent> {
-        match told {
+    fn event(&mut self, told: &Told) -> Option<DepthBufferEvent> {
+        match *told {
             Told::Triangle { id, drawn } => {
                 self.turn = (id, drawn);
                 (self.steps != DepthSteps::Triangles).then(|| self.triangle())
