@@ -5,7 +5,7 @@ use std::hint::black_box;
 use clipscope::{
     algo::{
         cull::SphereBatch,
-        surface::{Cull, MeshRef, Viewport, assemble, draw_rows},
+        surface::{Cull, MeshRef, Viewport, assemble, shade_rows},
     },
     geom::{Camera, Matrix, Sphere, ViewVolume},
 };
@@ -154,8 +154,6 @@ fn fill(positions: &[[f32; 3]], colours: &[[f32; 3]], faces: &[[u32; 3]]) {
     let mut triangles = Vec::new();
     let mut n_drawn = 0;
     let mut ours = || {
-        depths.fill(f32::INFINITY);
-        pixels.fill(0);
         triangles.clear();
         let mesh = MeshRef {
             positions,
@@ -170,14 +168,13 @@ fn fill(positions: &[[f32; 3]], colours: &[[f32; 3]], faces: &[[u32; 3]]) {
             Cull::Clockwise,
             &mut triangles,
         );
-        draw_rows(
+        shade_rows(
             &triangles,
             &viewport,
             0..SIZE[1],
-            &mut depths,
-            |place, _, colour| {
-                pixels[place] = packed(colour);
-            },
+            (&mut depths, &mut pixels),
+            0,
+            |_, &[r, g, b]| std::array::from_fn(|i| packed([r[i], g[i], b[i]])),
         );
         n_drawn = pixels.iter().filter(|&&pixel| pixel != 0).count();
     };
@@ -216,8 +213,9 @@ fn fill(positions: &[[f32; 3]], colours: &[[f32; 3]], faces: &[[u32; 3]]) {
     );
 }
 
+/// Floats from 2²³ on hold whole numbers in their last bits: the nearest is packed, and nothing cast.
 fn packed(colour: [f32; 3]) -> u32 {
-    let [r, g, b] = colour.map(|x| (255.0 * x) as u32);
+    let [r, g, b] = colour.map(|x| (255.0 * x + 8_388_608.0).to_bits() & 0xff);
     0xff00_0000 | r << 16 | g << 8 | b
 }
 

@@ -3,7 +3,7 @@
 use std::hint::black_box;
 
 use clipscope::{
-    algo::surface::{Cull, MeshRef, Viewport, assemble, draw_rows},
+    algo::surface::{Cull, MeshRef, Viewport, assemble, shade_rows},
     geom::{Camera, Matrix, Texture, ViewVolume},
 };
 
@@ -59,8 +59,6 @@ impl Painted {
         let (mut depths, mut pixels) = (vec![0.0_f32; n_pixels], vec![0_u32; n_pixels]);
         let mut triangles = Vec::new();
         move || {
-            depths.fill(f32::INFINITY);
-            pixels.fill(0);
             triangles.clear();
             let mesh = MeshRef {
                 positions: &self.positions,
@@ -71,9 +69,11 @@ impl Painted {
             let matrix = black_box(&self.clip_from_world);
             assemble(&mesh, matrix, &viewport, Cull::Clockwise, &mut triangles);
             let rows = 0..self.size[1];
-            draw_rows(&triangles, &viewport, rows, &mut depths, |at, _, uv| {
-                let [r, g, b] = self.texture.at(uv).map(u32::from);
-                pixels[at] = 0xff00_0000 | r << 16 | g << 8 | b;
+            let target = (&mut depths[..], &mut pixels[..]);
+            shade_rows(&triangles, &viewport, rows, target, 0, |_, uv| {
+                self.texture.at_each(uv).map(|texel| {
+                    0xff00_0000 | texel
+                })
             });
             black_box(&pixels)
                 .iter()

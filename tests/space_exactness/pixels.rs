@@ -1,7 +1,9 @@
 //! Triangles to pixels, against rays in exact and in long arithmetic.
 
 use clipscope::{
-    algo::surface::{Cull, MeshRef, ScreenTriangle, Viewport, assemble, draw_rows},
+    algo::surface::{
+        Cull, LANES, Lanes, MeshRef, ScreenTriangle, Viewport, assemble, draw_rows, shade_rows,
+    },
     geom::{Camera, Matrix, ViewVolume},
 };
 use proptest::prelude::*;
@@ -141,6 +143,104 @@ proptest! {
         draw_rows(&triangles, &viewport, cut..SIZE[1], lower, |_, _, _| {});
         prop_assert_eq!(bands, whole);
     }
+}
+
+/// As one number, which tells attributes that differ in any bit apart, but by chance.
+fn hash(id: u32, attributes: [f32; 2]) -> u32 {
+    let bits = attributes.map(f32::to_bits);
+    bits.into_iter().fold(id + 1, |hash, bits| {
+        (hash ^ bits).wrapping_mul(0x0100_0193).rotate_left(7)
+    })
+}
+
+fn hashes(id: u32, [u, v]: &[Lanes<f32>; 2]) -> Lanes<u32> {
+    let mut hashes = [0; LANES];
+    for (lane, hash_of) in hashes.iter_mut().enumerate() {
+        *hash_of = hash(id, [u[lane], v[lane]]);
+    }
+    hashes
+}
+
+/// Depths and hashes as [`shade_rows`] leaves them in whatever was there, and as [`draw_rows`] puts them out for some rows
+/// after the other.
+fn both_ways(
+    triangles: &[ScreenTriangle<2>],
+    viewport: &Viewport,
+    n_at_once: u32,
+) -> [(Vec<f32>, Vec<u32>); 2] {
+    let [width, height] = viewport.size();
+    let n = (width * height) as usize;
+    let (mut depths, mut samples) = (vec![-1.0; n], vec![77; n]);
+    let target = (&mut depths[..], &mut samples[..]);
+    shade_rows(triangles, viewport, 0..height, target, 5, hashes);
+    let (mut one_by_one, mut put) = (vec![f32::INFINITY; n], vec![5; n]);
+    for start in (0..height).step_by(n_at_once as usize) {
+        let end = (start + n_at_once).min(height);
+        let [from, to] = [start, end].map(|row| (row * width) as usize);
+        let (depths, put) = (&mut one_by_one[from..to], &mut put[from..to]);
+        draw_rows(triangles, viewport, start..end, depths, |place, id, uv| {
+            put[place] = hash(id, uv);
+        });
+    }
+    [(depths, samples), (one_by_one, put)]
+}
+
+fn assembled_with_attributes(
+    corners: &[[[f32; 3]; 3]],
+    viewport: &Viewport,
+) -> Vec<ScreenTriangle<2>> {
+    let positions = corners.as_flattened();
+    let attributes: Vec<[f32; 2]> = positions.iter().map(|&[x, y, z]| [x + z, y - z]).collect();
+    let faces: Vec<[u32; 3]> = (0..corners.len() as u32)
+        .map(|i| [3 * i, 3 * i + 1, 3 * i + 2])
+        .collect();
+    let mesh = MeshRef {
+        positions,
+        attributes: &attributes,
+        faces: &faces,
+        first_id: 0,
+    };
+    let aspect = f64::from(viewport.size()[0]) / f64::from(viewport.size()[1]);
+    let volume = ViewVolume::perspective(70.0, aspect, 0.5, 6.0).expect("a volume");
+    let camera = Camera::new([0.5, 0.25, 1.5], [0.0; 3], [0.0, 1.0, 0.0], volume);
+    let clip_from_world = camera.expect("a camera").clip_from_world();
+    let mut triangles = Vec::new();
+    assemble(
+        &mesh,
+        &clip_from_world,
+        viewport,
+        Cull::Nothing,
+        &mut triangles,
+    );
+    triangles
+}
+
+proptest! {
+    #[test]
+    fn what_is_shaded_is_what_is_put_out(
+        corners in prop::collection::vec(prop::array::uniform3(eighths()), 1..8),
+        width in 1..20_u32,
+    ) {
+        let viewport = Viewport::new([width, 11], Viewport::PICTURE_BITS).expect("a small picture");
+        let triangles = assembled_with_attributes(&corners, &viewport);
+        let [shaded, put] = both_ways(&triangles, &viewport, 3);
+        prop_assert_eq!(shaded, put);
+    }
+}
+
+#[test]
+fn a_picture_that_is_too_large_to_be_drawn_at_once_is_the_same() {
+    let viewport = Viewport::new([400, 500], Viewport::PICTURE_BITS).expect("a picture");
+    let corners: [[[f32; 3]; 3]; 3] = [
+        [[-1.5, -1.5, 0.0], [1.5, -1.5, -1.0], [0.25, 1.5, 0.5]],
+        [[-1.5, 1.0, 0.5], [1.5, -1.5, 0.25], [1.5, 1.5, -1.5]],
+        [[0.0, -1.5, 1.75], [0.5, 0.25, 1.0], [-1.0, 1.5, -1.0]],
+    ];
+    let triangles = assembled_with_attributes(&corners, &viewport);
+    let [shaded, put] = both_ways(&triangles, &viewport, 97);
+    let n_drawn = put.1.iter().filter(|&&sample| sample != 5).count();
+    assert!(n_drawn > 100_000, "most of it is covered: {n_drawn}");
+    assert_eq!(shaded, put);
 }
 
 /// The triangle that a ray through a pixel's middle meets first; none where it is too near to an edge, or to another, to

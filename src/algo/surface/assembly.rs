@@ -6,7 +6,10 @@ use crate::{
     trace::silent,
 };
 
-use super::{ScreenTriangle, Viewport, screen_triangle::Corner};
+use super::{
+    ScreenTriangle, Viewport,
+    screen_triangle::{Corner, double_area},
+};
 
 /// Which faces are left out.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -17,6 +20,18 @@ pub enum Cull {
     Clockwise,
     /// Those that run counter-clockwise.
     CounterClockwise,
+}
+
+impl Cull {
+    /// Corners on the screen, y down.
+    #[inline]
+    fn leaves_out(self, corners: [[i32; 2]; 3]) -> bool {
+        match self {
+            Self::Nothing => false,
+            Self::Clockwise => double_area(corners) > 0,
+            Self::CounterClockwise => double_area(corners) < 0,
+        }
+    }
 }
 
 /// A mesh to draw: vertices, what travels with each of them, and triangles by three indices.
@@ -32,26 +47,43 @@ pub struct MeshRef<'a, const N: usize> {
     pub first_id: u32,
 }
 
-/// A vertex in clip space, and on the screen if it is inside.
+/// Where a vertex is on the screen, if it is inside.
 #[derive(Clone, Copy)]
-pub(super) struct Seen<const N: usize> {
-    clip: ClipVertex<[f32; N]>,
+pub(super) struct Seen {
     code: SideCode,
-    corner: Corner<N>,
+    at: [i32; 2],
+    /// (z/w + 1) / 2
+    depth: f64,
+    inverse_w: f64,
 }
 
-impl<const N: usize> Seen<N> {
+impl Seen {
+    /// Of a point in clip space. Of those that are inside, w > 0; only the point of the volume where w is 0 lands anywhere,
+    /// in a corner.
     #[inline]
-    pub(super) fn new(clip: ClipVertex<[f32; N]>, viewport: &Viewport) -> Self {
+    pub(super) fn new(at @ [x, y, z, w]: [f64; 4], viewport: &Viewport) -> Self {
+        let inverse_w = 1.0 / w;
         Self {
-            clip,
-            code: SideCode::of(clip.at),
-            corner: corner(&clip, viewport),
+            code: SideCode::of(at),
+            at: viewport.snapped([x * inverse_w, y * inverse_w]),
+            depth: 0.5 + 0.5 * (z * inverse_w),
+            inverse_w,
+        }
+    }
+
+    #[inline]
+    fn with<const N: usize>(&self, attributes: [f32; N]) -> Corner<N> {
+        Corner {
+            at: self.at,
+            depth: self.depth,
+            inverse_w: self.inverse_w,
+            attributes,
         }
     }
 }
 
 /// Appends to `triangles` what is to be drawn of a mesh, in the order of its faces: clipped, divided, snapped, culled.
+/// Triangles between the middles of pixels are left out.
 pub fn assemble<const N: usize>(
     mesh: &MeshRef<'_, N>,
     clip_from_model: &Matrix,
@@ -59,39 +91,59 @@ pub fn assemble<const N: usize>(
     cull: Cull,
     triangles: &mut Vec<ScreenTriangle<N>>,
 ) {
-    let vertices: Vec<Seen<N>> = mesh
-        .positions
+    let in_clip_space =
+        |[x, y, z]: [f32; 3]| clip_from_model.times([x.into(), y.into(), z.into(), 1.0]);
+    let n_vertices = mesh.positions.len().min(mesh.attributes.len());
+    let (positions, attributes) = (
+        &mesh.positions[..n_vertices],
+        &mesh.attributes[..n_vertices],
+    );
+    let vertices: Vec<Seen> = positions
         .iter()
-        .zip(mesh.attributes)
-        .map(|(&[x, y, z], &attributes)| {
-            let at = clip_from_model.times([x.into(), y.into(), z.into(), 1.0]);
-            Seen::new(ClipVertex { at, attributes }, viewport)
-        })
+        .map(|&position| Seen::new(in_clip_space(position), viewport))
         .collect();
     for (id, face) in (mesh.first_id..).zip(mesh.faces) {
-        let corners = face.map(|i| vertices.get(i as usize));
-        let [Some(a), Some(b), Some(c)] = corners else {
+        let [a, b, c] = face.map(|i| i as usize);
+        let (Some(seen_a), Some(seen_b), Some(seen_c)) =
+            (vertices.get(a), vertices.get(b), vertices.get(c))
+        else {
             continue;
         };
-        for_each_piece([a, b, c], viewport, |corners| {
-            let double_area = ScreenTriangle::double_area(&corners);
-            let is_left_out = match cull {
-                Cull::Nothing => false,
-                Cull::Clockwise => double_area > 0,
-                Cull::CounterClockwise => double_area < 0,
-            };
-            if !is_left_out {
-                triangles.extend(ScreenTriangle::new(id, &corners, viewport.pixel()));
-            }
-        });
+        let vertex = |i: usize| ClipVertex {
+            at: in_clip_space(positions[[a, b, c][i]]),
+            attributes: attributes[[a, b, c][i]],
+        };
+        for_each_piece(
+            [seen_a, seen_b, seen_c],
+            vertex,
+            viewport,
+            cull,
+            |corners| {
+                if reaches_middles(&corners, viewport) {
+                    triangles.extend(ScreenTriangle::new(id, &corners, viewport));
+                }
+            },
+        );
     }
 }
 
-/// Calls back with the triangles that are left of one, clipped before the divide.
+/// Does the box around a triangle reach over the middles of a row and of a column?
+#[inline]
+fn reaches_middles<const N: usize>(corners: &[Corner<N>; 3], viewport: &Viewport) -> bool {
+    [0, 1].into_iter().all(|axis| {
+        let [a, b, c] = corners.each_ref().map(|corner| corner.at[axis]);
+        viewport.first_middle(a.min(b).min(c)) < viewport.first_middle(a.max(b).max(c))
+    })
+}
+
+/// Calls back with the triangles that are left of one, clipped before the divide, but those that are culled. Its vertices are
+/// asked for only where it is clipped.
 #[inline]
 pub(super) fn for_each_piece<const N: usize>(
-    [a, b, c]: [&Seen<N>; 3],
+    [a, b, c]: [&Seen; 3],
+    vertex: impl Fn(usize) -> ClipVertex<[f32; N]>,
     viewport: &Viewport,
+    cull: Cull,
     mut put: impl FnMut([Corner<N>; 3]),
 ) {
     let (or, and) = (a.code.or(b.code).or(c.code), a.code.and(b.code).and(c.code));
@@ -99,32 +151,27 @@ pub(super) fn for_each_piece<const N: usize>(
         return;
     }
     if or.is_inside() {
-        put([a.corner, b.corner, c.corner]);
+        if !cull.leaves_out([a.at, b.at, c.at]) {
+            let attributes = |i: usize| vertex(i).attributes;
+            put([
+                a.with(attributes(0)),
+                b.with(attributes(1)),
+                c.with(attributes(2)),
+            ]);
+        }
         return;
     }
-    let polygon = silent::<HomogeneousTriangle<[f32; N]>>(&[a.clip, b.clip, c.clip]);
+    let polygon = silent::<HomogeneousTriangle<[f32; N]>>(&[vertex(0), vertex(1), vertex(2)]);
+    let corner =
+        |vertex: &ClipVertex<[f32; N]>| Seen::new(vertex.at, viewport).with(vertex.attributes);
     let Some((first, rest)) = polygon.vertices().split_first() else {
         return;
     };
-    let first = corner(first, viewport);
+    let first = corner(first);
     for pair in rest.windows(2) {
-        put([
-            first,
-            corner(&pair[0], viewport),
-            corner(&pair[1], viewport),
-        ]);
-    }
-}
-
-/// On the screen: of a vertex that is inside, w > 0. Only the point of the volume where w is 0 lands anywhere, in a corner.
-#[inline]
-fn corner<const N: usize>(vertex: &ClipVertex<[f32; N]>, viewport: &Viewport) -> Corner<N> {
-    let [x, y, z, w] = vertex.at;
-    let inverse_w = 1.0 / w;
-    Corner {
-        at: viewport.snapped([x * inverse_w, y * inverse_w]),
-        depth: 0.5 + 0.5 * (z * inverse_w),
-        inverse_w,
-        attributes: vertex.attributes,
+        let corners = [first, corner(&pair[0]), corner(&pair[1])];
+        if !cull.leaves_out(corners.each_ref().map(|corner| corner.at)) {
+            put(corners);
+        }
     }
 }

@@ -9,7 +9,7 @@ use crate::{
 };
 
 use super::{
-    Picture, Rays, ScreenTriangle, SurfaceRules, Surfaces, Viewport,
+    Cull, Picture, Rays, ScreenTriangle, SurfaceRules, Surfaces, Viewport,
     assembly::{Seen, for_each_piece},
     scan::for_each_span,
     screen_triangle::{Corner, Linear},
@@ -51,7 +51,7 @@ impl Coverage {
         if !surfaces.shows(triangle) {
             return None;
         }
-        let [a, b, c] = triangle.map(|at| seen(surfaces, at));
+        let at = triangle.map(|at| in_clip_space(surfaces, at));
         let (viewport, volume) = (surfaces.viewport(), surfaces.volume());
         let (n, d) = plane(triangle);
         let plane_depth = Rays::of(surfaces).plane_depth(n, d)?;
@@ -59,25 +59,36 @@ impl Coverage {
         let is_straight = L::STRAIGHT_DISTANCE && volume.sight() == Sight::Perspective;
         let mut range = [1.0_f64, 0.0_f64];
         let mut pieces = Vec::with_capacity(1);
-        for_each_piece([&a, &b, &c], viewport, |mut corners| {
-            if is_straight {
-                for corner in &mut corners {
-                    let distance = 1.0 / corner.inverse_w;
-                    corner.depth = (distance - volume.near()) / (volume.far() - volume.near());
+        let seen = at.map(|at| Seen::new(at, viewport));
+        let vertex = |i: usize| ClipVertex {
+            at: at[i],
+            attributes: [],
+        };
+        for_each_piece(
+            seen.each_ref(),
+            vertex,
+            viewport,
+            Cull::Nothing,
+            |mut corners| {
+                if is_straight {
+                    for corner in &mut corners {
+                        let distance = 1.0 / corner.inverse_w;
+                        corner.depth = (distance - volume.near()) / (volume.far() - volume.near());
+                    }
                 }
-            }
-            for Corner { depth, .. } in corners {
-                range = [range[0].min(depth), range[1].max(depth)];
-            }
-            if let Some(screen) = ScreenTriangle::new(0, &corners, viewport.pixel()) {
-                let depth = if is_straight {
-                    screen.depth
-                } else {
-                    plane_depth
-                };
-                pieces.push(Piece { screen, depth });
-            }
-        });
+                for Corner { depth, .. } in corners {
+                    range = [range[0].min(depth), range[1].max(depth)];
+                }
+                if let Some(screen) = ScreenTriangle::new(0, &corners, viewport) {
+                    let depth = if is_straight {
+                        screen.depth
+                    } else {
+                        plane_depth
+                    };
+                    pieces.push(Piece { screen, depth });
+                }
+            },
+        );
         let [low, high] = range.map(|depth| depth.clamp(0.0, 1.0));
         (low <= high && !pieces.is_empty()).then_some(Self {
             pieces,
@@ -105,8 +116,8 @@ impl Coverage {
     }
 }
 
-/// In clip space. Near and far decide by the distance itself, whatever the matrix rounds to.
-fn seen(surfaces: &Surfaces, [x, y, z]: [f64; 3]) -> Seen<0> {
+/// Near and far decide by the distance itself, whatever the matrix rounds to.
+fn in_clip_space(surfaces: &Surfaces, [x, y, z]: [f64; 3]) -> [f64; 4] {
     let volume = surfaces.volume();
     let [clip_x, clip_y, clip_z, w] = volume.clip_from_view().times([x, y, z, 1.0]);
     let clip_z = if -z < volume.near() {
@@ -116,11 +127,7 @@ fn seen(surfaces: &Surfaces, [x, y, z]: [f64; 3]) -> Seen<0> {
     } else {
         clip_z.max(-w).min(w)
     };
-    let clip = ClipVertex {
-        at: [clip_x, clip_y, clip_z, w],
-        attributes: [],
-    };
-    Seen::new(clip, surfaces.viewport())
+    [clip_x, clip_y, clip_z, w]
 }
 
 /// n = (V1 − V0) × (V2 − V0) and d = −n·V0 of the plane n·p + d = 0 that a triangle lies in.

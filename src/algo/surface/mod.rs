@@ -3,12 +3,14 @@
 //! [`assemble`] takes a mesh from the vertices to triangles on the screen: transformed, clipped before the divide by
 //! the clipper that is taught ([`super::volume::HomogeneousTriangle`]), divided, snapped to fractions of a pixel, culled.
 //! [`draw_rows`] fills them into a range of rows, so that rows can be drawn side by side, and hands out values, never
-//! colours. Both are the project's only way from a mesh to pixels.
+//! colours; [`shade_rows`] goes the same way and keeps what its caller makes of them. It is the project's only way from a mesh
+//! to pixels.
 //!
 //! The algorithms that are taught start from triangles in view space ([`Surfaces`]) and go the same way: by the same
 //! clipper, the same snapping and the same walk over a triangle's rows.
 
 mod assembly;
+mod bands;
 mod box_division;
 mod bsp;
 mod bsp_choice;
@@ -20,6 +22,7 @@ mod depth_drawing;
 mod depth_format;
 pub mod faulty;
 mod hierarchy;
+mod lanes;
 mod occlusion;
 mod occlusion_query;
 mod painter;
@@ -47,6 +50,7 @@ pub use depth_buffer_input::{DepthBufferInput, DepthSteps};
 pub use depth_drawing::{Fragment, FragmentTally, pixel_story};
 pub use depth_format::{DepthBits, DepthFormat, DepthNumber};
 pub use hierarchy::Hierarchy;
+pub use lanes::{LANES, Lanes};
 pub use occlusion::{
     Occlusion, OcclusionEvent, OcclusionInput, OcclusionObject, OcclusionOutput, OcclusionState,
     QueryResult,
@@ -61,7 +65,7 @@ pub use ray_casting::{
 pub use ray_plane::{Meeting, PlaneHit};
 pub use rays::{Ray, Rays};
 pub use rules::SurfaceRules;
-pub use scan::draw_rows;
+pub use scan::{draw_rows, shade_rows};
 pub use screen_triangle::ScreenTriangle;
 pub use surface_list::Surfaces;
 pub use viewport::Viewport;

@@ -12,9 +12,13 @@
 
 use std::ops::Range;
 
-use super::{ScreenTriangle, Viewport};
+use super::{
+    ScreenTriangle, Viewport,
+    bands::for_each_band,
+    lanes::{LANES, Lanes, chosen, with_lanes},
+};
 
-/// Draws triangles, in their order, into the pixels of some rows.
+/// Draws triangles into the pixels of some rows; at each pixel, in their order.
 ///
 /// `depths` holds those rows, one number a pixel; what is nearer than the number there replaces it, and is put out by its
 /// place in `depths`, its id, and its attributes, divided by w and multiplied again, so that they are right in
@@ -26,19 +30,79 @@ pub fn draw_rows<const N: usize>(
     depths: &mut [f32],
     mut put: impl FnMut(usize, u32, [f32; N]),
 ) {
+    for_each_band(triangles.len(), viewport, &rows, |band, places| {
+        let first = places.start;
+        let depths = &mut depths[places];
+        draw_band(
+            triangles,
+            viewport,
+            band,
+            depths,
+            |place, id, is_nearer, attributes| {
+                for lane in 0..LANES {
+                    if is_nearer[lane] != 0 {
+                        put(
+                            first + place + lane,
+                            id,
+                            attributes.each_ref().map(|values| values[lane]),
+                        );
+                    }
+                }
+            },
+        );
+    });
+}
+
+/// The same on a clear picture, for samples of 32 bits: `samples` holds of every pixel what `shade` makes of the nearest id and
+/// its attributes, or `background`.
+///
+/// `shade` answers for some pixels beside each other; of those beyond the triangle, or behind another, whatever attributes
+/// come out are handed over, and the answer is dropped.
+pub fn shade_rows<const N: usize>(
+    triangles: &[ScreenTriangle<N>],
+    viewport: &Viewport,
+    rows: Range<u32>,
+    (depths, samples): (&mut [f32], &mut [u32]),
+    background: u32,
+    mut shade: impl FnMut(u32, &[Lanes<f32>; N]) -> Lanes<u32>,
+) {
+    for_each_band(triangles.len(), viewport, &rows, |band, places| {
+        let (depths, samples) = (&mut depths[places.clone()], &mut samples[places]);
+        depths.fill(f32::INFINITY);
+        samples.fill(background);
+        draw_band(
+            triangles,
+            viewport,
+            band,
+            depths,
+            |place, id, is_nearer, attributes| {
+                let new = shade(id, attributes);
+                with_lanes(samples, place, background, |samples| {
+                    *samples = chosen(is_nearer, new, *samples);
+                });
+            },
+        );
+    });
+}
+
+/// Puts out the same as [`draw_rows`], some pixels beside each other at once, and all bits of those of them that are nearer.
+#[inline]
+fn draw_band<const N: usize>(
+    triangles: &[ScreenTriangle<N>],
+    viewport: &Viewport,
+    rows: &Range<u32>,
+    depths: &mut [f32],
+    mut put: impl FnMut(usize, u32, Lanes<u32>, &[Lanes<f32>; N]),
+) {
     let width = viewport.size()[0];
     for triangle in triangles {
-        for_each_span(triangle, viewport, &rows, |row, columns| {
-            let offset = ((row - rows.start) * width) as usize;
-            let start = offset + columns.start as usize;
-            let span = &mut depths[start..offset + columns.end as usize];
-            fill(triangle, [columns.start, row], start, span, &mut put);
+        for_each_span(triangle, viewport, rows, |row, columns| {
+            let start = ((row - rows.start) * width + columns.start) as usize;
+            let n = columns.end - columns.start;
+            fill(triangle, [columns.start, row], start, n, depths, &mut put);
         });
     }
 }
-
-/// As many pixels are worked out at once.
-const LANES: usize = 4;
 
 /// The pixels of one row, some at once: where none is nearer than what is there, nothing more is worked out.
 #[inline]
@@ -46,46 +110,43 @@ fn fill<const N: usize>(
     triangle: &ScreenTriangle<N>,
     [column, row]: [u32; 2],
     start: usize,
-    span: &mut [f32],
-    put: &mut impl FnMut(usize, u32, [f32; N]),
+    n: u32,
+    depths: &mut [f32],
+    put: &mut impl FnMut(usize, u32, Lanes<u32>, &[Lanes<f32>; N]),
 ) {
-    let along = |first: f32, step: f32, done: usize| -> [f32; LANES] {
-        std::array::from_fn(|lane| first + step * (done + lane) as f32)
-    };
     let depth = triangle.depth.of::<f64>(column, row) as f32;
     let depth_step = triangle.depth.by_column as f32;
     let inverse_w = triangle.inverse_w.of(column, row);
     let first = triangle.attributes.map(|linear| linear.of(column, row));
-    for (chunk_idx, stored) in span.chunks_mut(LANES).enumerate() {
-        let done = chunk_idx * LANES;
-        let depths = along(depth, depth_step, done);
-        let is_nearer = stored
-            .iter()
-            .zip(depths)
-            .any(|(stored, depth)| depth < *stored);
-        if !is_nearer {
-            continue;
-        }
-        let mut attributes = [[0.0; LANES]; N];
-        if N > 0 {
-            let w = along(inverse_w, triangle.inverse_w.by_column, done).map(|x| 1.0 / x);
-            for (n, values) in attributes.iter_mut().enumerate() {
-                *values = along(first[n], triangle.attributes[n].by_column, done);
-                for (value, w) in values.iter_mut().zip(w) {
-                    *value *= w;
+    let end = n as f32;
+    let mut steps: Lanes<f32> = std::array::from_fn(|lane| lane as f32);
+    let mut place = start;
+    while steps[0] < end {
+        let along = |first: f32, step: f32| steps.map(|steps| first + step * steps);
+        let new = along(depth, depth_step);
+        let is_nearer = with_lanes(depths, place, f32::NEG_INFINITY, |stored| {
+            let is_nearer = std::array::from_fn(|lane| {
+                (u32::from(new[lane] < stored[lane]) & u32::from(steps[lane] < end)).wrapping_neg()
+            });
+            let bits = chosen(is_nearer, new.map(f32::to_bits), stored.map(f32::to_bits));
+            *stored = bits.map(f32::from_bits);
+            is_nearer
+        });
+        if is_nearer.iter().fold(0, |any, lane| any | lane) != 0 {
+            let mut attributes = [[0.0; LANES]; N];
+            if N > 0 {
+                let w = along(inverse_w, triangle.inverse_w.by_column).map(|x| 1.0 / x);
+                for (n, values) in attributes.iter_mut().enumerate() {
+                    *values = along(first[n], triangle.attributes[n].by_column);
+                    for (value, w) in values.iter_mut().zip(w) {
+                        *value *= w;
+                    }
                 }
             }
+            put(place, triangle.id, is_nearer, &attributes);
         }
-        for (lane, stored) in stored.iter_mut().enumerate() {
-            if depths[lane] < *stored {
-                *stored = depths[lane];
-                put(
-                    start + done + lane,
-                    triangle.id,
-                    attributes.each_ref().map(|values| values[lane]),
-                );
-            }
-        }
+        place += LANES;
+        steps = steps.map(|step| step + LANES as f32);
     }
 }
 
@@ -97,43 +158,36 @@ pub(super) fn for_each_span<const N: usize>(
     rows: &Range<u32>,
     mut span: impl FnMut(u32, Range<u32>),
 ) {
-    let [top, middle, bottom] = triangle.corners;
-    let pixel = viewport.pixel();
-    let [first, turn, end] = [top, middle, bottom].map(|[_, y]| first_row(y, pixel));
-    let (from, to) = (i64::from(rows.start), i64::from(rows.end));
-    if first >= to || end <= from {
+    let [first, turn, end] = triangle.rows;
+    if first >= rows.end || end <= rows.start || first == end {
         return;
     }
-    let start = first.max(from);
-    let mut long = Side::new(top, bottom, start, pixel);
-    let halves = [
-        (top, middle, start..turn.min(to)),
-        (middle, bottom, turn.max(from)..end.min(to)),
-    ];
-    for (upper, lower, range) in halves {
-        if range.is_empty() {
+    let [top, middle, bottom] = triangle.corners;
+    let start = first.max(rows.start);
+    let mut long = Side::new(top, bottom, start, viewport);
+    for is_lower in [false, true] {
+        let (upper, lower, rows) = if is_lower {
+            (middle, bottom, turn.max(rows.start)..end.min(rows.end))
+        } else {
+            (top, middle, start..turn.min(rows.end))
+        };
+        if rows.is_empty() {
             continue;
         }
-        let mut short = Side::new(upper, lower, range.start, pixel);
-        for row in range {
+        let mut short = Side::new(upper, lower, rows.start, viewport);
+        for row in rows {
             let [left, right] = if triangle.is_long_left {
                 [long.column, short.column]
             } else {
                 [short.column, long.column]
             };
             if left < right {
-                span(row as u32, left as u32..right as u32);
+                span(row, left as u32..right as u32);
             }
             long.step();
             short.step();
         }
     }
-}
-
-/// The first row whose middle does not lie above y: (y − pixel/2) / pixel, rounded up.
-#[inline]
-const fn first_row(y: i64, pixel: i64) -> i64 {
-    -(pixel - 2 * y).div_euclid(2 * pixel)
 }
 
 /// An edge, row by row: the first column whose middle does not lie to its left.
@@ -149,17 +203,21 @@ struct Side {
 
 impl Side {
     /// At `row`, which the edge passes.
-    fn new(upper: [i64; 2], lower: [i64; 2], row: i64, pixel: i64) -> Self {
+    #[inline]
+    fn new(upper: [i32; 2], lower: [i32; 2], row: u32, viewport: &Viewport) -> Self {
+        let pixel = viewport.pixel();
+        let [upper, lower] = [upper, lower].map(|corner| corner.map(i64::from));
         let [dx, dy] = [lower[0] - upper[0], lower[1] - upper[1]];
         // Everything twice, so that half a pixel is a whole number even where there are no fractions.
-        let row_middle = (2 * row + 1) * pixel;
+        let row_middle = (2 * i64::from(row) + 1) * pixel;
         let whole = 2 * pixel * dy;
+        let about_whole = 1.0 / whole as f64;
         let numerator = (2 * upper[0] - pixel) * dy + (row_middle - 2 * upper[1]) * dx;
         // Rounded up: the quotient q with numerator = q·whole + rest, −whole < rest ≤ 0.
-        let column = -(-numerator).div_euclid(whole);
+        let column = -quotient(-numerator, whole, about_whole);
         let rest = numerator - column * whole;
         let numerator = 2 * pixel * dx;
-        let step = numerator.div_euclid(whole);
+        let step = quotient(numerator, whole, about_whole);
         Self {
             column,
             rest,
@@ -178,4 +236,15 @@ impl Side {
             self.rest -= self.whole;
         }
     }
+}
+
+/// A whole number over another, rounded down, by about one over the other: below 2³⁰, the product errs by less than 1.
+#[inline]
+fn quotient(numerator: i64, whole: i64, about_inverse: f64) -> i64 {
+    // Doubles from 2⁵² on hold whole numbers in their last bits.
+    const WHOLE: f64 = 1.5 * (1_u64 << 52) as f64;
+    let about =
+        (numerator as f64 * about_inverse + WHOLE).to_bits() as i64 - WHOLE.to_bits() as i64;
+    let rest = numerator - about * whole;
+    about - i64::from(rest < 0) + i64::from(rest >= whole)
 }

@@ -2,13 +2,17 @@
 
 use crate::trace::Real;
 
+use super::Viewport;
+
 /// Snapped corners, and what is linear over the screen: depth, 1/w, and attributes over w.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ScreenTriangle<const N: usize> {
     /// Whose it is.
     pub id: u32,
     /// From the top to the bottom, in fractions of a pixel.
-    pub(super) corners: [[i64; 2]; 3],
+    pub(super) corners: [[i32; 2]; 3],
+    /// Of each of these corners, the first row whose middle does not lie above it.
+    pub(super) rows: [u32; 3],
     /// Does the long edge, from the first corner to the last, bound it on the left?
     pub(super) is_long_left: bool,
     /// (z/w + 1) / 2
@@ -31,7 +35,7 @@ pub(super) struct Linear<T> {
 /// A corner on its way to the screen.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Corner<const N: usize> {
-    pub at: [i64; 2],
+    pub at: [i32; 2],
     /// (z/w + 1) / 2
     pub depth: f64,
     /// 1/w
@@ -39,24 +43,23 @@ pub(super) struct Corner<const N: usize> {
     pub attributes: [f32; N],
 }
 
-impl<const N: usize> ScreenTriangle<N> {
-    /// Twice the signed area in fractions of a pixel: negative where the corners turn counter-clockwise as seen, since y is
-    /// down.
-    #[inline]
-    pub(super) fn double_area(corners: &[Corner<N>; 3]) -> i64 {
-        let [a, b, c] = corners.each_ref().map(|corner| corner.at);
-        (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
-    }
+/// Twice the signed area in fractions of a pixel: negative where the corners turn counter-clockwise as seen, since y is down.
+#[inline]
+pub(super) fn double_area(corners: [[i32; 2]; 3]) -> i64 {
+    let [a, b, c] = corners.map(|at| at.map(i64::from));
+    (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
+}
 
-    /// From corners in any order, `pixel` fractions to a pixel; `None` without area.
-    pub(super) fn new(id: u32, corners: &[Corner<N>; 3], pixel: i64) -> Option<Self> {
-        let double_area = Self::double_area(corners);
-        if double_area == 0 {
+impl<const N: usize> ScreenTriangle<N> {
+    /// From corners in any order; `None` without area.
+    #[inline]
+    pub(super) fn new(id: u32, corners: &[Corner<N>; 3], viewport: &Viewport) -> Option<Self> {
+        let places = corners.each_ref().map(|c| c.at);
+        if double_area(places) == 0 {
             return None;
         }
-        let scale = 1.0 / pixel as f64;
-        let at = corners.each_ref().map(|c| c.at.map(|x| x as f64 * scale));
-        let slopes = Slopes::new(at);
+        let scale = 1.0 / viewport.pixel() as f64;
+        let slopes = Slopes::new(places.map(|at| at.map(|x| f64::from(x) * scale)));
         let attribute = |i: usize| {
             slopes.linear(
                 corners
@@ -64,15 +67,12 @@ impl<const N: usize> ScreenTriangle<N> {
                     .map(|c| f64::from(c.attributes[i]) * c.inverse_w),
             )
         };
-        let mut sorted = corners.each_ref().map(|c| c.at);
-        sorted.sort_unstable_by_key(|&[x, y]| (y, x));
-        let [top, middle, bottom] = sorted;
-        let turn = (middle[0] - top[0]) * (bottom[1] - top[1])
-            - (bottom[0] - top[0]) * (middle[1] - top[1]);
+        let [top, middle, bottom] = from_the_top(places);
         Some(Self {
             id,
-            corners: sorted,
-            is_long_left: turn > 0,
+            corners: [top, middle, bottom],
+            rows: [top, middle, bottom].map(|[_, y]| viewport.first_middle(y)),
+            is_long_left: double_area([top, middle, bottom]) > 0,
             depth: slopes.linear(corners.each_ref().map(|c| c.depth)),
             inverse_w: slopes
                 .linear(corners.each_ref().map(|c| c.inverse_w))
@@ -80,6 +80,15 @@ impl<const N: usize> ScreenTriangle<N> {
             attributes: std::array::from_fn(|i| attribute(i).narrow()),
         })
     }
+}
+
+/// Sorted by y, and those as high by x: neither is negative, so both compare as one number.
+#[inline]
+fn from_the_top(places: [[i32; 2]; 3]) -> [[i32; 2]; 3] {
+    let [a, b, c] = places.map(|[x, y]| u64::from(y as u32) << 32 | u64::from(x as u32));
+    let (low, high) = (a.min(b), a.max(b));
+    let sorted = [low.min(c), low.max(c).min(high), high.max(c)];
+    sorted.map(|key| [key as i32, (key >> 32) as i32])
 }
 
 /// What turns three values at the corners into a linear function.
@@ -90,6 +99,7 @@ struct Slopes {
 }
 
 impl Slopes {
+    #[inline]
     fn new([a, b, c]: [[f64; 2]; 3]) -> Self {
         let edges = [[b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]];
         let [p, q] = edges;
@@ -117,6 +127,7 @@ impl Slopes {
 }
 
 impl Linear<f64> {
+    #[inline]
     fn narrow(self) -> Linear<f32> {
         Linear {
             at: self.at as f32,

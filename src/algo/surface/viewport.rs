@@ -41,6 +41,14 @@ impl Viewport {
         1 << self.subpixel_bits
     }
 
+    /// The first row whose middle does not lie above y, or column whose middle does not lie left of x: (y − pixel/2) / pixel,
+    /// rounded up.
+    #[inline]
+    pub(super) const fn first_middle(&self, y: i32) -> u32 {
+        // y is not negative.
+        (2 * y as u32 + (1 << self.subpixel_bits) - 1) >> (self.subpixel_bits + 1)
+    }
+
     /// Where a point of the square −1 to 1 lies, in pixels from the top left, y down.
     #[inline]
     #[must_use]
@@ -52,13 +60,15 @@ impl Viewport {
 
     /// The same, snapped; within the picture's edges.
     #[inline]
-    pub(super) fn snapped(&self, ndc: [f64; 2]) -> [i64; 2] {
+    pub(super) fn snapped(&self, ndc: [f64; 2]) -> [i32; 2] {
+        let [x, y] = self.screen_from_ndc(ndc);
         let pixel = self.pixel() as f64;
-        let screen = self.screen_from_ndc(ndc);
-        [0, 1].map(|i| {
-            let most = f64::from(self.size[i]) * pixel;
+        let snap = |along: f64, side: u32| {
             // To the nearest: what is cast is not negative.
-            (screen[i] * pixel + 0.5).clamp(0.0, most) as i64
-        })
+            let (snapped, most) = (along * pixel + 0.5, f64::from(side) * pixel);
+            let snapped = if snapped > 0.0 { snapped } else { 0.0 };
+            (if snapped < most { snapped } else { most }) as i32
+        };
+        [snap(x, self.size[0]), snap(y, self.size[1])]
     }
 }
