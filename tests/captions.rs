@@ -209,6 +209,19 @@ fn said_in(body: &Body, catalog: &Catalog) -> Vec<String> {
             let cells = cells.flat_map(|cell| [&cell.name].into_iter().chain(&cell.place));
             cells.chain(&row.arrows).map(value).collect()
         }
+        Body::Graph(graph) => {
+            let nodes = graph.nodes.iter();
+            let nodes = nodes.flat_map(|node| {
+                let beside = node.number.iter().chain(&node.note);
+                std::iter::once(&node.name).chain(beside)
+            });
+            let reasons = graph
+                .arrows
+                .iter()
+                .filter_map(|arrow| arrow.reason.as_ref());
+            let names = nodes.chain(reasons).chain(&graph.ring);
+            names.chain([&graph.title]).map(value).collect()
+        }
         Body::Lists(lists) => {
             let entries = lists.lists.iter().flat_map(|list| &list.entries);
             let values = entries.flat_map(|entry| {

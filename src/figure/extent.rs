@@ -1,6 +1,6 @@
 //! How much room views want, from their data alone: so that it is settled for a whole run before anything is drawn.
 
-use super::{Body, Caption, Lens, Lists, Run, View, ViewId, Watch, unseen};
+use super::{Body, Caption, Graph, Lens, Lists, Places, Run, View, ViewId, Watch, layers, unseen};
 
 /// Of a run's steps so many are asked what they show, the first and the last among them: a view that comes or grows is
 /// there at one of them, or has had its room from the start.
@@ -22,6 +22,8 @@ pub enum Stand {
     Drawing,
     /// A strip under the drawing, at its width: it measures what is drawn above it.
     Under,
+    /// The same where the drawing is narrow, too: what is narrow itself.
+    Foot,
     /// A strip under all the rest, over the whole width: a row.
     Across,
     /// The same over all the rest.
@@ -105,6 +107,7 @@ impl View {
                 let natural = [6.0 + 4.0 * columns, 4.5 + 3.8 * rows + 2.0 * notes];
                 (Stand::Beside, least, natural)
             }
+            Body::Graph(graph) => graph_need(graph),
             Body::Lists(lists) => lists_need(lists),
             Body::Products(products) => {
                 let rows = products.products.len() as f32;
@@ -122,6 +125,22 @@ impl View {
             stand,
             least,
             natural,
+        }
+    }
+}
+
+/// A tree has its room from the start.
+fn graph_need(graph: &Graph) -> (Stand, [f32; 2], [f32; 2]) {
+    match &graph.places {
+        Places::Free(_) => (Stand::Foot, [12.0, 8.5], [f32::MAX, 13.0]),
+        Places::Layers(below) => {
+            let spots = layers(below, None, [usize::MAX; 2]);
+            let high = spots.iter().map(|spot| spot.layer + 1).max().unwrap_or(1) as f32;
+            let wide = spots.iter().map(|spot| spot.column + 1).max().unwrap_or(1) as f32;
+            // What has no room is folded.
+            let least = [3.0 * wide.clamp(5.0, 6.0), 2.0 + 3.2 * high.clamp(3.0, 4.0)];
+            let natural = [5.7 * wide.clamp(3.0, 8.0), 2.0 + 4.2 * high.clamp(3.0, 8.0)];
+            (Stand::Beside, least, natural)
         }
     }
 }

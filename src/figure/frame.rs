@@ -78,7 +78,8 @@ impl Frame {
             | Body::Screens(_)
             | Body::Multiples(_)
             | Body::Matrix(_)
-            | Body::Spaces(_) => None,
+            | Body::Spaces(_)
+            | Body::Graph(_) => None,
         })
     }
 

@@ -224,11 +224,14 @@ impl Sheet {
             .partition(|need| need.stand == Stand::Across);
         let (mut under, mut beside): (Vec<&Need>, Vec<&Need>) = others
             .into_iter()
-            .partition(|need| need.stand == Stand::Under);
+            .partition(|need| matches!(need.stand, Stand::Under | Stand::Foot));
         match way {
             Way::Beside => {}
             Way::Under | Way::Low => under.append(&mut beside),
-            Way::Narrow => across.splice(..0, under.drain(..)).for_each(drop),
+            Way::Narrow => {
+                let wider = under.extract_if(.., |need| need.stand == Stand::Under);
+                across.splice(..0, wider).for_each(drop);
+            }
         }
         let over = self.across(way, &mut stage, drawing, over, Slot::take_top);
         let across = self.across(way, &mut stage, drawing, across, Slot::take_bottom);

@@ -6,6 +6,7 @@ mod code_links;
 mod extent;
 mod frame;
 mod gauges;
+mod graph;
 mod label;
 mod layout;
 mod lens;
@@ -34,6 +35,9 @@ pub use code_links::CodeLinks;
 pub use extent::{Need, Stand, needs, sentences, watches};
 pub use frame::{Caption, Frame};
 pub use gauges::{Gauge, Gauges};
+pub use graph::{
+    ArrowKind, Graph, GraphArrow, GraphNode, NodeStage, Places, Spot, Stands, layers, spread,
+};
 pub use label::Label;
 pub use layout::{ColumnLayout, Layout, Sheet, Slot};
 pub use lens::Lens;

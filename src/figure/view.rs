@@ -4,8 +4,8 @@
 use crate::text::{Formula, Value};
 
 use super::{
-    Bits, Gauges, Link, Lists, Mark, MatrixProduct, Multiples, Products, Raster, Ribbon, Screens,
-    Space, SpaceRow, Table,
+    Bits, Gauges, Graph, Link, Lists, Mark, MatrixProduct, Multiples, Products, Raster, Ribbon,
+    Screens, Space, SpaceRow, Table,
 };
 
 /// A name that a view keeps from step to step, and from one method to the one beside it: pan, zoom and orbit are
@@ -78,6 +78,8 @@ pub enum Body {
     Matrix(MatrixProduct),
     /// Small pictures of several spaces in a row.
     Spaces(SpaceRow),
+    /// Things, and arrows from one to another.
+    Graph(Graph),
 }
 
 /// What a crossing does to the interval on a [`NumberLine`].

@@ -174,12 +174,20 @@ pub struct BspState {
     n_known: usize,
     /// All that there will be, and what each covers.
     pieces: Arc<[(BspPiece, Rows)]>,
+    /// All that there will be.
+    whole: Arc<[BspNode]>,
 }
 
 impl BspState {
     /// The pieces so far, those that have been cut among them: a piece's number is its place.
     pub fn pieces(&self) -> impl Iterator<Item = &BspPiece> {
         self.pieces[..self.n_known].iter().map(|(piece, _)| piece)
+    }
+
+    /// The nodes that there will be: so that each has its place from the start.
+    #[must_use]
+    pub fn whole_tree(&self) -> &[BspNode] {
+        &self.whole
     }
 
     /// How many of the pieces so far have been cut, and are none any more.
@@ -264,6 +272,7 @@ impl Algorithm for Bsp {
             is_done: false,
             n_known,
             pieces: pieces.collect(),
+            whole: builder.nodes.into(),
         }
     }
 

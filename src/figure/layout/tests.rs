@@ -79,6 +79,20 @@ fn a_table_stands_beside_the_drawing_from_its_height_and_an_axis_under_it_at_its
 }
 
 #[test]
+fn what_is_narrow_stays_under_a_narrow_drawing() {
+    let mut needs = needs();
+    needs.truncate(2);
+    needs.push(need("foot", Stand::Foot, [10.0, 6.0], [60.0, 8.0]));
+    needs.push(need("lists", Stand::Beside, [17.0, 12.0], [24.0, 20.0]));
+    let layout = sheet([500.0, 540.0], 13.0).lay_out(&[needs]);
+    let slot = |id| layout.columns[0].slot(ViewId(id)).unwrap();
+    let [plane, line, foot, lists] = ["plane", "line", "foot", "lists"].map(slot);
+    assert!(lists.min[0] > plane.max[0], "it is narrow");
+    assert_eq!([foot.min[0], foot.max[0]], [plane.min[0], plane.max[0]]);
+    assert_eq!([line.min[0], line.max[0]], [plane.min[0], lists.max[0]]);
+}
+
+#[test]
 fn what_has_no_room_is_left_out_from_the_last_on() {
     let shown = |size| {
         let layout = sheet(size, 13.0).lay_out(&[needs()]);

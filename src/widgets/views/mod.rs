@@ -4,6 +4,7 @@ mod bits;
 mod clipper_row;
 mod fold;
 mod gauges;
+mod graph;
 mod links;
 mod lists;
 mod matrix;
@@ -76,5 +77,6 @@ fn body_of(shown: &View) -> Option<&dyn OnSlate> {
         Body::Multiples(body) => body,
         Body::Matrix(body) => body,
         Body::Spaces(body) => body,
+        Body::Graph(body) => body,
     })
 }

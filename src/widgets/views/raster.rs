@@ -37,8 +37,7 @@ impl OnSlate for Raster {
 
     fn draw(&self, slate: &mut Slate<'_>, rect: Rect, links: &mut Links) {
         let theme = slate.theme();
-        let title = slate.value(&self.title, (Face::Strong, 13.0, theme.ink));
-        slate.put(&title, rect.min, Align2::LEFT_TOP);
+        slate.title(&self.title, rect);
         let origin = rect.min + vec2(0.0, slate.pts(TITLE));
         let width = self.pixel_width(slate, rect);
         let hairline = theme.stroke(1.0, theme.hairline);
@@ -127,7 +126,7 @@ fn draw_pixel(slate: &mut Slate<'_>, place: Rect, pixel: &Pixel, hairline: Strok
 }
 
 /// A role's tone, the darker the larger the shade, light enough for ink.
-fn tone(theme: &Theme, role: Role, shade: f64) -> Color32 {
+pub fn tone(theme: &Theme, role: Role, shade: f64) -> Color32 {
     let colour = match role {
         Role::Ink | Role::Soft | Role::Faint | Role::Discarded => theme.soft,
         Role::Accent => theme.accent,

@@ -14,6 +14,9 @@ use super::super::Look;
 /// Text is not set smaller than this part of its natural size: what has still no room is folded, or left out.
 pub const LEAST_SCALE: f32 = 0.6;
 
+/// The size of a view's title, in points.
+const TITLE_PTS: f32 = 13.0;
+
 /// The faces that views are set in.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Face {
@@ -181,6 +184,19 @@ impl<'a> Slate<'a> {
         let rect = text.paint(self.painter, at, align);
         self.texts.push(rect);
         rect
+    }
+
+    /// A view's title in its upper left corner, smaller where there is little room.
+    pub fn title(&mut self, title: &Value, room: Rect) {
+        let style = |pts: f32| (Face::Strong, pts, self.theme().ink);
+        let set = self.value(title, style(TITLE_PTS));
+        let part = room.width() / set.size().x;
+        let set = if part < 1.0 {
+            self.value(title, style(0.97 * part * TITLE_PTS))
+        } else {
+            set
+        };
+        self.put(&set, room.min, Align2::LEFT_TOP);
     }
 
     /// Is there nothing within this rectangle and beside it?

@@ -189,11 +189,39 @@ fn small_drawings_say_what_each_plane_took_and_left() {
     }
 }
 
+#[test]
+fn a_cycle_is_seen_and_named() {
+    let rooms = [vec2(520.0, 180.0), vec2(300.0, 150.0)];
+    check("b2-cycle", &rooms, &data::graph::cycle());
+    let look = Look {
+        theme: Headless::new(ThemeKind::Light).theme(),
+        catalog: Catalog::of(Lang::En),
+    };
+    let said = data::graph::cycle().spoken(look);
+    assert!(said.contains("A → B (4.31 > 3.47)"), "{said}");
+    assert!(said.contains("C → A") && said.ends_with("cycle"), "{said}");
+}
+
+#[test]
+fn of_many_triangles_those_about_the_pair_are_seen() {
+    let rooms = [vec2(520.0, 220.0), vec2(300.0, 200.0)];
+    check("graph-9", &rooms, &data::graph::many(9));
+    check("graph-60", &rooms, &data::graph::many(60));
+}
+
+#[test]
+fn a_tree_is_folded_where_it_has_no_room() {
+    let rooms = [vec2(520.0, 220.0), vec2(300.0, 150.0)];
+    check("tree-7", &rooms, &data::graph::tree(7, 2));
+    check("tree-200", &rooms, &data::graph::tree(200, 130));
+}
+
 /// Beside the drawing of a page, and under it.
 fn room_on_a_page(view: &View) -> Vec2 {
     match view.body {
         Body::NumberLine(_) | Body::Clippers(_) | Body::Ribbon(_) => vec2(540.0, 112.0),
         Body::Multiples(_) => vec2(860.0, 112.0),
+        Body::Graph(_) => vec2(400.0, 150.0),
         Body::Spaces(_) => vec2(864.0, 134.0),
         Body::Plane(_)
         | Body::Space(_)
@@ -259,6 +287,7 @@ fn numbers_of_a_view_are_all_fractions_or_all_decimals() {
                             Body::NumberLine(line) => line.spoken(look),
                             Body::Matrix(product) => product.spoken(look),
                             Body::Spaces(row) => row.spoken(look),
+                            Body::Graph(graph) => graph.spoken(look),
                             Body::Plane(_)
                             | Body::Space(_)
                             | Body::Raster(_)

@@ -116,7 +116,7 @@ impl Demo for Shown {
             View::new(RASTER_VIEW, Body::Raster(raster(step))),
         ];
         let tree = tree::tree(step.state, step.event, step.input, scene);
-        views.push(View::new(TREE_VIEW, Body::Lists(tree)));
+        views.push(View::new(TREE_VIEW, Body::Graph(tree)));
         fitting(scenery, views)
     }
 

@@ -82,6 +82,15 @@ pub fn fitting(scenery: &Scenery, mut views: Vec<View>) -> Vec<View> {
     views
 }
 
+/// What a triangle is drawn with wherever it is seen as an area; `own` is the one that the step is about.
+pub fn tone(id: u32, own: Option<u32>) -> (Role, f64) {
+    if Some(id) == own {
+        (Role::Accent, OWN_TONE)
+    } else {
+        (Role::Soft, TONES[id as usize % TONES.len()])
+    }
+}
+
 /// The picture so far; `own` is the triangle that the step is about, `value` what a pixel says of itself.
 pub fn pixels(
     picture: &Picture,
@@ -92,14 +101,10 @@ pub fn pixels(
         let Ok(id) = u32::try_from(id) else {
             return Pixel::EMPTY;
         };
-        let is_own = Some(id) == own;
+        let (role, shade) = tone(id, own);
         Pixel {
-            role: Some(if is_own { Role::Accent } else { Role::Soft }),
-            shade: if is_own {
-                OWN_TONE
-            } else {
-                TONES[id as usize % TONES.len()]
-            },
+            role: Some(role),
+            shade,
             value: value(place),
         }
     };
@@ -127,7 +132,7 @@ pub fn lettered(picture: &Picture, name: impl Fn(u32) -> Value) -> impl Fn(usize
 }
 
 /// Of these pixels the nearest to their mean.
-fn middle(places: &[usize], width: usize) -> Option<usize> {
+pub fn middle(places: &[usize], width: usize) -> Option<usize> {
     let at = |place: usize| [place % width, place / width].map(|x| x as f64);
     let n = places.len() as f64;
     let mean = [0, 1].map(|i| places.iter().map(|&place| at(place)[i]).sum::<f64>() / n);
@@ -139,8 +144,8 @@ fn middle(places: &[usize], width: usize) -> Option<usize> {
     places.iter().min_by(nearest).copied()
 }
 
-/// The outline of what is seen of a triangle, over the pixels.
-pub fn outline(surfaces: &Surfaces, id: u32, role: Role) -> Vec<RasterMark> {
+/// The corners of what is seen of a triangle, over the pixels.
+pub fn seen_corners(surfaces: &Surfaces, id: u32) -> Vec<[f64; 2]> {
     let Some(triangle) = surfaces.triangles().get(id as usize) else {
         return Vec::new();
     };
@@ -150,14 +155,16 @@ pub fn outline(surfaces: &Surfaces, id: u32, role: Role) -> Vec<RasterMark> {
         attributes: [],
     });
     let seen = silent::<HomogeneousTriangle<[f32; 0]>>(&corners);
-    let places: Vec<[f64; 2]> = seen
-        .vertices()
-        .iter()
-        .map(|vertex| {
-            let [x, y, _, w] = vertex.at;
-            surfaces.viewport().screen_from_ndc([x / w, y / w])
-        })
-        .collect();
+    let place = |vertex: &ClipVertex<[f32; 0]>| {
+        let [x, y, _, w] = vertex.at;
+        surfaces.viewport().screen_from_ndc([x / w, y / w])
+    };
+    seen.vertices().iter().map(place).collect()
+}
+
+/// The outline of what is seen of a triangle, over the pixels.
+pub fn outline(surfaces: &Surfaces, id: u32, role: Role) -> Vec<RasterMark> {
+    let places = seen_corners(surfaces, id);
     let next = places.iter().cycle().skip(1);
     let edges = places.iter().zip(next);
     edges

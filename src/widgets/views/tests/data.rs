@@ -1,6 +1,7 @@
 //! What the prototypes C1 to C4 show.
 
 pub mod frustum;
+pub mod graph;
 pub mod polygons;
 
 use crate::{

@@ -1,6 +1,7 @@
 //! Painter's algorithm, shown: the sorted list, who objects to whom, the order or the cycle, the picture growing.
 
 mod captions;
+mod graph;
 mod variant;
 mod views;
 

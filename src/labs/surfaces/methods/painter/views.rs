@@ -1,8 +1,8 @@
-//! The scene, the picture so far, and three lists: the sorted one, what must come before what, the order.
+//! The scene, the picture so far, what must come before what, and two lists: the sorted one, the order.
 
 use crate::{
     algo::surface::{PainterEvent as Event, Picture},
-    figure::{Body, ItemMarker, Link, ListColumn, ListRow, Lists, Raster, Role, View},
+    figure::{Body, Link, ListColumn, ListRow, Lists, Raster, RasterMark, RasterShape, Role, View},
     labs::{
         Step,
         space::{Scene, soup::surface_link, stage::Fate},
@@ -10,12 +10,17 @@ use crate::{
             faces, fitting, lettered, name_of, outline, pixels, titled, wrong_pixels,
         },
     },
-    text::{Formula, Message, Value},
+    text::{Formula, Value},
 };
 
-use super::{Shown, variant::Variant};
+use super::{
+    Shown,
+    graph::{graph, overlaps},
+    variant::Variant,
+};
 
 const RASTER_VIEW: &str = "raster";
+const GRAPH_VIEW: &str = "graph";
 const LISTS_VIEW: &str = "lists";
 
 /// The triangle that the step is about.
@@ -51,13 +56,18 @@ pub fn views<L: Variant>(step: &Step<'_, Shown<L>>) -> Vec<View> {
         return Vec::new();
     };
     let scene = scenery.scene();
-    let marked = [(own(step), Role::Accent), (other(step), Role::Signal)];
-    let look = faces(marked, scene);
-    let views = vec![
-        scenery.observer_with(|_| Fate::ToCome, look, Vec::new()),
+    let now = [own(step), other(step)];
+    let marked = [(now[0], Role::Accent), (now[1], Role::Signal)];
+    let mut views = vec![
+        scenery.observer_with(|_| Fate::ToCome, faces(marked, scene), Vec::new()),
         View::new(RASTER_VIEW, Body::Raster(raster(step))),
-        View::new(LISTS_VIEW, Body::Lists(lists(step, scene))),
     ];
+    // Where nobody is asked nothing must come before anything.
+    if !L::KEYS_ONLY {
+        let graph = graph(step, scene, now);
+        views.push(View::new(GRAPH_VIEW, Body::Graph(graph)));
+    }
+    views.push(View::new(LISTS_VIEW, Body::Lists(lists(step, scene))));
     fitting(scenery, views)
 }
 
@@ -95,6 +105,12 @@ fn raster<L: Variant>(step: &Step<'_, Shown<L>>) -> Raster {
         own.into_iter()
             .flat_map(|id| outline(surfaces, id, Role::Accent)),
     );
+    // Where the depths are that give the arrows.
+    let dots = overlaps(step).into_iter().map(|at| RasterMark {
+        role: Role::Signal,
+        shape: RasterShape::Dot(at),
+    });
+    over.extend(dots);
     let mut title = Value::Term("raster-so-far");
     if step.state.is_done && step.state.cycle.is_empty() {
         let wrong = wrong_pixels(surfaces, &step.state.picture);
@@ -162,39 +178,9 @@ fn lists<L: Variant>(step: &Step<'_, Shown<L>>, scene: &Scene) -> Lists {
         columns: vec![Value::Name("z".to_owned())],
         ..column("painter-sorted", &of_keys, &range)
     };
-    let first = state.constraints.len().saturating_sub(12);
-    let constraint = |&[before, after]: &[u32; 2]| {
-        let pair = [before, after].map(|id| name_of(step.input, id));
-        let message = Message::new("painter-arrow").with("before", pair[0].clone());
-        let in_cycle = state.cycle.contains(&before) && state.cycle.contains(&after);
-        ListRow {
-            role: if in_cycle || own == Some(before) && other == Some(after) {
-                Role::Signal
-            } else {
-                Role::Ink
-            },
-            link: link(before),
-            ..ListRow::new(Value::Message(message.with("after", pair[1].clone())))
-        }
-    };
-    let constraints = state.constraints[first..].iter().map(constraint).collect();
-    let must = ListColumn {
-        n_before: first,
-        ..ListColumn::new(Value::Term("painter-must"), constraints)
-    };
-    let last = if state.cycle.is_empty() {
-        column("painter-order", &state.placed, &|_| None)
-    } else {
-        let mut cycle = column("painter-cycle", &state.cycle, &|_| None);
-        cycle.is_ring = true;
-        for entry in &mut cycle.entries {
-            entry.role = Role::Signal;
-            entry.marker = Some(ItemMarker::Dot);
-        }
-        cycle
-    };
+    let order = column("painter-order", &state.placed, &|_| None);
     Lists {
-        lists: vec![sorted, must, last],
+        lists: vec![sorted, order],
         links: Vec::new(),
         legend: Vec::new(),
     }

@@ -1,0 +1,225 @@
+//! What must come before what, as a graph: each triangle where it is in the picture, an arrow to each that it must precede.
+
+use crate::{
+    algo::surface::{
+        DepthBuffer, DepthBufferInput, DepthSteps, PainterEvent as Event, PainterState as State,
+        Rays, Surfaces,
+    },
+    figure::{ArrowKind, Graph, GraphArrow, GraphNode, NodeStage, Places, Role},
+    labs::{
+        Step,
+        space::{Scene, soup::surface_link},
+        surfaces::methods::on_raster::{middle, name_of, seen_corners, tone},
+    },
+    text::{Formula, Value},
+    trace::silent,
+};
+
+use super::{Shown, test_key, variant::Variant};
+
+/// Of more triangles the reasons are not looked for: their names only are seen.
+const MOST_WITH_REASONS: usize = 26;
+
+/// The graph; `now` are the triangle that the step is about, and the one that is asked beside it.
+pub fn graph<L: Variant>(step: &Step<'_, Shown<L>>, scene: &Scene, now: [Option<u32>; 2]) -> Graph {
+    let (state, surfaces) = (step.state, &step.input.own);
+    // What is left out stands nowhere.
+    let is_asked = |id: &u32| {
+        let triangle = surfaces.triangles().get(*id as usize);
+        !surfaces.culls_backs() || triangle.is_some_and(|triangle| surfaces.shows(triangle))
+    };
+    let ids: Vec<u32> = surfaces.ids().filter(is_asked).collect();
+    let place = |id: u32| ids.iter().position(|&other| other == id);
+    let nodes = ids.iter().map(|&id| GraphNode {
+        name: name_of(step.input, id),
+        tone: tone(id, now[0]),
+        role: role_of(state, id, now),
+        stage: NodeStage::There,
+        number: number_of(state, id),
+        note: None,
+        link: surface_link(scene, id),
+    });
+    let arrows = arrows(step, now).into_iter().filter_map(|arrow| {
+        let [from, to] = [place(arrow.ends[0])?, place(arrow.ends[1])?];
+        Some(GraphArrow {
+            from,
+            to,
+            kind: arrow.kind,
+            role: arrow.role,
+            reason: arrow.reason,
+        })
+    });
+    Graph {
+        title: Value::Term("painter-must"),
+        nodes: nodes.collect(),
+        arrows: arrows.collect(),
+        places: Places::Free(ids.iter().map(|&id| middle_of(surfaces, id)).collect()),
+        ring: (!state.cycle.is_empty()).then_some(Value::Term("painter-cycle")),
+        focus: now[0].and_then(place),
+    }
+}
+
+fn role_of(state: &State, id: u32, now: [Option<u32>; 2]) -> Role {
+    if now.contains(&Some(id)) || state.cycle.contains(&id) {
+        Role::Signal
+    } else if state.keys.iter().any(|(of, ..)| *of == id) {
+        Role::Ink
+    } else {
+        Role::Faint
+    }
+}
+
+fn number_of(state: &State, id: u32) -> Option<Value> {
+    let place = state.placed.iter().position(|&placed| placed == id)?;
+    Some(Value::Count(place + 1))
+}
+
+/// The middle of what is seen of a triangle: the mean of its corners.
+fn middle_of(surfaces: &Surfaces, id: u32) -> [f64; 2] {
+    let corners = seen_corners(surfaces, id);
+    if corners.is_empty() {
+        return surfaces.size().map(|side| 0.5 * f64::from(side));
+    }
+    let n = corners.len() as f64;
+    [0, 1].map(|i| corners.iter().map(|at| at[i]).sum::<f64>() / n)
+}
+
+/// Between two triangles, by their ids.
+struct Arrow {
+    ends: [u32; 2],
+    kind: ArrowKind,
+    role: Role,
+    reason: Option<Value>,
+}
+
+/// What has been found, what this step asks.
+fn arrows<L: Variant>(step: &Step<'_, Shown<L>>, now: [Option<u32>; 2]) -> Vec<Arrow> {
+    let state = step.state;
+    let found = state.constraints.iter().map(|&ends| {
+        let is_in_ring = is_in_ring(&state.cycle, ends);
+        let is_now = ends.map(Some) == now;
+        Arrow {
+            ends,
+            kind: if is_in_ring {
+                ArrowKind::Ring
+            } else {
+                ArrowKind::Holds
+            },
+            role: if is_in_ring || is_now {
+                Role::Signal
+            } else {
+                Role::Soft
+            },
+            reason: hides(step, ends),
+        }
+    });
+    let mut arrows: Vec<Arrow> = found.collect();
+    if let Some(Event::Pair {
+        id,
+        other,
+        test,
+        may,
+        ..
+    }) = step.event
+    {
+        let refused = hides(step, [other, id]).filter(|_| !may);
+        arrows.push(Arrow {
+            ends: [id, other],
+            kind: if may {
+                ArrowKind::Allowed
+            } else {
+                ArrowKind::Refused
+            },
+            role: Role::Signal,
+            reason: Some(refused.unwrap_or(Value::Term(test_key(test)))),
+        });
+    }
+    arrows
+}
+
+/// `A 4.31 > B 3.47`: how far both are before the eye's plane where the second hides the first.
+fn hides<L: Variant>(step: &Step<'_, Shown<L>>, [far, near]: [u32; 2]) -> Option<Value> {
+    let overlap = overlap(&step.input.own, [far, near])?;
+    let name = |id: u32| match name_of(step.input, id) {
+        Value::Name(name) => name,
+        _ => id.to_string(),
+    };
+    let [far_depth, near_depth] = overlap.depths;
+    let formula = Formula::decimals().sym(name(far) + " ").num(far_depth);
+    let formula = formula.sym(format!(" > {} ", name(near)));
+    Some(Value::Formula(formula.num(near_depth)))
+}
+
+/// Does the second follow the first in a cycle, as far as it has been found?
+fn is_in_ring(cycle: &[u32], [before, after]: [u32; 2]) -> bool {
+    let next = cycle.iter().cycle().skip(1);
+    let mut pairs = cycle.iter().zip(next);
+    pairs.any(|(&one, &next)| [one, next] == [before, after])
+}
+
+/// A pixel at which a triangle hides another one.
+struct Overlap {
+    /// Its middle.
+    at: [f64; 2],
+    /// How far both are there, the farther first.
+    depths: [f64; 2],
+}
+
+/// Of the pixels at which the first is farther than the second, the one in their middle; none where no pixel shows it.
+fn overlap(surfaces: &Surfaces, ends: [u32; 2]) -> Option<Overlap> {
+    let n = surfaces.triangles().len();
+    if n > MOST_WITH_REASONS {
+        return None;
+    }
+    let depths = ends.map(|id| {
+        let alone = surfaces.part(id as usize..id as usize + 1);
+        silent::<DepthBuffer>(&DepthBufferInput {
+            steps: DepthSteps::Triangles,
+            ..DepthBufferInput::new(alone)
+        })
+        .depth
+    });
+    let pixels = depths[0].iter().zip(&depths[1]).enumerate();
+    let hidden = pixels.filter(|(_, (far, near))| far.is_finite() && far > near);
+    let hidden: Vec<usize> = hidden.map(|(place, _)| place).collect();
+    let width = surfaces.size()[0] as usize;
+    let place = middle(&hidden, width)?;
+    let rays = Rays::of(surfaces);
+    Some(Overlap {
+        at: [place % width, place / width].map(|x| x as f64 + 0.5),
+        depths: depths.map(|depths| rays.distance(rays.t_at(depths[place]))),
+    })
+}
+
+/// Where in the picture this step's arrow has its reason; of a cycle, all of its arrows.
+pub fn overlaps<L: Variant>(step: &Step<'_, Shown<L>>) -> Vec<[f64; 2]> {
+    let state = step.state;
+    let shown = match step.event {
+        Some(Event::Constraint { before, after }) => vec![[before, after]],
+        Some(Event::Pair {
+            id,
+            other,
+            may: false,
+            ..
+        }) => vec![[other, id]],
+        Some(Event::Cycle { .. } | Event::Done) => {
+            let is_in_ring = |ends: &&[u32; 2]| is_in_ring(&state.cycle, **ends);
+            state
+                .constraints
+                .iter()
+                .filter(is_in_ring)
+                .copied()
+                .collect()
+        }
+        Some(
+            Event::Key { .. }
+            | Event::Sort { .. }
+            | Event::Pair { .. }
+            | Event::Place { .. }
+            | Event::Paint { .. },
+        )
+        | None => Vec::new(),
+    };
+    let at = |ends| Some(overlap(&step.input.own, ends)?.at);
+    shown.into_iter().filter_map(at).collect()
+}
