@@ -209,6 +209,12 @@ fn said_in(body: &Body, catalog: &Catalog) -> Vec<String> {
             let cells = cells.flat_map(|cell| [&cell.name].into_iter().chain(&cell.place));
             cells.chain(&row.arrows).map(value).collect()
         }
+        Body::Story(story) => {
+            let cards = story.cards.iter();
+            let cards = cards.flat_map(|card| [&card.name, &card.new.1, &card.against, &card.word]);
+            let around = [&story.title, &story.opening.1, &story.held, &story.down];
+            cards.chain(around).map(value).collect()
+        }
         Body::Graph(graph) => {
             let nodes = graph.nodes.iter();
             let nodes = nodes.flat_map(|node| {

@@ -108,6 +108,11 @@ impl View {
                 (Stand::Beside, least, natural)
             }
             Body::Graph(graph) => graph_need(graph),
+            Body::Story(story) => {
+                // Two cards, or many folded about one.
+                let width = 7.5 * story.cards.len().clamp(1, 2) as f32;
+                (Stand::Under, [width + 4.0, 13.0], [f32::MAX, 19.0])
+            }
             Body::Lists(lists) => lists_need(lists),
             Body::Products(products) => {
                 let rows = products.products.len() as f32;

@@ -79,7 +79,8 @@ impl Frame {
             | Body::Multiples(_)
             | Body::Matrix(_)
             | Body::Spaces(_)
-            | Body::Graph(_) => None,
+            | Body::Graph(_)
+            | Body::Story(_) => None,
         })
     }
 

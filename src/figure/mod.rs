@@ -25,6 +25,7 @@ mod screens;
 mod solids;
 mod space;
 mod space_row;
+mod story;
 mod table;
 mod view;
 mod watch;
@@ -57,6 +58,7 @@ pub use screens::{Screen, Screens};
 pub use solids::{SolidMesh, SolidPicture, Solids};
 pub use space::{Edge3, Facet, Mark3, Seer, Shape3, Skin, Space};
 pub use space_row::{CellStage, SpaceCell, SpaceRow};
+pub use story::{Story, StoryCard, StoryFate};
 pub use table::{Cell, Table, TableNote, TableRow};
 pub use view::{
     Body, ClipperBox, ClipperRow, Fate, LineTick, NumberLine, Side, Traveller, View, ViewId,

@@ -5,7 +5,7 @@ use crate::text::{Formula, Value};
 
 use super::{
     Bits, Gauges, Graph, Link, Lists, Mark, MatrixProduct, Multiples, Products, Raster, Ribbon,
-    Screens, Space, SpaceRow, Table,
+    Screens, Space, SpaceRow, Story, Table,
 };
 
 /// A name that a view keeps from step to step, and from one method to the one beside it: pan, zoom and orbit are
@@ -80,6 +80,8 @@ pub enum Body {
     Spaces(SpaceRow),
     /// Things, and arrows from one to another.
     Graph(Graph),
+    /// What has come to one place, in order.
+    Story(Story),
 }
 
 /// What a crossing does to the interval on a [`NumberLine`].

@@ -84,7 +84,7 @@ fn what_is_narrow_stays_under_a_narrow_drawing() {
     needs.truncate(2);
     needs.push(need("foot", Stand::Foot, [10.0, 6.0], [60.0, 8.0]));
     needs.push(need("lists", Stand::Beside, [17.0, 12.0], [24.0, 20.0]));
-    let layout = sheet([500.0, 540.0], 13.0).lay_out(&[needs]);
+    let layout = sheet([560.0, 540.0], 13.0).lay_out(&[needs]);
     let slot = |id| layout.columns[0].slot(ViewId(id)).unwrap();
     let [plane, line, foot, lists] = ["plane", "line", "foot", "lists"].map(slot);
     assert!(lists.min[0] > plane.max[0], "it is narrow");

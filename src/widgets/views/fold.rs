@@ -33,6 +33,13 @@ impl Fold {
         Self::of(n, start..start + inside)
     }
 
+    /// Of `n` so many, the focus as near to their middle as it can be; what is folded has room of its own.
+    pub fn about_middle(n: usize, focus: usize, room: usize) -> Self {
+        let room = room.clamp(1, n.max(1)).min(n);
+        let start = focus.saturating_sub(room / 2).min(n - room);
+        Self::of(n, start..start + room)
+    }
+
     const fn of(n: usize, shown: Range<usize>) -> Self {
         let (before, after) = (shown.start, n - shown.end);
         Self {
@@ -79,6 +86,20 @@ mod tests {
                     assert!(fold.shown.contains(&focus), "{n} {focus} {room}: {fold:?}");
                     assert!(fold.n_rows() <= room.max(3), "{n} {focus} {room}: {fold:?}");
                     assert!(n > room || fold.shown == (0..n));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn about_the_middle_there_are_as_many_as_there_is_room_for() {
+        for n in 1..20 {
+            for room in 1..=n {
+                for focus in 0..n {
+                    let fold = Fold::about_middle(n, focus, room);
+                    assert_eq!(fold.shown.len(), room);
+                    assert_eq!(fold.before + room + fold.after, n);
+                    assert!(fold.shown.contains(&focus), "{n} {focus} {room}: {fold:?}");
                 }
             }
         }

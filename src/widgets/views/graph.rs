@@ -13,7 +13,7 @@
 mod arrows;
 mod plan;
 
-use egui::{Align2, Color32, Painter, Rect, Stroke, StrokeKind, Vec2, pos2, vec2};
+use egui::{Align2, Painter, Rect, Stroke, StrokeKind, Vec2, pos2, vec2};
 
 use crate::{
     figure::{ArrowKind, Graph, GraphArrow, GraphNode, NodeStage, Role},
@@ -279,16 +279,4 @@ fn put_clear(
 ) {
     let is_clear = |at: &egui::Pos2| !plan.is_taken(Rect::from_center_size(*at, words.size()));
     slate.put_free(words, rect, at.into_iter().filter(is_clear));
-}
-
-/// The colour of an arrow.
-fn arrow_colour(slate: &Slate<'_>, role: Role) -> Color32 {
-    let theme = slate.theme();
-    match role {
-        Role::Signal => theme.signal,
-        Role::Accent => theme.accent,
-        Role::Accepted => theme.accepted,
-        Role::Ink => theme.ink,
-        Role::Soft | Role::Faint | Role::Discarded => theme.soft,
-    }
 }

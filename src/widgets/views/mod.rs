@@ -18,6 +18,7 @@ mod screens;
 mod slate;
 mod space;
 mod space_row;
+mod story;
 mod table;
 #[cfg(test)]
 mod tests;
@@ -78,5 +79,6 @@ fn body_of(shown: &View) -> Option<&dyn OnSlate> {
         Body::Matrix(body) => body,
         Body::Spaces(body) => body,
         Body::Graph(body) => body,
+        Body::Story(body) => body,
     })
 }

@@ -216,12 +216,31 @@ fn a_tree_is_folded_where_it_has_no_room() {
     check("tree-200", &rooms, &data::graph::tree(200, 130));
 }
 
+#[test]
+fn a_story_shows_what_won_and_what_lost() {
+    let rooms = [vec2(560.0, 220.0), vec2(300.0, 190.0)];
+    for now in [0, 2, 4] {
+        check("b4", &rooms, &data::story::five(now));
+    }
+    check("story-17", &rooms, &data::story::many(17, 11));
+    let look = Look {
+        theme: Headless::new(ThemeKind::Light).theme(),
+        catalog: Catalog::of(Lang::En),
+    };
+    let said = data::story::five(2).spoken(look);
+    assert!(said.contains("→ A3: 0.624 > 0.563, lost"), "{said}");
+    assert!(
+        said.contains("2 more"),
+        "what is to come is counted: {said}"
+    );
+}
+
 /// Beside the drawing of a page, and under it.
 fn room_on_a_page(view: &View) -> Vec2 {
     match view.body {
         Body::NumberLine(_) | Body::Clippers(_) | Body::Ribbon(_) => vec2(540.0, 112.0),
         Body::Multiples(_) => vec2(860.0, 112.0),
-        Body::Graph(_) => vec2(400.0, 150.0),
+        Body::Graph(_) | Body::Story(_) => vec2(400.0, 170.0),
         Body::Spaces(_) => vec2(864.0, 134.0),
         Body::Plane(_)
         | Body::Space(_)
@@ -288,6 +307,7 @@ fn numbers_of_a_view_are_all_fractions_or_all_decimals() {
                             Body::Matrix(product) => product.spoken(look),
                             Body::Spaces(row) => row.spoken(look),
                             Body::Graph(graph) => graph.spoken(look),
+                            Body::Story(story) => story.spoken(look),
                             Body::Plane(_)
                             | Body::Space(_)
                             | Body::Raster(_)

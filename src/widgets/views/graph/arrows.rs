@@ -4,7 +4,10 @@ use egui::{Pos2, Rect, Shape, Vec2, vec2};
 
 use crate::figure::{ArrowKind, Graph, GraphArrow, Places, Role};
 
-use super::{super::slate::Slate, arrow_colour, plan::Plan};
+use super::{
+    super::slate::{Slate, colour},
+    plan::Plan,
+};
 
 /// A curve is drawn in so many pieces.
 const PIECES: usize = 16;
@@ -120,7 +123,7 @@ fn bent(
         .filter(|place| *place != from && *place != to)
         .map(|place| place.expand(slate.pts(GAP)))
         .collect();
-    let inside = plan.room.shrink(slate.pts(2.0));
+    let inside = plan.room.shrink(slate.pts(5.0));
     let curve = |bend: f32| -> Vec<Pos2> {
         let pull = half_way + 2.0 * bend * left;
         let at = |i: usize| {
@@ -183,7 +186,7 @@ fn cut(path: &[Pos2], [from, to]: [Rect; 2]) -> Vec<Pos2> {
 /// Draws it: heavy in a cycle, dashed where it is only asked about.
 pub fn draw(slate: &mut Slate<'_>, plan: &Plan, route: &Route<'_>) {
     let arrow = route.arrow;
-    let colour = arrow_colour(slate, arrow.role);
+    let ink = colour(slate.theme(), arrow.role);
     let is_now = arrow.role == Role::Signal;
     let width = match arrow.kind {
         ArrowKind::Ring => 3.25,
@@ -193,7 +196,7 @@ pub fn draw(slate: &mut Slate<'_>, plan: &Plan, route: &Route<'_>) {
         ArrowKind::Holds | ArrowKind::Allowed | ArrowKind::Refused => 1.5,
         ArrowKind::Branch => 1.0,
     };
-    let stroke = slate.stroke(width, colour);
+    let stroke = slate.stroke(width, ink);
     let mut path = route.path.clone();
     let tip = path[path.len() - 1];
     let has_head = arrow.kind != ArrowKind::Branch;
@@ -220,7 +223,7 @@ pub fn draw(slate: &mut Slate<'_>, plan: &Plan, route: &Route<'_>) {
         }
     }
     if has_head {
-        slate.head(tip, tip - path[path.len() - 2], length, colour);
+        slate.head(tip, tip - path[path.len() - 2], length, ink);
     }
     if arrow.kind == ArrowKind::Refused {
         let arm = slate.pts(5.5);
@@ -230,7 +233,7 @@ pub fn draw(slate: &mut Slate<'_>, plan: &Plan, route: &Route<'_>) {
         let parts = [5, 4, 6, 3, 7].map(|part| route.path[part * last / 10]);
         let at = parts.into_iter().find(is_clear).unwrap_or(parts[0]);
         for diagonal in [vec2(arm, arm), vec2(arm, -arm)] {
-            slate.line([at - diagonal, at + diagonal], slate.stroke(2.5, colour));
+            slate.line([at - diagonal, at + diagonal], slate.stroke(2.5, ink));
         }
     }
 }

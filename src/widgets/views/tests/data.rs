@@ -3,6 +3,7 @@
 pub mod frustum;
 pub mod graph;
 pub mod polygons;
+pub mod story;
 
 use crate::{
     figure::{

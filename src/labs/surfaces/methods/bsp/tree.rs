@@ -67,9 +67,10 @@ fn node_name(state: &State, input: &Input, number: u32, node: &BspNode) -> Value
         .map_or(&node.on, |node| &node.on);
     let mut names = on.iter().filter_map(|&piece| {
         let piece = state.piece(piece)?;
-        Some(match piece_name(input, piece) {
-            Value::Name(name) => name,
-            _ => piece.id.to_string(),
+        Some(if let Value::Name(name) = piece_name(input, piece) {
+            name
+        } else {
+            piece.id.to_string()
         })
     });
     let Some(first) = names.next() else {

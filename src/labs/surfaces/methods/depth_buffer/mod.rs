@@ -3,6 +3,7 @@
 mod captions;
 mod curve;
 mod numbers;
+mod story;
 mod variant;
 mod views;
 

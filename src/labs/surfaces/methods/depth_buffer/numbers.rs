@@ -26,13 +26,23 @@ pub fn depth(formula: Formula, format: &DepthFormat, stored: f64) -> Formula {
 
 /// `0.647 < 0.695`: what is new, and what stands there.
 pub fn comparison(format: &DepthFormat, fragment: &Fragment) -> Formula {
-    let sign = match fragment.new.total_cmp(&fragment.stored) {
-        std::cmp::Ordering::Less => " < ",
-        std::cmp::Ordering::Equal => " = ",
-        std::cmp::Ordering::Greater => " > ",
-    };
-    let new = depth(Formula::decimals(), format, fragment.new).sym(sign);
+    let new = depth(Formula::decimals(), format, fragment.new);
+    let new = new.sym(format!(" {} ", sign(fragment)));
     depth(new, format, fragment.stored)
+}
+
+/// `< 0.695`: what stands there, and how what is new compares to it.
+pub fn against(format: &DepthFormat, fragment: &Fragment) -> Value {
+    let sign = Formula::decimals().sym(format!("{} ", sign(fragment)));
+    Value::Formula(depth(sign, format, fragment.stored))
+}
+
+fn sign(fragment: &Fragment) -> char {
+    match fragment.new.total_cmp(&fragment.stored) {
+        std::cmp::Ordering::Less => '<',
+        std::cmp::Ordering::Equal => '=',
+        std::cmp::Ordering::Greater => '>',
+    }
 }
 
 /// `0.647`, for a table.

@@ -1,28 +1,20 @@
 //! The scene with the ray of the pixel in hand, the picture with its depths, and what has come to that pixel.
 
 use crate::{
-    algo::surface::{
-        DepthBuffer, DepthBufferInput, DepthNumber, Fragment, Rays, SurfaceRules, pixel_story,
-    },
-    figure::{Body, Cell, Mark3, Raster, Role, Shape3, Table, TableRow, View},
+    algo::surface::{DepthBuffer, DepthBufferInput, DepthNumber, Rays},
+    figure::{Body, Mark3, Raster, Role, Shape3, View},
     labs::{
         Step,
-        space::soup::surface_link,
         space::stage::{Fate, Scenery},
         surfaces::methods::on_raster::{
-            faces, fitting, name_of, outline, pixel_formula, pixels, sight, titled, wrong_pixels,
+            faces, fitting, outline, pixels, sight, titled, wrong_pixels,
         },
     },
-    text::{Formula, Message, Value},
+    text::{Message, Value},
     trace::silent,
 };
 
-use super::{
-    Shown,
-    curve::curves,
-    numbers::{in_pixel, value},
-    variant::Variant,
-};
+use super::{Shown, curve::curves, numbers::in_pixel, story::story, variant::Variant};
 
 const RASTER_VIEW: &str = "raster";
 const CURVE_VIEW: &str = "curve";
@@ -55,8 +47,8 @@ pub fn views<L: Variant>(step: &Step<'_, Shown<L>>) -> Vec<View> {
         views.push(View::new(CURVE_VIEW, Body::Multiples(curves)));
     }
     if let Some(pixel) = pixel_of(step) {
-        let table = story(step, scenery, pixel);
-        views.push(View::new(STORY_VIEW, Body::Table(table)));
+        let story = story(step, scenery, pixel);
+        views.push(View::new(STORY_VIEW, Body::Story(story)));
     }
     fitting(scenery, views)
 }
@@ -133,49 +125,5 @@ fn raster<L: Variant>(step: &Step<'_, Shown<L>>) -> Raster {
         pixels: pixels(&so_far.picture, current, depth),
         current: pixel_of(step).map(|pixel| pixel.map(|x| x as usize)),
         over,
-    }
-}
-
-/// Every fragment that reaches a pixel, in order of arrival; what has not come yet is pale.
-fn story<L: SurfaceRules + Variant>(
-    step: &Step<'_, Shown<L>>,
-    scenery: &Scenery,
-    pixel: [u32; 2],
-) -> Table {
-    let own = &step.input.own;
-    let order_of = |id: u32| own.order.iter().position(|&other| other == id);
-    let now = step.state.triangle.and_then(|(id, _)| order_of(id));
-    let (is_done, fragment) = (step.state.is_done, step.state.fragment);
-    let format = &own.format;
-    let row = |told: Fragment| {
-        let is_current = fragment.is_some_and(|now| now.id == told.id);
-        let has_come = is_done || is_current || order_of(told.id) < now;
-        let role = if is_current { Role::Signal } else { Role::Ink };
-        let cell = |value: Value| Cell::new(role, has_come.then_some(value));
-        let key = if told.kept {
-            "story-kept"
-        } else {
-            "story-lost"
-        };
-        TableRow {
-            name: name_of(step.input, told.id),
-            cells: vec![
-                cell(value(format, told.new)),
-                cell(value(format, told.stored)),
-                cell(Value::Term(key)),
-            ],
-            is_current,
-            link: surface_link(scenery.scene(), told.id),
-        }
-    };
-    Table {
-        header: vec![
-            pixel_formula(pixel),
-            Formula::default().sym("z"),
-            Formula::default().term("story-stored"),
-            Formula::default().term("story-fate"),
-        ],
-        rows: pixel_story::<L>(own, pixel).into_iter().map(row).collect(),
-        notes: Vec::new(),
     }
 }

@@ -140,9 +140,12 @@ fn arrows<L: Variant>(step: &Step<'_, Shown<L>>, now: [Option<u32>; 2]) -> Vec<A
 /// `A 4.31 > B 3.47`: how far both are before the eye's plane where the second hides the first.
 fn hides<L: Variant>(step: &Step<'_, Shown<L>>, [far, near]: [u32; 2]) -> Option<Value> {
     let overlap = overlap(&step.input.own, [far, near])?;
-    let name = |id: u32| match name_of(step.input, id) {
-        Value::Name(name) => name,
-        _ => id.to_string(),
+    let name = |id: u32| {
+        if let Value::Name(name) = name_of(step.input, id) {
+            name
+        } else {
+            id.to_string()
+        }
     };
     let [far_depth, near_depth] = overlap.depths;
     let formula = Formula::decimals().sym(name(far) + " ").num(far_depth);

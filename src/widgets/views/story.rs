@@ -1,0 +1,92 @@
+//! What has come to a pixel: cards in order of arrival, and under them what was held, as stairs that fall.
+//!
+//! ```text
+//!   pixel [8, 6], in order of arrival
+//!   ┌─────────┐ ┌─────────┐ ┌╌╌╌╌╌╌╌╌╌┐
+//!   │(A) 0.78 │ │(B) 0.74 │ ╎(C) 0.95 ╎
+//!   │     < ∞ │ │  < 0.78 │ ╎  > 0.74 ╎
+//!   │ written │ │ written │ ╎ lost    ╎
+//!   └─────────┘ └─────────┘ └╌╌╌╌╌╌╌╌╌┘
+//!   ∞┄┄┄┄┐                       ○
+//!        ●───────────┐           ╎
+//!                    ●───────────────
+//! ```
+
+mod card;
+mod plan;
+mod stairs;
+
+use egui::{Painter, Rect, vec2};
+
+use crate::{
+    figure::{CellStage, Story, StoryCard},
+    text::{Notation, Value},
+    widgets::Look,
+};
+
+use super::{links::Links, on_slate::OnSlate, slate::Slate, table::more};
+
+use plan::{GAP, MOST_CARDS, Plan, STAIRS, TITLE};
+
+/// Below this part of its size text does not shrink for the sake of more cards.
+const FOLD_BELOW: f32 = 0.8;
+
+impl OnSlate for Story {
+    fn slate<'a>(&self, painter: &'a Painter, look: Look<'a>, rect: Rect) -> Slate<'a> {
+        let slate = Slate::with_numbers(painter, look, Notation::Decimals);
+        let wanted = |slate: &Slate<'_>, most: usize| {
+            let n = self.cards.len().clamp(1, most) as f32;
+            let card = card::size(slate, self);
+            let wide = n * card.x + (n - 1.0) * slate.pts(GAP) + plan::margin(slate, self);
+            let titles = 2.0 * slate.pts(TITLE);
+            vec2(wide, titles + card.y + slate.pts(GAP + STAIRS[0]))
+        };
+        // Cards are folded before their text becomes too small.
+        let least = FOLD_BELOW * slate.scale;
+        let slate = slate.shrunk_to(least, rect.size(), |slate| wanted(slate, MOST_CARDS));
+        slate.fitted_in(rect.size(), |slate| wanted(slate, 2))
+    }
+
+    fn draw(&self, slate: &mut Slate<'_>, rect: Rect, links: &mut Links) {
+        slate.title(&self.title, rect);
+        if self.cards.is_empty() {
+            return;
+        }
+        let plan = Plan::new(slate, rect, self);
+        for (nth, idx) in plan.fold.shown.clone().enumerate() {
+            card::draw(slate, plan.card(nth), &self.cards[idx], links);
+        }
+        let ends = [
+            (plan.fold.before, plan.before),
+            (plan.fold.after, plan.after),
+        ];
+        for (count, place) in ends {
+            if count > 0 {
+                card::folded(slate, place, count);
+            }
+        }
+        let top = plan.stairs.top() - slate.pts(TITLE);
+        slate.title(&self.held, rect.with_min_y(top));
+        stairs::draw(slate, self, &plan, links);
+    }
+
+    fn spoken(&self, look: Look<'_>) -> String {
+        let said = |value: &Value| look.catalog.value_as(value, Notation::Decimals);
+        let has_come = |card: &&StoryCard| card.stage != CellStage::ToCome;
+        let card = |card: &StoryCard| {
+            let arrow = if card.stage == CellStage::Current {
+                "→ "
+            } else {
+                ""
+            };
+            let [name, new, against, word] =
+                [&card.name, &card.new.1, &card.against, &card.word].map(said);
+            format!("{arrow}{name}: {new} {against}, {word}")
+        };
+        let cards: Vec<String> = self.cards.iter().filter(has_come).map(card).collect();
+        let n_to_come = self.cards.len() - cards.len();
+        let rest = (n_to_come > 0).then(|| look.catalog.message(&more(n_to_come)));
+        let parts: Vec<String> = cards.into_iter().chain(rest).collect();
+        format!("{}: {}", said(&self.title), parts.join("; "))
+    }
+}

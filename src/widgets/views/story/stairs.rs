@@ -1,0 +1,208 @@
+//! What was held, as stairs: filled dots on them were kept, hollow ones above them were not.
+
+use egui::{Align2, Pos2, Rect, Stroke, Vec2, pos2, vec2};
+
+use crate::figure::{CellStage, Story, StoryCard, StoryFate};
+
+use super::{
+    super::{
+        links::Links,
+        slate::{Face, Slate},
+    },
+    plan::{NUMBER_PTS, Plan, label},
+};
+
+/// Radius of a dot.
+const DOT: f32 = 4.5;
+/// White space over the highest dot and under the lowest.
+const AIR: f32 = 8.0;
+/// Of the height, what is not a number is so far from the farthest number.
+const BEYOND: f32 = 0.24;
+
+/// Heights of numbers, what wins further down.
+struct Scale {
+    room: Rect,
+    ends: [f64; 2],
+    is_reversed: bool,
+    has_infinite: bool,
+}
+
+impl Scale {
+    /// Of everything that comes, from the start, so that nothing moves.
+    fn of(slate: &Slate<'_>, story: &Story, stairs: Rect) -> Self {
+        let held =
+            std::iter::once(story.opening.0).chain(story.cards.iter().map(|card| card.new.0));
+        let numbers = held.clone().filter(|x| x.is_finite());
+        let [low, high] = [
+            numbers.clone().fold(f64::INFINITY, f64::min),
+            numbers.fold(f64::NEG_INFINITY, f64::max),
+        ];
+        Self {
+            room: stairs.shrink2(vec2(0.0, slate.pts(AIR))),
+            ends: [low, high],
+            is_reversed: story.is_reversed,
+            has_infinite: held.clone().any(|x| !x.is_finite()),
+        }
+    }
+
+    fn y(&self, x: f64) -> f32 {
+        let [low, high] = self.ends;
+        if !x.is_finite() {
+            // Farther than everything, or nearer.
+            let is_far = (x > 0.0) != self.is_reversed;
+            return if is_far {
+                self.room.top()
+            } else {
+                self.room.bottom()
+            };
+        }
+        let part = if high > low {
+            ((x - low) / (high - low)) as f32
+        } else {
+            0.5
+        };
+        let down = if self.is_reversed { part } else { 1.0 - part };
+        let top = if self.has_infinite { BEYOND } else { 0.0 };
+        self.room.top() + self.room.height() * (top + (1.0 - top) * down)
+    }
+}
+
+pub fn draw(slate: &mut Slate<'_>, story: &Story, plan: &Plan, links: &mut Links) {
+    let scale = Scale::of(slate, story, plan.stairs);
+    shown_range(slate, plan);
+    let theme = slate.theme();
+    let line = slate.stroke(2.25, theme.accent);
+    let mut held = story.opening.0;
+    let mut from = pos2(plan.stairs.left(), scale.y(held));
+    let opening = label(slate, &story.opening.1, theme.soft);
+    let left = from - vec2(slate.pts(5.0), 0.0);
+    let opening = slate.put(&opening, left, Align2::RIGHT_CENTER);
+    axis(slate, story, plan, opening);
+    let has_come = |card: &&StoryCard| card.stage != CellStage::ToCome;
+    let come: Vec<&StoryCard> = story.cards.iter().take_while(has_come).collect();
+    // Strokes first: numbers find their places beside them.
+    let mut dots: Vec<(Pos2, &StoryCard, bool)> = Vec::new();
+    for (idx, card) in come.iter().enumerate() {
+        let x = plan.column(idx);
+        let at = pos2(x, scale.y(card.new.0));
+        let corner = pos2(x, from.y);
+        if card.fate == StoryFate::Kept {
+            tread(slate, [from, corner], line, held.is_finite());
+            slate.line([corner, at], line);
+            held = card.new.0;
+            from = at;
+        } else {
+            let fall = slate.stroke(1.25, theme.soft);
+            if (at.y - corner.y).abs() > slate.pts(DOT) {
+                slate.dashed([at, corner], fall, 3.0);
+            }
+        }
+        dots.push((at, card, card.stage == CellStage::Current));
+    }
+    let end = match come.len() {
+        n if n == story.cards.len() => plan.stairs.right(),
+        0 => plan.stairs.left() + 0.5 * plan.columns[0],
+        n => plan.column(n - 1) + 0.45 * plan.columns[1],
+    };
+    tread(slate, [from, pos2(end, from.y)], line, held.is_finite());
+    for &(at, card, is_now) in &dots {
+        dot(slate, at, card, is_now);
+        let around = Rect::from_center_size(at, Vec2::splat(slate.pts(4.0 * DOT)));
+        links.touch(around, card.link);
+    }
+    // The current one's number first, then the last ones': where there is little room, the first ones have none.
+    let now = dots.iter().filter(|(.., is_now)| *is_now);
+    let others = dots.iter().rev().filter(|(.., is_now)| !is_now);
+    for &(at, card, is_now) in now.chain(others) {
+        number(slate, plan, at, card, is_now);
+    }
+}
+
+/// From one to the next: dashed as long as nothing is held.
+fn tread(slate: &mut Slate<'_>, ends: [Pos2; 2], stroke: Stroke, is_number: bool) {
+    if is_number {
+        slate.line(ends, stroke);
+    } else {
+        slate.dashed(ends, stroke, 3.5);
+    }
+}
+
+fn dot(slate: &Slate<'_>, at: Pos2, card: &StoryCard, is_now: bool) {
+    let theme = slate.theme();
+    let radius = slate.pts(DOT);
+    let ink = if is_now { theme.signal } else { theme.accent };
+    match card.fate {
+        StoryFate::Kept => {
+            let rim = slate.stroke(1.5, theme.background);
+            slate.painter.circle(at, radius + 1.0, ink, rim);
+        }
+        StoryFate::Lost | StoryFate::Tie => {
+            let ink = if is_now { theme.signal } else { theme.soft };
+            let rim = slate.stroke(1.75, ink);
+            slate.painter.circle(at, radius, theme.background, rim);
+        }
+    }
+}
+
+/// What it brings, beside its dot; of one that is as good as what is held, with a sign of equality.
+fn number(slate: &mut Slate<'_>, plan: &Plan, at: Pos2, card: &StoryCard, is_now: bool) {
+    let theme = slate.theme();
+    let ink = match (card.fate, is_now) {
+        (_, true) => theme.signal_text,
+        (StoryFate::Kept, false) => theme.accent,
+        (StoryFate::Lost | StoryFate::Tie, false) => theme.soft,
+    };
+    let words = match card.fate {
+        StoryFate::Tie => label(slate, &card.against, ink),
+        StoryFate::Kept | StoryFate::Lost => label(slate, &card.new.1, ink),
+    };
+    let off = 0.5 * words.size() + Vec2::splat(slate.pts(DOT + 4.0));
+    let above = vec2(0.0, -off.y);
+    let below = vec2(0.0, off.y);
+    let left = vec2(-off.x, 0.0);
+    let right = vec2(off.x, 0.0);
+    let low = vec2(0.0, 0.6 * off.y);
+    let places = match card.fate {
+        StoryFate::Kept => [left, left + low, below, right - low, right + low, above],
+        StoryFate::Lost | StoryFate::Tie => [right, left, above, right - low, left - low, below],
+    };
+    let around = vec2(slate.pts(4.0), slate.pts(3.0));
+    let room = plan.stairs.expand2(around).intersect(plan.room);
+    slate.put_free(&words, room, places.map(|off| at + off));
+}
+
+/// Where on the whole stairs the cards stand that are shown.
+fn shown_range(slate: &Slate<'_>, plan: &Plan) {
+    if plan.fold.before + plan.fold.after == 0 {
+        return;
+    }
+    let half = 0.5 * plan.columns[1];
+    let left = plan.column(plan.fold.shown.start) - half;
+    let right = plan.column(plan.fold.shown.end.saturating_sub(1)) + half;
+    let band = Rect::from_x_y_ranges(left..=right, plan.stairs.y_range());
+    slate.painter.rect_filled(band, 3.0, slate.theme().panel);
+}
+
+/// An arrow down the left edge, towards what wins: under what was held at first, or over it.
+fn axis(slate: &mut Slate<'_>, story: &Story, plan: &Plan, opening: Rect) {
+    let theme = slate.theme();
+    let down = slate.value(&story.down, (Face::Plain, NUMBER_PTS, theme.soft));
+    let gap = slate.pts(3.0);
+    let is_under = opening.center().y < plan.stairs.center().y;
+    let [top, bottom] = if is_under {
+        [opening.bottom() + gap, plan.stairs.bottom()]
+    } else {
+        [plan.stairs.top(), opening.top() - gap]
+    };
+    if bottom - top < down.size().y {
+        return;
+    }
+    let at = pos2(plan.stairs.left() - slate.pts(5.0), bottom);
+    let put = slate.put(&down, at, Align2::RIGHT_BOTTOM);
+    let foot = put.top() - gap;
+    if foot - top > slate.pts(12.0) {
+        let stroke = slate.stroke(1.0, theme.soft);
+        let x = put.center().x;
+        slate.arrow([pos2(x, top), pos2(x, foot)], stroke);
+    }
+}
