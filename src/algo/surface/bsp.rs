@@ -303,13 +303,7 @@ impl BspState {
                 parent,
             } => {
                 attach(&mut self.nodes, node, parent);
-                self.nodes.push(BspNode {
-                    id,
-                    parent,
-                    on: vec![piece],
-                    front: None,
-                    back: None,
-                });
+                self.nodes.push(BspNode::new(id, piece, parent));
                 (self.node, self.asked) = (Some(node), None);
             }
             Event::Ask {
@@ -319,10 +313,8 @@ impl BspState {
                 parts,
                 n_known,
             } => {
-                if side == BspSide::On
-                    && let Some(node) = self.nodes.get_mut(node as usize)
-                {
-                    node.on.push(piece);
+                if let Some(node) = self.nodes.get_mut(node as usize) {
+                    node.sort(piece, side, parts);
                 }
                 self.asked = Some((piece, side, parts));
                 self.n_known = n_known;

@@ -50,10 +50,42 @@ pub struct BspNode {
     pub parent: Option<(u32, BspSide)>,
     /// The pieces in the plane, first the one that it was chosen for.
     pub on: Vec<u32>,
+    /// The pieces that lie before the plane.
+    pub before: Vec<u32>,
+    /// The pieces that lie behind it.
+    pub behind: Vec<u32>,
     /// The node below that holds what lies before it.
     pub front: Option<u32>,
     /// The node below that holds what lies behind it.
     pub back: Option<u32>,
+}
+
+impl BspNode {
+    /// One that nothing has been asked of yet.
+    pub(super) fn new(id: u32, piece: u32, parent: Option<(u32, BspSide)>) -> Self {
+        Self {
+            id,
+            parent,
+            on: vec![piece],
+            before: Vec::new(),
+            behind: Vec::new(),
+            front: None,
+            back: None,
+        }
+    }
+
+    /// A piece, or its parts, to where they lie.
+    pub(super) fn sort(&mut self, piece: u32, side: BspSide, parts: Option<[u32; 2]>) {
+        match (side, parts) {
+            (BspSide::Front, _) => self.before.push(piece),
+            (BspSide::Back, _) => self.behind.push(piece),
+            (BspSide::Cut, Some([before, behind])) => {
+                self.before.push(before);
+                self.behind.push(behind);
+            }
+            (BspSide::On | BspSide::Cut, _) => self.on.push(piece),
+        }
+    }
 }
 
 /// What the building comes past.
@@ -118,20 +150,13 @@ impl<'a> Builder<'a> {
             let piece = list.remove(chosen);
             let (node, id) = (self.nodes.len() as u32, self.pieces[piece as usize].id);
             self.attach(node, parent);
-            self.nodes.push(BspNode {
-                id,
-                parent,
-                on: vec![piece],
-                front: None,
-                back: None,
-            });
+            self.nodes.push(BspNode::new(id, piece, parent));
             tell(Built::Node {
                 node,
                 piece,
                 id,
                 parent,
             });
-            let (mut front, mut back) = (Vec::new(), Vec::new());
             for piece in list {
                 self.n_asked += 1;
                 if self.n_asked > BspTooLarge::MOST_QUESTIONS
@@ -140,17 +165,7 @@ impl<'a> Builder<'a> {
                     return Err(BspTooLarge);
                 }
                 let (side, parts) = self.sorted::<R>(id, piece);
-                match (side, parts) {
-                    (BspSide::Front, _) => front.push(piece),
-                    (BspSide::Back, _) => back.push(piece),
-                    (BspSide::Cut, Some([before, behind])) => {
-                        front.push(before);
-                        back.push(behind);
-                    }
-                    (BspSide::On | BspSide::Cut, _) => {
-                        self.nodes[node as usize].on.push(piece);
-                    }
-                }
+                self.nodes[node as usize].sort(piece, side, parts);
                 tell(Built::Ask {
                     node,
                     piece,
@@ -158,8 +173,9 @@ impl<'a> Builder<'a> {
                     parts,
                 });
             }
-            open.push((back, Some((node, BspSide::Back))));
-            open.push((front, Some((node, BspSide::Front))));
+            let BspNode { before, behind, .. } = &self.nodes[node as usize];
+            open.push((behind.clone(), Some((node, BspSide::Back))));
+            open.push((before.clone(), Some((node, BspSide::Front))));
         }
         Ok(())
     }

@@ -151,7 +151,11 @@ fn draw_chip(slate: &mut Slate<'_>, chip: &Chip, graph: &Graph, links: &mut Link
         slate.painter.rect_filled(chip.place, round, fill);
     }
     outline(slate, chip.place, border, is_asked);
-    let ink = if is_asked { theme.signal_text } else { ink };
+    let ink = if node.role == Role::Signal && is_asked {
+        theme.signal_text
+    } else {
+        ink
+    };
     let name = slate.value(&node.name, (Face::Strong, NAME_PTS, ink));
     slate.put(&name, chip.place.center(), Align2::CENTER_CENTER);
 }

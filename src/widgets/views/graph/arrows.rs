@@ -14,7 +14,7 @@ const PIECES: usize = 16;
 /// How far an arrow bends, over its length: away from the middle of the graph first.
 const BENDS: [f32; 9] = [0.14, 0.08, -0.14, 0.02, 0.28, -0.28, 0.45, -0.45, 0.65];
 /// Of one that another leads back along, to its left.
-const BACK: [f32; 3] = [0.22, 0.38, 0.55];
+const BACK: [f32; 5] = [0.22, 0.1, 0.38, 0.55, -0.1];
 /// Between an arrow and the chips it leads from and to.
 const GAP: f32 = 4.0;
 
@@ -132,10 +132,11 @@ fn bent(
         };
         (0..=PIECES).map(at).collect()
     };
+    // What leaves the room is not seen at all.
     let hits = |path: &[Pos2]| {
-        let is_hit =
-            |at: &&Pos2| !inside.contains(**at) || others.iter().any(|other| other.contains(**at));
-        path.iter().filter(is_hit).count()
+        let n_out = path.iter().filter(|at| !inside.contains(**at)).count();
+        let is_hit = |at: &&Pos2| others.iter().any(|other| other.contains(**at));
+        3 * n_out + path.iter().filter(is_hit).count()
     };
     let bends: Vec<f32> = if is_doubled {
         BACK.to_vec()

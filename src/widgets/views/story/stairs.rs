@@ -113,8 +113,13 @@ pub fn draw(slate: &mut Slate<'_>, story: &Story, plan: &Plan, links: &mut Links
     // The current one's number first, then the last ones': where there is little room, the first ones have none.
     let now = dots.iter().filter(|(.., is_now)| *is_now);
     let others = dots.iter().rev().filter(|(.., is_now)| !is_now);
+    let reach = Vec2::splat(slate.pts(2.0 * DOT));
+    let around: Vec<Rect> = dots
+        .iter()
+        .map(|(at, ..)| Rect::from_center_size(*at, reach))
+        .collect();
     for &(at, card, is_now) in now.chain(others) {
-        number(slate, plan, at, card, is_now);
+        number(slate, plan, (at, &around), card, is_now);
     }
 }
 
@@ -145,7 +150,13 @@ fn dot(slate: &Slate<'_>, at: Pos2, card: &StoryCard, is_now: bool) {
 }
 
 /// What it brings, beside its dot; of one that is as good as what is held, with a sign of equality.
-fn number(slate: &mut Slate<'_>, plan: &Plan, at: Pos2, card: &StoryCard, is_now: bool) {
+fn number(
+    slate: &mut Slate<'_>,
+    plan: &Plan,
+    (at, dots): (Pos2, &[Rect]),
+    card: &StoryCard,
+    is_now: bool,
+) {
     let theme = slate.theme();
     let ink = match (card.fate, is_now) {
         (_, true) => theme.signal_text,
@@ -168,7 +179,12 @@ fn number(slate: &mut Slate<'_>, plan: &Plan, at: Pos2, card: &StoryCard, is_now
     };
     let around = vec2(slate.pts(4.0), slate.pts(3.0));
     let room = plan.stairs.expand2(around).intersect(plan.room);
-    slate.put_free(&words, room, places.map(|off| at + off));
+    let is_clear = |at: &Pos2| {
+        let place = Rect::from_center_size(*at, words.size());
+        !dots.iter().any(|dot| dot.intersects(place))
+    };
+    let places = places.into_iter().map(|off| at + off).filter(is_clear);
+    slate.put_free(&words, room, places);
 }
 
 /// Where on the whole stairs the cards stand that are shown.

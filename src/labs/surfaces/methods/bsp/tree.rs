@@ -28,27 +28,18 @@ pub fn tree(state: &State, event: Option<Event>, input: &Input, scene: &Scene) -
         link: surface_link(scene, node.id),
     });
     let mut nodes: Vec<GraphNode> = nodes.collect();
-    nodes[..state.nodes.len()]
-        .iter_mut()
-        .for_each(|node| node.stage = NodeStage::There);
-    let below = |node: &BspNode| [node.front, node.back].map(|child| Some(child? as usize));
-    let mut arrows = branches(state, event);
-    for (to, piece) in asked(state, event, input) {
-        if let (Some(node), Some(from)) = (nodes.get_mut(to), state.node) {
-            if node.stage == NodeStage::ToCome {
-                node.stage = NodeStage::Asked;
-                node.name = piece;
-            }
-            arrows.retain(|arrow| arrow.to != to);
-            arrows.push(GraphArrow {
-                from: from as usize,
-                to,
-                kind: ArrowKind::Holds,
-                role: Role::Signal,
-                reason: None,
-            });
-        }
+    for node in &mut nodes[..state.nodes.len()] {
+        node.stage = NodeStage::There;
     }
+    let mut arrows = branches(state, event);
+    for waiting in waiting(state, event, input) {
+        let node = &mut nodes[waiting.arrow.to];
+        node.stage = NodeStage::Asked;
+        node.name = waiting.name;
+        node.role = waiting.arrow.role;
+        arrows.push(waiting.arrow);
+    }
+    let below = |node: &BspNode| [node.front, node.back].map(|child| Some(child? as usize));
     Graph {
         title: Value::Term("bsp-tree"),
         nodes,
@@ -59,13 +50,15 @@ pub fn tree(state: &State, event: Option<Event>, input: &Input, scene: &Scene) -
     }
 }
 
-/// The pieces in the plane, of many the first.
+/// The pieces in the plane.
 fn node_name(state: &State, input: &Input, number: u32, node: &BspNode) -> Value {
-    let on = state
-        .nodes
-        .get(number as usize)
-        .map_or(&node.on, |node| &node.on);
-    let mut names = on.iter().filter_map(|&piece| {
+    let now = state.nodes.get(number as usize).unwrap_or(node);
+    names(state, input, &now.on).unwrap_or_else(|| name_of(input, node.id))
+}
+
+/// `B, D+`, of more than two pieces the first; none where none of them is known yet.
+fn names(state: &State, input: &Input, pieces: &[u32]) -> Option<Value> {
+    let mut names = pieces.iter().filter_map(|&piece| {
         let piece = state.piece(piece)?;
         Some(if let Value::Name(name) = piece_name(input, piece) {
             name
@@ -73,14 +66,12 @@ fn node_name(state: &State, input: &Input, number: u32, node: &BspNode) -> Value
             piece.id.to_string()
         })
     });
-    let Some(first) = names.next() else {
-        return name_of(input, node.id);
-    };
-    match (names.next(), names.next()) {
-        (None, _) => Value::Name(first),
-        (Some(second), None) => Value::Name(format!("{first}, {second}")),
-        (Some(_), Some(_)) => Value::Name(format!("{first} …")),
-    }
+    let first = names.next()?;
+    Some(Value::Name(match (names.next(), names.next()) {
+        (None, _) => first,
+        (Some(second), None) => format!("{first}, {second}"),
+        (Some(_), Some(_)) => format!("{first} …"),
+    }))
 }
 
 fn role_of(state: &State, number: u32) -> Role {
@@ -154,30 +145,58 @@ fn branch_role(state: &State, number: u32, is_new: bool) -> Role {
     }
 }
 
-/// Where in the tree the piece goes that is asked, or its parts: the node that will be there, and what goes there.
-fn asked(state: &State, event: Option<Event>, input: &Input) -> Vec<(usize, Value)> {
-    let Some(Event::Ask {
-        node,
-        piece,
-        side,
-        parts,
-        ..
-    }) = event
-    else {
-        return Vec::new();
-    };
-    let Some(node) = state.whole_tree().get(node as usize) else {
-        return Vec::new();
-    };
-    let goes = match (side, parts) {
-        (BspSide::Front, _) => vec![(node.front, piece)],
-        (BspSide::Back, _) => vec![(node.back, piece)],
-        (BspSide::Cut, Some([first, second])) => vec![(node.front, first), (node.back, second)],
-        (BspSide::On, _) | (BspSide::Cut, None) => Vec::new(),
-    };
-    let place = |(node, piece): (Option<u32>, u32)| {
-        let name = piece_name(input, state.piece(piece)?);
-        Some((node? as usize, name))
-    };
-    goes.into_iter().filter_map(place).collect()
+/// Pieces that wait for a node of their own.
+struct Waiting {
+    name: Value,
+    /// From the node that has sorted them to where theirs will be.
+    arrow: GraphArrow,
+}
+
+/// What has been sorted, and is not built yet; this step's stands out.
+fn waiting(state: &State, event: Option<Event>, input: &Input) -> Vec<Waiting> {
+    let is_to_come = |to: &u32| *to as usize >= state.nodes.len();
+    let mut all = Vec::new();
+    for (from, (node, whole)) in state.nodes.iter().zip(state.whole_tree()).enumerate() {
+        let sides = [(whole.front, &node.before), (whole.back, &node.behind)];
+        for (to, pieces) in sides {
+            let (Some(to), Some(name)) = (to.filter(is_to_come), names(state, input, pieces))
+            else {
+                continue;
+            };
+            let is_now = pieces.last().is_some_and(|last| is_sorted(event, *last));
+            let (kind, role) = if is_now {
+                (ArrowKind::Holds, Role::Signal)
+            } else {
+                (ArrowKind::Branch, Role::Soft)
+            };
+            let arrow = GraphArrow {
+                from,
+                to: to as usize,
+                kind,
+                role,
+                reason: None,
+            };
+            all.push(Waiting { name, arrow });
+        }
+    }
+    all
+}
+
+/// Is this step about that piece, or one that it is a part of?
+fn is_sorted(event: Option<Event>, piece: u32) -> bool {
+    match event {
+        Some(Event::Ask {
+            piece: asked,
+            parts,
+            ..
+        }) => asked == piece || parts.is_some_and(|parts| parts.contains(&piece)),
+        Some(
+            Event::Node { .. }
+            | Event::Built { .. }
+            | Event::Visit { .. }
+            | Event::Paint { .. }
+            | Event::Done,
+        )
+        | None => false,
+    }
 }
