@@ -24,11 +24,16 @@ use crate::{
     widgets::Look,
 };
 
-use super::{links::Links, on_slate::OnSlate, slate::Slate, table::more};
+use super::{
+    links::Links,
+    on_slate::OnSlate,
+    slate::{LEAST_SCALE, Slate},
+    table::more,
+};
 
 use plan::{GAP, MOST_CARDS, Plan, STAIRS, TITLE};
 
-/// Below this part of its size text does not shrink for the sake of more cards.
+/// Below this scale text does not shrink for the sake of more cards.
 const FOLD_BELOW: f32 = 0.8;
 
 impl OnSlate for Story {
@@ -42,7 +47,7 @@ impl OnSlate for Story {
             vec2(wide, titles + card.y + slate.pts(GAP + STAIRS[0]))
         };
         // Cards are folded before their text becomes too small.
-        let least = FOLD_BELOW * slate.scale;
+        let least = FOLD_BELOW.max(LEAST_SCALE * slate.scale);
         let slate = slate.shrunk_to(least, rect.size(), |slate| wanted(slate, MOST_CARDS));
         slate.fitted_in(rect.size(), |slate| wanted(slate, 2))
     }

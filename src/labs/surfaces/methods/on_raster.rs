@@ -77,7 +77,7 @@ pub fn fitting(scenery: &Scenery, mut views: Vec<View>) -> Vec<View> {
     match scenery.scene().beside.len() {
         0 => views.push(scenery.camera(|_| Fate::ToCome, |_, _| FaceLook::Whole, Vec::new())),
         1 => views.truncate(3),
-        _ => views.truncate(2),
+        2.. => views.truncate(2),
     }
     views
 }

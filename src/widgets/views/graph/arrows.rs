@@ -4,10 +4,8 @@ use egui::{Pos2, Rect, Shape, Vec2, vec2};
 
 use crate::figure::{ArrowKind, Graph, GraphArrow, Places, Role};
 
-use super::{
-    super::slate::{Slate, colour},
-    plan::Plan,
-};
+use super::super::slate::{Slate, colour};
+use super::plan::Plan;
 
 /// A curve is drawn in so many pieces.
 const PIECES: usize = 16;

@@ -7,13 +7,11 @@ use crate::{
     text::Value,
 };
 
-use super::{
-    super::{
-        fold::Fold,
-        slate::{Face, Slate},
-    },
-    card,
+use super::super::{
+    fold::Fold,
+    slate::{Face, Slate},
 };
+use super::card;
 
 /// Numbers on the stairs, in points.
 pub const NUMBER_PTS: f32 = 11.0;
