@@ -99,8 +99,8 @@ impl OnSlate for Graph {
             let name = |idx: usize| self.nodes.get(idx).map(|node| said(&node.name));
             let sign = match arrow.kind {
                 ArrowKind::Holds | ArrowKind::Ring | ArrowKind::Branch => "→",
-                ArrowKind::Allowed => "⇢",
-                ArrowKind::Refused => "↛",
+                ArrowKind::Allowed => "→?",
+                ArrowKind::Refused => "×→",
             };
             let ends = format!("{} {sign} {}", name(arrow.from)?, name(arrow.to)?);
             Some(match &arrow.reason {
