@@ -5,6 +5,8 @@ use std::fmt::Write as _;
 /// One plot: the same sizes for every curve.
 pub struct Panel {
     pub title: &'static str,
+    /// What the sizes are.
+    pub of: &'static str,
     /// Name and microseconds.
     pub curves: Vec<(&'static str, Vec<f64>)>,
 }
@@ -59,7 +61,8 @@ fn draw(svg: &mut String, sizes: &[f64], panel: &Panel, left: f64, [low, high]: 
     for decade in low as i32..=high as i32 {
         let y = y_at(10f64.powi(decade));
         let label = match decade {
-            ..3 => format!("{} µs", 10_i32.pow(decade.max(0) as u32)),
+            ..0 => format!("{} ns", 10_i32.pow((decade + 3).max(0) as u32)),
+            0..3 => format!("{} µs", 10_i32.pow(decade as u32)),
             3..6 => format!("{} ms", 10_i32.pow(decade as u32 - 3)),
             _ => format!("{} s", 10_i32.pow(decade as u32 - 6)),
         };
@@ -81,9 +84,10 @@ fn draw(svg: &mut String, sizes: &[f64], panel: &Panel, left: f64, [low, high]: 
     }
     let _ = writeln!(
         svg,
-        r#"<text x="{:.1}" y="{:.1}" text-anchor="middle">vertices of each polygon</text>"#,
+        r#"<text x="{:.1}" y="{:.1}" text-anchor="middle">{}</text>"#,
         left + WIDTH / 2.0,
-        HEIGHT - 8.0
+        HEIGHT - 8.0,
+        panel.of
     );
     for (k, ((name, curve), (colour, dash, marker))) in panel.curves.iter().zip(STYLES).enumerate()
     {

@@ -25,6 +25,7 @@ use obvhs::{
 
 use crate::{
     harness::{Contender, Target, median, race},
+    plot,
     space::{table, waves},
 };
 
@@ -34,6 +35,8 @@ const FEW: [u32; 2] = [32, 24];
 /// Of more triangles not every one is asked.
 const MOST_ASKED: usize = 30_000;
 const N_ROUNDS: usize = 9;
+const GROWTH: [usize; 6] = [1_000, 3_000, 10_000, 30_000, 100_000, 300_000];
+const PLOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/rays.svg");
 
 /// A mesh in front of the camera.
 fn surfaces(size: [u32; 2], position: [f64; 3], triangles: &[[[f64; 3]; 3]]) -> Surfaces {
@@ -203,7 +206,9 @@ pub fn growth() {
     println!(
         "| triangles | boxes built, ms | questions a ray | ns a ray | obvhs, two by two | every triangle asked |\n|--:|--:|--:|--:|--:|--:|"
     );
-    for n in [1_000, 3_000, 10_000, 30_000, 100_000, 300_000] {
+    let mut curves = [Vec::new(), Vec::new(), Vec::new()];
+    let mut sizes = Vec::new();
+    for n in GROWTH {
         let (positions, _, faces) = waves(n);
         let corner = |i: u32| positions[i as usize].map(f64::from);
         let triangles: Vec<_> = faces.iter().map(|face| face.map(corner)).collect();
@@ -225,19 +230,34 @@ pub fn growth() {
         let own = nanos(&mut || n_hits(&hierarchy, &all, &rays, &ours));
         let other = nanos(&mut || peer.two(&theirs));
         let n_asked = hierarchy.picture(&all).n_asked as f64 / ours.len() as f64;
-        let every = if n <= MOST_ASKED {
+        let every = (n <= MOST_ASKED).then(|| {
             let few = surfaces(FEW, position, &triangles);
             let start = Instant::now();
             black_box(whole(&few));
-            let nanos = 1e9 * start.elapsed().as_secs_f64() / few.n_pixels() as f64;
-            format!("{nanos:.0}")
-        } else {
-            String::new()
-        };
+            1e9 * start.elapsed().as_secs_f64() / few.n_pixels() as f64
+        });
+        sizes.push(triangles.len() as f64);
+        for (curve, nanos) in curves.iter_mut().zip([every, Some(own), Some(other)]) {
+            curve.extend(nanos.map(|nanos| nanos / 1e3));
+        }
+        let every = every.map_or(String::new(), |nanos| format!("{nanos:.0}"));
         println!(
             "| {} | {build:.1} | {n_asked:.1} | {own:.0} | {other:.0} | {every} |",
             triangles.len()
         );
     }
-    println!();
+    let names = [
+        "every triangle asked",
+        "boxes around boxes",
+        "obvhs, two by two",
+    ];
+    let panel = plot::Panel {
+        title: "A ray",
+        of: "triangles",
+        curves: names.into_iter().zip(curves).collect(),
+    };
+    match std::fs::write(PLOT, plot::growth(&sizes, &[panel])) {
+        Ok(()) => println!("\nDrawn in `benches/rays.svg`.\n"),
+        Err(error) => eprintln!("{PLOT}: {error}"),
+    }
 }

@@ -2,9 +2,7 @@
 
 use std::hint::black_box;
 
-use clipscope::{
-    algo::volume::{ClipVertex, SideCode, clip_triangles},
-};
+use clipscope::algo::volume::{ClipVertex, SideCode, clip_triangles};
 use retrofire_core::{
     geom::{Tri, vertex},
     math::{Color3f, ProjVec3, rgb},
@@ -18,7 +16,7 @@ use crate::{
 
 const N_TRIANGLES: usize = 100_000;
 const N_ROUNDS: usize = 15;
-/// Vertices are transformed mesh by mesh.
+/// Triangles of a mesh.
 const MESH: usize = 500;
 
 /// Corners and colours.
@@ -68,38 +66,46 @@ fn triangles() -> Vec<Given> {
         .collect()
 }
 
+fn wide(([x, y, z, w], attributes): ([f32; 4], [f32; 3])) -> ClipVertex<[f32; 3]> {
+    let at = [x.into(), y.into(), z.into(), w.into()];
+    ClipVertex { at, attributes }
+}
+
+/// With its outcode, which is found where a vertex is made.
+fn coded_vertex((at, [r, g, b]): ([f32; 4], [f32; 3])) -> ClipVert<Color3f> {
+    ClipVert::new(vertex(ProjVec3::new(at), rgb(r, g, b)))
+}
+
 pub fn run() {
     let given = triangles();
-    let mut ours: Vec<[ClipVertex<[f32; 3]>; 3]> = Vec::with_capacity(2 * N_TRIANGLES);
+    // On both sides a mesh is made into vertices and clipped before the next, as it would be drawn.
     let mut corners: Vec<[ClipVertex<[f32; 3]>; 3]> = Vec::with_capacity(MESH);
+    let mut ours: Vec<[ClipVertex<[f32; 3]>; 3]> = Vec::with_capacity(2 * MESH);
     let mut clip = || {
-        ours.clear();
-        for mesh in black_box(&given).chunks(MESH) {
+        let meshes = black_box(&given).chunks(MESH).map(|mesh| {
             corners.clear();
-            corners.extend(mesh.iter().map(|triangle| {
-                triangle.map(|(at, attributes)| ClipVertex {
-                    at: at.map(f64::from),
-                    attributes,
-                })
-            }));
+            corners.extend(mesh.iter().map(|&[a, b, c]| [wide(a), wide(b), wide(c)]));
+            ours.clear();
             clip_triangles(&corners, &mut ours);
-        }
-        ours.len()
+            black_box(&ours).len()
+        });
+        meshes.sum::<usize>()
     };
     let n_ours = clip();
-    let mut theirs: Vec<Tri<ClipVert<Color3f>>> = Vec::with_capacity(2 * N_TRIANGLES);
-    let mut coded: Vec<Tri<ClipVert<Color3f>>> = Vec::with_capacity(N_TRIANGLES);
+    let mut coded: Vec<Tri<ClipVert<Color3f>>> = Vec::with_capacity(MESH);
+    let mut theirs: Vec<Tri<ClipVert<Color3f>>> = Vec::with_capacity(2 * MESH);
     let mut their_clip = || {
-        theirs.clear();
-        coded.clear();
-        // A vertex is given its outcode where it is made.
-        coded.extend(black_box(&given).iter().map(|triangle| {
-            Tri(triangle.map(|(at, [r, g, b])| {
-                ClipVert::new(vertex(ProjVec3::new(at), rgb(r, g, b)))
-            }))
-        }));
-        view_frustum::clip(&coded[..], &mut theirs);
-        theirs.len()
+        let meshes = black_box(&given).chunks(MESH).map(|mesh| {
+            coded.clear();
+            coded.extend(
+                mesh.iter()
+                    .map(|&[a, b, c]| Tri([coded_vertex(a), coded_vertex(b), coded_vertex(c)])),
+            );
+            theirs.clear();
+            view_frustum::clip(&coded[..], &mut theirs);
+            black_box(&theirs).len()
+        });
+        meshes.sum::<usize>()
     };
     let n_theirs = their_clip();
     println!(

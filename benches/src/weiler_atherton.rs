@@ -126,6 +126,7 @@ fn growth() {
         let labels = ["Weiler–Atherton", "with both checked", "geo", "i_overlay"];
         panels.push(plot::Panel {
             title: kind.name,
+            of: "vertices of each polygon",
             curves: labels.into_iter().zip(curves).collect(),
         });
     }

@@ -7,22 +7,28 @@ use std::cmp::Ordering;
 
 use super::expansion::Expansion;
 
+/// Of three rows: the columns of each one's minor.
+const MINORS: [[usize; 2]; 3] = [[1, 2], [2, 0], [0, 1]];
+
 /// Of three rows.
+#[inline]
 #[must_use]
 pub fn sign_of_three([a, b, c]: [[f64; 3]; 3]) -> Ordering {
-    let minors = [[1, 2], [2, 0], [0, 1]];
     let (mut sum, mut size) = (0.0, 0.0);
-    for (axis, [i, j]) in minors.into_iter().enumerate() {
+    for (axis, [i, j]) in MINORS.into_iter().enumerate() {
         sum += a[axis] * (b[i] * c[j] - b[j] * c[i]);
         size += a[axis].abs() * ((b[i] * c[j]).abs() + (b[j] * c[i]).abs());
     }
-    certain(sum, size).unwrap_or_else(|| {
-        let mut exact = Expansion::default();
-        for (axis, [i, j]) in minors.into_iter().enumerate() {
-            exact = exact.plus(&minor([b[i], b[j]], [c[i], c[j]]).times(a[axis]));
-        }
-        exact.sign()
-    })
+    certain(sum, size).unwrap_or_else(|| exact_sign_of_three([a, b, c]))
+}
+
+#[cold]
+fn exact_sign_of_three([a, b, c]: [[f64; 3]; 3]) -> Ordering {
+    let mut exact = Expansion::default();
+    for (axis, [i, j]) in MINORS.into_iter().enumerate() {
+        exact = exact.plus(&minor([b[i], b[j]], [c[i], c[j]]).times(a[axis]));
+    }
+    exact.sign()
 }
 
 /// Of four rows, by Laplace's expansion along the first two and the last two.
@@ -55,6 +61,7 @@ pub fn sign_of_four([a, b, c, d]: [[f64; 4]; 4]) -> Ordering {
 }
 
 /// The sign of a sum of at most 24 products of at most four numbers, where rounding cannot have turned it.
+#[inline]
 fn certain(sum: f64, size: f64) -> Option<Ordering> {
     let bound = 32.0 * f64::EPSILON * size;
     ((1e-250..1e250).contains(&size) && sum.abs() > bound)

@@ -40,16 +40,28 @@ pub fn weighted_mean<R: Real>([o1, o2]: [R; 2], [w1, w2]: [R; 2], whole: R, raw:
     if w2.get() == 0.0 {
         return o2;
     }
-    // By its bit: to guess whether a segment goes up or down costs more than a multiplication.
-    let sign = whole.get().to_bits() & (1 << 63);
-    let along = |w: R| R::new(f64::from_bits(w.get().to_bits() ^ sign));
-    let [w1, w2, whole] = [w1, w2, whole].map(along);
+    let [w1, w2, whole] = along([w1, w2], whole);
     let sum = o1 * w2 + o2 * w1;
     if PLAIN.contains(&whole.get()) && sum.get().is_finite() {
         sum / whole
     } else {
         R::new(scaled_mean(o1.get(), o2.get(), raw))
     }
+}
+
+/// Weights and their sum, positive along the segment.
+#[inline]
+pub(super) fn along<R: Real>([w1, w2]: [R; 2], whole: R) -> [R; 3] {
+    // By its bit: to guess whether a segment goes up or down costs more than a multiplication.
+    let sign = whole.get().to_bits() & (1 << 63);
+    let along = |w: R| R::new(f64::from_bits(w.get().to_bits() ^ sign));
+    [along(w1), along(w2), along(whole)]
+}
+
+/// Does the border pass through no end, and is what is divided by neither too large nor too small? Of what [`along`] gives.
+#[inline]
+pub(super) fn are_plain([w1, w2]: [f64; 2], whole: f64) -> bool {
+    w1 != 0.0 && w2 != 0.0 && PLAIN.contains(&whole)
 }
 
 /// [`weighted_mean`] for coordinates whose differences or products leave the range of f64.

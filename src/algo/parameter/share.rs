@@ -2,7 +2,11 @@
 
 use crate::trace::Real;
 
-use super::{Ratio, clamp_between, weighted_mean};
+use super::{
+    Ratio, clamp_between,
+    mean::{along, are_plain},
+    weighted_mean,
+};
 
 /// How much each end of an edge has in its crossing with a border, as the distances that it follows from:
 /// the crossing is the mean of both ends, each weighted by the *other* end's distance.
@@ -23,6 +27,23 @@ impl<R: Real> Share<R> {
         let ends = [inside, outside].map(R::new);
         let mean = weighted_mean(ends, self.weights, self.whole, self.raw);
         clamp_between(mean, ends[0], ends[1]).get()
+    }
+
+    /// [`Share::mean`] of each pair: what the weights alone tell is asked once, and nothing stands between the pairs.
+    #[inline]
+    pub fn means<const N: usize>(&self, inside: [f64; N], outside: [f64; N]) -> [f64; N] {
+        let [w1, w2, whole] = along(self.weights, self.whole);
+        // Nothing, unless one of the sums is not finite.
+        let nothing = (0..N).fold(0.0, |nothing, i| {
+            nothing + 0.0 * (inside[i] * w2.get() + outside[i] * w1.get())
+        });
+        if nothing != 0.0 || !are_plain([w1.get(), w2.get()], whole.get()) {
+            return std::array::from_fn(|i| self.mean(inside[i], outside[i]));
+        }
+        std::array::from_fn(|i| {
+            let [o1, o2] = [R::new(inside[i]), R::new(outside[i])];
+            clamp_between((o1 * w2 + o2 * w1) / whole, o1, o2).get()
+        })
     }
 
     /// The parameter of the crossing, as the two numbers of its quotient, from the end that is inside if

@@ -3,11 +3,11 @@
 //! ```text
 //!   codes ──┬─ AND ≠ 0 ──▶ nothing
 //!           ├─ OR = 0 ───▶ the triangle itself
-//!           └─ else ─────▶ HomogeneousTriangle, and the fan of what it leaves
+//!           └─ else ─────▶ HomogeneousTriangle's sides, and the fan of what they leave
 //! ```
 //!
-//! Codes are asked once more of those that are cut; whole triangles are not copied into a polygon and out of it. The answer is bit
-//! for bit that of [`HomogeneousTriangle`], which is what cuts.
+//! Whole triangles are not copied into a polygon and out of it; all that are cut are cut between the same two polygons. The answer is bit
+//! for bit that of [`HomogeneousTriangle`](super::HomogeneousTriangle), whose clipper it is that cuts.
 //!
 //! ```
 //! use clipscope::algo::volume::{ClipVertex, clip_triangles};
@@ -22,25 +22,37 @@
 //! assert_eq!(left[0], inside);
 //! ```
 
-use crate::trace::silent;
+use crate::algo::ring::Right;
 
-use super::{Attributes, ClipVertex, HomogeneousTriangle, SideCode, space_vertex::independent};
+use super::{
+    Attributes, ClipVertex, SideCode, clip_polygon::ClipPolygon,
+    homogeneous_triangle::clip_by_sides, space_vertex::independent,
+};
 
 /// Appends what is left of each triangle, in order.
 pub fn clip_triangles<A: Attributes>(
     given: &[[ClipVertex<A>; 3]],
     left: &mut Vec<[ClipVertex<A>; 3]>,
 ) {
+    let Some(first) = given.first() else { return };
+    let [mut one, mut other] = [ClipPolygon::of(first); 2];
     for triangle in given {
-        let [a, b, c] = triangle.each_ref().map(|v| SideCode::of(v.at));
-        if !a.and(b).and(c).is_inside() {
+        let [a, b, c] = triangle;
+        let [code_a, code_b, code_c] = [SideCode::of(a.at), SideCode::of(b.at), SideCode::of(c.at)];
+        let or = code_a.or(code_b).or(code_c);
+        if !code_a.and(code_b).and(code_c).is_inside() {
             continue;
         }
-        if a.or(b).or(c).is_inside() {
-            let has_area = independent(triangle.each_ref().map(|v| v.at));
-            left.extend(has_area.then_some(*triangle));
+        if or.is_inside() {
+            if independent([a.at, b.at, c.at]) {
+                left.push(*triangle);
+            }
         } else {
-            left.extend(silent::<HomogeneousTriangle<A>>(triangle).triangles());
+            one.begin(triangle);
+            other.begin(triangle);
+            let polygons = [&mut one, &mut other];
+            let polygon = clip_by_sides::<A, Right, f64>(or, polygons, &mut |_| {});
+            left.extend(polygon.triangles());
         }
     }
 }

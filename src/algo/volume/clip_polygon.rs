@@ -3,12 +3,19 @@
 use super::{clip_vertex::ClipVertex, space_vertex::independent};
 
 /// At most nine vertices in clip space: three, and one more for each of six sides.
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct ClipPolygon<A = ()> {
-    /// Beyond `len` copies of the triangle's first: a value that means nothing, and is the same in equal polygons.
+    /// What lies beyond `len` means nothing.
     vertices: [ClipVertex<A>; 9],
     len: usize,
-    padding: ClipVertex<A>,
+    first_given: ClipVertex<A>,
+}
+
+impl<A: PartialEq> PartialEq for ClipPolygon<A> {
+    fn eq(&self, other: &Self) -> bool {
+        self.first_given == other.first_given
+            && self.vertices[..self.len] == other.vertices[..other.len]
+    }
 }
 
 impl<A: Copy> ClipPolygon<A> {
@@ -16,21 +23,34 @@ impl<A: Copy> ClipPolygon<A> {
     pub const MAX_VERTICES: usize = 9;
 
     /// A triangle.
+    #[inline]
     pub(super) const fn of(&[a, b, c]: &[ClipVertex<A>; 3]) -> Self {
         Self {
             vertices: [a, b, c, a, a, a, a, a, a],
             len: 3,
-            padding: a,
+            first_given: a,
         }
     }
 
+    /// Becomes a triangle.
+    #[inline]
+    pub(super) const fn begin(&mut self, &[a, b, c]: &[ClipVertex<A>; 3]) {
+        [self.vertices[0], self.vertices[1], self.vertices[2]] = [a, b, c];
+        self.len = 3;
+        self.first_given = a;
+    }
+
     /// The same triangle's, without a vertex.
-    pub(super) const fn emptied(&self) -> Self {
-        Self {
-            vertices: [self.padding; 9],
-            len: 0,
-            padding: self.padding,
-        }
+    #[inline]
+    pub(super) const fn emptied(mut self) -> Self {
+        self.len = 0;
+        self
+    }
+
+    /// Takes all vertices away.
+    #[inline]
+    pub(super) const fn clear(&mut self) {
+        self.len = 0;
     }
 
     /// Appends a vertex. A tenth, which only rounding could make of a polygon as thin as rounding, or a clipper that is
@@ -53,7 +73,7 @@ impl<A: Copy> ClipPolygon<A> {
     /// The triangle's first vertex, whatever has become of it.
     #[must_use]
     pub const fn first_given(&self) -> ClipVertex<A> {
-        self.padding
+        self.first_given
     }
 
     /// The fan from the first vertex: none where there is nothing to fill.
@@ -68,7 +88,9 @@ impl<A: Copy> ClipPolygon<A> {
     #[must_use]
     pub fn has_area(&self) -> bool {
         let vertices = self.vertices();
-        (2..self.len)
-            .any(|i| independent([vertices[0], vertices[i - 1], vertices[i]].map(|v| v.at)))
+        (2..self.len).any(|i| {
+            let [a, b, c] = [&vertices[0], &vertices[i - 1], &vertices[i]];
+            independent([a.at, b.at, c.at])
+        })
     }
 }

@@ -33,14 +33,16 @@ impl<A: Attributes> Attributes for Option<A> {
 impl<const N: usize> Attributes for [f64; N] {
     #[inline]
     fn crossing<R: Real>(&self, outside: &Self, share: &Share<R>) -> Self {
-        std::array::from_fn(|i| share.mean(self[i], outside[i]))
+        share.means(*self, *outside)
     }
 }
 
 impl<const N: usize> Attributes for [f32; N] {
     #[inline]
     fn crossing<R: Real>(&self, outside: &Self, share: &Share<R>) -> Self {
-        std::array::from_fn(|i| share.mean(self[i].into(), outside[i].into()) as f32)
+        let wide = |ends: &Self| std::array::from_fn(|i| f64::from(ends[i]));
+        let means: [f64; N] = share.means(wide(self), wide(outside));
+        std::array::from_fn(|i| means[i] as f32)
     }
 }
 
@@ -119,22 +121,24 @@ impl<A: Attributes> Limit<ClipVertex<A>> for VolumeSide {
         } else {
             ([ends[1], ends[0]], [distances[1], distances[0]])
         };
-        let share = self.share([inside, outside].map(|end| end.at), [d1, d2]);
-        let mut w = share.mean(inside.at[3], outside.at[3]);
-        if w < 0.0 && [inside, outside].iter().all(|end| self.has_across(end.at)) {
+        let share = self.share([inside.at, outside.at], [d1, d2]);
+        let axis = self.axis();
+        // The last is w, the others are the axes that are not clipped.
+        let free = [(axis + 1) % 3, (axis + 2) % 3, 3];
+        let [one, other, mut w] = share.means(
+            std::array::from_fn(|i| inside.at[free[i]]),
+            std::array::from_fn(|i| outside.at[free[i]]),
+        );
+        if w < 0.0 && self.has_across(inside.at) && self.has_across(outside.at) {
             // What has −w ≤ x and x = w has no w below 0: but for rounding.
             w = 0.0;
         }
-        let mut at = [w; 4];
-        for (axis, x) in at.iter_mut().enumerate().take(3) {
-            *x = if axis != self.axis() {
-                share.mean(inside.at[axis], outside.at[axis])
-            } else if self.is_high() {
-                w
-            } else {
-                -w
-            };
-        }
+        let clipped = if self.is_high() { w } else { -w };
+        let at = match axis {
+            0 => [clipped, one, other, w],
+            1 => [other, clipped, one, w],
+            _ => [one, other, clipped, w],
+        };
         let attributes = inside.attributes.crossing(&outside.attributes, &share);
         let t = share.ratio(is_leaving);
         (at != inside.at).then_some(Crossing {

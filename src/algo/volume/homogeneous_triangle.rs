@@ -30,7 +30,7 @@
 //! assert!(polygon.vertices().iter().all(|v| v.at[3] > 0.0));
 //! ```
 
-use std::marker::PhantomData;
+use std::{marker::PhantomData, mem};
 
 use serde::Serialize;
 
@@ -150,37 +150,28 @@ impl<A: Attributes, L: VolumeRules> Algorithm for HomogeneousTriangle<A, L> {
 
     fn run<R: Real>(triangle: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Self::Output {
         use HomogeneousTriangleEvent as Event;
-        let triangle = &if L::DIVIDES_FIRST {
-            let triangle = triangle.map(|v| ClipVertex {
+        let by_mistake;
+        let triangle = if L::DIVIDES_FIRST {
+            by_mistake = triangle.map(|v| ClipVertex {
                 at: divided::<R>(v.at),
                 ..v
             });
-            emit(Event::Divide { triangle });
-            triangle
+            emit(Event::Divide {
+                triangle: by_mistake,
+            });
+            &by_mistake
         } else {
-            *triangle
+            triangle
         };
         let codes = triangle.each_ref().map(|v| SideCode::of(v.at.map(R::new)));
         let [a, b, c] = codes;
         let (or, and) = (a.or(b).or(c), a.and(b).and(c));
         emit(Event::Codes { codes, or, and });
-        let mut list = ClipPolygon::of(triangle);
+        let [mut one, mut other] = [ClipPolygon::of(triangle); 2];
         if L::ASKS_CODES && !and.is_inside() {
-            list = list.emptied();
+            one.clear();
         }
-        let is_named = |side: &VolumeSide| !L::ASKS_CODES || or.has(*side);
-        for side in VolumeSide::ALL.into_iter().filter(is_named) {
-            if list.vertices().is_empty() {
-                break;
-            }
-            emit(Event::Side { side });
-            list = clip_by::<A, L, R>(side, &list, &mut emit);
-            let n_vertices = list.vertices().len();
-            emit(Event::Pass { side, n_vertices });
-        }
-        let n_vertices = list.vertices().len();
-        emit(Event::Done { n_vertices });
-        list
+        *clip_by_sides::<A, L, R>(or, [&mut one, &mut other], &mut emit)
     }
 
     fn start(triangle: &Self::Input) -> Self::State {
@@ -239,17 +230,43 @@ impl<A: Attributes, L: VolumeRules> Algorithm for HomogeneousTriangle<A, L> {
     }
 }
 
-/// What is left of a polygon on the inner side of one side.
+/// By one side after the other of those that are named: from one polygon into the other, whose vertices are forgotten, and back. What is left is
+/// in one of them.
+#[inline]
+pub(super) fn clip_by_sides<'a, A: Attributes, L: VolumeRules, R: Real>(
+    named: SideCode,
+    [mut list, mut next]: [&'a mut ClipPolygon<A>; 2],
+    emit: &mut impl FnMut(HomogeneousTriangleEvent<A>),
+) -> &'a ClipPolygon<A> {
+    use HomogeneousTriangleEvent as Event;
+    let is_named = |side: &VolumeSide| !L::ASKS_CODES || named.has(*side);
+    for side in VolumeSide::ALL.into_iter().filter(is_named) {
+        if list.vertices().is_empty() {
+            break;
+        }
+        emit(Event::Side { side });
+        clip_by::<A, L, R>(side, list, next, emit);
+        mem::swap(&mut list, &mut next);
+        let n_vertices = list.vertices().len();
+        emit(Event::Pass { side, n_vertices });
+    }
+    let n_vertices = list.vertices().len();
+    emit(Event::Done { n_vertices });
+    list
+}
+
+/// What is left of a polygon on the inner side of one side: into another one, whose vertices so far are forgotten.
 #[inline]
 fn clip_by<A: Attributes, L: VolumeRules, R: Real>(
     side: VolumeSide,
     input: &ClipPolygon<A>,
+    output: &mut ClipPolygon<A>,
     emit: &mut impl FnMut(HomogeneousTriangleEvent<A>),
-) -> ClipPolygon<A> {
+) {
     use HomogeneousTriangleEvent as Event;
-    let mut output = input.emptied();
+    output.clear();
     let Some((&first, following)) = input.vertices().split_first() else {
-        return output;
+        return;
     };
     let mut tell = |idx: [usize; 2], happening| match happening {
         Happening::First {
@@ -285,5 +302,4 @@ fn clip_by<A: Attributes, L: VolumeRules, R: Real>(
     }
     let idx = [following.len(), 0];
     clip.close::<L>(&mut |happening| tell(idx, happening));
-    output
 }

@@ -49,11 +49,12 @@ pub fn has_area(triangle: &[SpaceVertex; 3]) -> bool {
 }
 
 /// Do three points in homogeneous coordinates span a plane? Exact: some three of the four columns are independent.
-pub(super) fn independent(rows: [[f64; 4]; 3]) -> bool {
+#[inline]
+pub(super) fn independent([a, b, c]: [[f64; 4]; 3]) -> bool {
     const MINORS: [[usize; 3]; 4] = [[0, 1, 3], [0, 1, 2], [0, 2, 3], [1, 2, 3]];
-    MINORS
-        .iter()
-        .any(|minor| sign_of_three(rows.map(|row| minor.map(|axis| row[axis]))).is_ne())
+    MINORS.iter().any(|&[i, j, k]| {
+        sign_of_three([[a[i], a[j], a[k]], [b[i], b[j], b[k]], [c[i], c[j], c[k]]]).is_ne()
+    })
 }
 
 /// The last of some planes, by which the others have clipped before, and by the rules of `L`.
