@@ -6,7 +6,7 @@
 
 use clipscope::{
     algo::surface::{DepthBits, DepthNumber, DepthSteps},
-    figure::{Body, Products, Run},
+    figure::{Body, Graph, Products, Run, Story},
     geom::{Polygon, Segment, Window},
     labs::{
         Change, LABS, MethodCard, Scene, frustum,
@@ -209,25 +209,8 @@ fn said_in(body: &Body, catalog: &Catalog) -> Vec<String> {
             let cells = cells.flat_map(|cell| [&cell.name].into_iter().chain(&cell.place));
             cells.chain(&row.arrows).map(value).collect()
         }
-        Body::Story(story) => {
-            let cards = story.cards.iter();
-            let cards = cards.flat_map(|card| [&card.name, &card.new.1, &card.against, &card.word]);
-            let around = [&story.title, &story.opening.1, &story.held, &story.down];
-            cards.chain(around).map(value).collect()
-        }
-        Body::Graph(graph) => {
-            let nodes = graph.nodes.iter();
-            let nodes = nodes.flat_map(|node| {
-                let beside = node.number.iter().chain(&node.note);
-                std::iter::once(&node.name).chain(beside)
-            });
-            let reasons = graph
-                .arrows
-                .iter()
-                .filter_map(|arrow| arrow.reason.as_ref());
-            let names = nodes.chain(reasons).chain(&graph.ring);
-            names.chain([&graph.title]).map(value).collect()
-        }
+        Body::Story(story) => said_in_story(story, catalog),
+        Body::Graph(graph) => said_in_graph(graph, catalog),
         Body::Lists(lists) => {
             let entries = lists.lists.iter().flat_map(|list| &list.entries);
             let values = entries.flat_map(|entry| {
@@ -275,6 +258,26 @@ fn said_in(body: &Body, catalog: &Catalog) -> Vec<String> {
             names.map(value).collect()
         }
     }
+}
+
+fn said_in_story(story: &Story, catalog: &Catalog) -> Vec<String> {
+    let cards = story.cards.iter();
+    let cards = cards.flat_map(|card| [&card.name, &card.new.1, &card.against, &card.word]);
+    let around = [&story.title, &story.opening.1, &story.held, &story.down];
+    let said = cards.chain(around);
+    said.map(|value| catalog.value(value)).collect()
+}
+
+fn said_in_graph(graph: &Graph, catalog: &Catalog) -> Vec<String> {
+    let nodes = graph.nodes.iter().flat_map(|node| {
+        let beside = node.number.iter().chain(&node.note);
+        std::iter::once(&node.name).chain(beside)
+    });
+    let reasons = graph.arrows.iter();
+    let reasons = reasons.filter_map(|arrow| arrow.reason.as_ref());
+    let names = nodes.chain(reasons).chain(&graph.ring);
+    let said = names.chain([&graph.title]);
+    said.map(|value| catalog.value(value)).collect()
 }
 
 fn said_in_products(products: &Products, catalog: &Catalog) -> Vec<String> {

@@ -113,7 +113,9 @@ impl Graph {
             }
         };
         let is_now = |role: Role| matches!(role, Role::Signal | Role::Accent);
-        self.focus.iter().for_each(|&node| take(&mut chosen, node));
+        if let Some(node) = self.focus {
+            take(&mut chosen, node);
+        }
         for arrow in &self.arrows {
             if is_now(arrow.role) || arrow.kind == ArrowKind::Ring {
                 take(&mut chosen, arrow.from);
@@ -138,7 +140,9 @@ impl Graph {
             };
             rest.sort_by(|&a, &b| to(a).total_cmp(&to(b)));
         }
-        rest.into_iter().for_each(|node| take(&mut chosen, node));
+        for node in rest {
+            take(&mut chosen, node);
+        }
         chosen.sort_unstable();
         chosen
     }

@@ -119,7 +119,9 @@ impl<'a> Tree<'a> {
     /// The path, and of all below its first node layer after layer what there is room for.
     fn shown(&self, path: &[usize], columns: usize, rows: usize) -> Vec<bool> {
         let mut shown = vec![false; self.below.len()];
-        path.iter().for_each(|&node| shown[node] = true);
+        for &node in path {
+            shown[node] = true;
+        }
         let mut taken = self.columns_of(path);
         let mut open = vec![(path[0], 0)];
         let mut nth = 0;

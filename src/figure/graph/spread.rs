@@ -15,7 +15,7 @@ const TURN: f64 = 2.4;
 #[must_use]
 pub fn spread(places: &[[f64; 2]], room: [f64; 2], apart: f64) -> Vec<[f64; 2]> {
     let mut spread: Vec<[f64; 2]> = places.to_vec();
-    for i in 0..2 {
+    for (i, side) in room.into_iter().enumerate() {
         let low = places.iter().map(|at| at[i]).fold(f64::INFINITY, f64::min);
         let high = places
             .iter()
@@ -27,7 +27,7 @@ pub fn spread(places: &[[f64; 2]], room: [f64; 2], apart: f64) -> Vec<[f64; 2]> 
             } else {
                 0.5
             };
-            at[i] = part * room[i];
+            at[i] = part * side;
         }
     }
     for _ in 0..ROUNDS {
@@ -58,10 +58,10 @@ fn part(places: &mut [[f64; 2]], [a, b]: [usize; 2], room: [f64; 2], apart: f64)
         let (sin, cos) = libm::sincos(TURN * b as f64);
         [cos, sin]
     };
-    for i in 0..2 {
-        let push = 0.5 * (apart - length) * along[i];
-        places[a][i] = (places[a][i] - push).clamp(0.0, room[i]);
-        places[b][i] = (places[b][i] + push).clamp(0.0, room[i]);
+    for (i, (along, side)) in along.into_iter().zip(room).enumerate() {
+        let push = 0.5 * (apart - length) * along;
+        places[a][i] = (places[a][i] - push).clamp(0.0, side);
+        places[b][i] = (places[b][i] + push).clamp(0.0, side);
     }
     true
 }

@@ -13,11 +13,11 @@
 mod arrows;
 mod plan;
 
-use egui::{Align2, Painter, Rect, Stroke, StrokeKind, Vec2, pos2, vec2};
+use egui::{Align2, Painter, Pos2, Rect, Stroke, StrokeKind, Vec2, pos2, vec2};
 
 use crate::{
     figure::{ArrowKind, Graph, GraphArrow, GraphNode, NodeStage, Role},
-    paint::crosses,
+    paint::{Typeset, crosses},
     text::{Notation, Value},
     widgets::Look,
 };
@@ -35,6 +35,8 @@ use plan::{Chip, NAME_PTS, Plan};
 const RING_PTS: f32 = 13.0;
 const NUMBER_PTS: f32 = 10.5;
 const NOTE_PTS: f32 = 11.0;
+/// Places for the name of a cycle are looked for in so many columns and rows.
+const STEPS: i32 = 12;
 /// Between a thing and what is written beside it.
 const ASIDE: f32 = 6.0;
 
@@ -259,7 +261,6 @@ fn name_ring(slate: &mut Slate<'_>, rect: Rect, ring: &Value, plan: &Plan, route
     let middle = (sum / middles.len() as f32).to_pos2();
     let style = (Face::Strong, RING_PTS, slate.theme().signal_text);
     let words = slate.value(ring, style);
-    const STEPS: i32 = 12;
     let grid = (0..=STEPS).flat_map(|i| (0..=STEPS).map(move |j| [i, j]));
     let grid = grid.map(|place| {
         let [u, v] = place.map(|i| i as f32 / STEPS as f32);
@@ -278,9 +279,9 @@ fn put_clear(
     slate: &mut Slate<'_>,
     rect: Rect,
     plan: &Plan,
-    words: &crate::paint::Typeset,
-    at: impl IntoIterator<Item = egui::Pos2>,
+    words: &Typeset,
+    at: impl IntoIterator<Item = Pos2>,
 ) {
-    let is_clear = |at: &egui::Pos2| !plan.is_taken(Rect::from_center_size(*at, words.size()));
+    let is_clear = |at: &Pos2| !plan.is_taken(Rect::from_center_size(*at, words.size()));
     slate.put_free(words, rect, at.into_iter().filter(is_clear));
 }

@@ -2,7 +2,7 @@
 
 use egui::{Pos2, Rect, Vec2, pos2, vec2};
 
-use crate::figure::{Graph, GraphNode, NodeStage, Places, Stands, layers, spread};
+use crate::figure::{Graph, GraphNode, NodeStage, Places, Spot, Stands, layers, spread};
 
 use super::super::slate::{Face, Slate};
 
@@ -195,7 +195,7 @@ fn tree(slate: &Slate<'_>, room: Rect, graph: &Graph, below: &[[Option<usize>; 2
         let x = room.left() + (column_idx as f32 + 0.5) * column;
         pos2(x, room.top() + (layer_idx as f32 + 0.5) * layer)
     };
-    let place = |spot: &crate::figure::Spot| {
+    let place = |spot: &Spot| {
         let name = match spot.stands {
             Stands::Node(idx) => name_width(slate, &graph.nodes[idx]),
             Stands::Folded(_) => slate.pts(1.5 * NAME_PTS),

@@ -74,6 +74,14 @@ pub fn draw(slate: &mut Slate<'_>, place: Rect, card: &StoryCard, links: &mut Li
             .painter
             .rect_stroke(around, round, ring, StrokeKind::Middle);
     }
+    words(slate, place, card);
+}
+
+/// What stands in it: its name alone until it has come.
+fn words(slate: &mut Slate<'_>, place: Rect, card: &StoryCard) {
+    let theme = slate.theme();
+    let is_now = card.stage == CellStage::Current;
+    let has_come = card.stage != CellStage::ToCome;
     let inner = place.shrink2(slate.pts(1.0) * PAD);
     let line = |nth: usize| inner.top() + (nth as f32 + 0.5) * slate.pts(LINE);
     let [first, second, third] = [0, 1, 2].map(line);
@@ -97,7 +105,7 @@ pub fn draw(slate: &mut Slate<'_>, place: Rect, card: &StoryCard, links: &mut Li
     slate.put(&new, pos2(inner.right(), first), Align2::RIGHT_CENTER);
     let against = slate.value(&card.against, (Face::Mono, NUMBER_PTS, theme.soft));
     slate.put(&against, pos2(inner.right(), second), Align2::RIGHT_CENTER);
-    let (face, ink) = match (is_now, is_kept) {
+    let (face, ink) = match (is_now, card.fate == StoryFate::Kept) {
         (true, _) => (Face::Strong, theme.signal_text),
         (false, true) => (Face::Strong, theme.ink),
         (false, false) => (Face::Plain, theme.soft),

@@ -1,9 +1,10 @@
 //! Where the cards of a story stand, and the stairs under them.
 
-use egui::{Rect, pos2, vec2};
+use egui::{Color32, Rect, pos2, vec2};
 
 use crate::{
     figure::{CellStage, Story, StoryCard},
+    paint::Typeset,
     text::Value,
 };
 
@@ -34,7 +35,7 @@ pub fn margin(slate: &Slate<'_>, story: &Story) -> f32 {
 }
 
 /// A number on the stairs.
-pub fn label(slate: &Slate<'_>, value: &Value, ink: egui::Color32) -> crate::paint::Typeset {
+pub fn label(slate: &Slate<'_>, value: &Value, ink: Color32) -> Typeset {
     slate.value(value, (Face::Mono, NUMBER_PTS, ink))
 }
 

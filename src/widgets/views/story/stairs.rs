@@ -65,44 +65,14 @@ impl Scale {
     }
 }
 
+/// One on the stairs, or beside them, and whether it is this step's.
+type Dot<'s> = (Pos2, &'s StoryCard, bool);
+
+/// Draws them; what is under the pointer stands out.
 pub fn draw(slate: &mut Slate<'_>, story: &Story, plan: &Plan, links: &mut Links) {
-    let scale = Scale::of(slate, story, plan.stairs);
     shown_range(slate, plan);
-    let theme = slate.theme();
-    let line = slate.stroke(2.25, theme.accent);
-    let mut held = story.opening.0;
-    let mut from = pos2(plan.stairs.left(), scale.y(held));
-    let opening = label(slate, &story.opening.1, theme.soft);
-    let left = from - vec2(slate.pts(5.0), 0.0);
-    let opening = slate.put(&opening, left, Align2::RIGHT_CENTER);
-    axis(slate, story, plan, opening);
-    let has_come = |card: &&StoryCard| card.stage != CellStage::ToCome;
-    let come: Vec<&StoryCard> = story.cards.iter().take_while(has_come).collect();
     // Strokes first: numbers find their places beside them.
-    let mut dots: Vec<(Pos2, &StoryCard, bool)> = Vec::new();
-    for (idx, card) in come.iter().enumerate() {
-        let x = plan.column(idx);
-        let at = pos2(x, scale.y(card.new.0));
-        let corner = pos2(x, from.y);
-        if card.fate == StoryFate::Kept {
-            tread(slate, [from, corner], line, held.is_finite());
-            slate.line([corner, at], line);
-            held = card.new.0;
-            from = at;
-        } else {
-            let fall = slate.stroke(1.25, theme.soft);
-            if (at.y - corner.y).abs() > slate.pts(DOT) {
-                slate.dashed([at, corner], fall, 3.0);
-            }
-        }
-        dots.push((at, card, card.stage == CellStage::Current));
-    }
-    let end = match come.len() {
-        n if n == story.cards.len() => plan.stairs.right(),
-        0 => plan.stairs.left() + 0.5 * plan.columns[0],
-        n => plan.column(n - 1) + 0.45 * plan.columns[1],
-    };
-    tread(slate, [from, pos2(end, from.y)], line, held.is_finite());
+    let dots = treads(slate, story, plan);
     for &(at, card, is_now) in &dots {
         dot(slate, at, card, is_now);
         let around = Rect::from_center_size(at, Vec2::splat(slate.pts(4.0 * DOT)));
@@ -119,6 +89,48 @@ pub fn draw(slate: &mut Slate<'_>, story: &Story, plan: &Plan, links: &mut Links
     for &(at, card, is_now) in now.chain(others) {
         number(slate, plan, (at, &around), card, is_now);
     }
+}
+
+/// The stairs of what has come, and where each that has come stands.
+fn treads<'s>(slate: &mut Slate<'_>, story: &'s Story, plan: &Plan) -> Vec<Dot<'s>> {
+    let scale = Scale::of(slate, story, plan.stairs);
+    let theme = slate.theme();
+    let line = slate.stroke(2.25, theme.accent);
+    let mut held = story.opening.0;
+    let mut from = pos2(plan.stairs.left(), scale.y(held));
+    opening(slate, story, plan, from);
+    let has_come = |card: &&StoryCard| card.stage != CellStage::ToCome;
+    let mut dots = Vec::new();
+    for (idx, card) in story.cards.iter().take_while(has_come).enumerate() {
+        let x = plan.column(idx);
+        let at = pos2(x, scale.y(card.new.0));
+        let corner = pos2(x, from.y);
+        if card.fate == StoryFate::Kept {
+            tread(slate, [from, corner], line, held.is_finite());
+            slate.line([corner, at], line);
+            held = card.new.0;
+            from = at;
+        } else if (at.y - corner.y).abs() > slate.pts(DOT) {
+            let fall = slate.stroke(1.25, theme.soft);
+            slate.dashed([at, corner], fall, 3.0);
+        }
+        dots.push((at, card, card.stage == CellStage::Current));
+    }
+    let end = match dots.len() {
+        n if n == story.cards.len() => plan.stairs.right(),
+        0 => plan.stairs.left() + 0.5 * plan.columns[0],
+        n => plan.column(n - 1) + 0.45 * plan.columns[1],
+    };
+    tread(slate, [from, pos2(end, from.y)], line, held.is_finite());
+    dots
+}
+
+/// What was held at first, left of where the stairs begin.
+fn opening(slate: &mut Slate<'_>, story: &Story, plan: &Plan, from: Pos2) {
+    let opening = label(slate, &story.opening.1, slate.theme().soft);
+    let left = from - vec2(slate.pts(5.0), 0.0);
+    let opening = slate.put(&opening, left, Align2::RIGHT_CENTER);
+    axis(slate, story, plan, opening);
 }
 
 /// From one to the next: dashed as long as nothing is held.
