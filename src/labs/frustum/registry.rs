@@ -32,7 +32,7 @@ use super::{
 };
 
 /// Objects in front of a camera, and around it.
-pub static FRUSTUM: SpaceLab = SpaceLab {
+pub static FRUSTUM: SpaceLab<Scene> = SpaceLab {
     id: "frustum",
     name_key: "lab-frustum",
     about_key: "lab-frustum-about",
@@ -46,12 +46,12 @@ pub static FRUSTUM: SpaceLab = SpaceLab {
 /// The same, for whoever knows no lab by name.
 pub static LAB: &dyn Lab = &FRUSTUM;
 
-const fn info<A: SpaceDemo>() -> MethodInfo {
+const fn info<A: SpaceDemo>() -> MethodInfo<Scene> {
     MethodInfo::of::<A>(&FRUSTUM)
 }
 
 /// Every method, in the order in which they are taught; the mistakes last.
-pub static METHODS: [MethodInfo; 28] = [
+pub static METHODS: [MethodInfo<Scene>; 28] = [
     info::<OnScene<PointPlanes>>(),
     info::<OnScene<SphereCull>>(),
     info::<OnScene<BoxCull>>(),

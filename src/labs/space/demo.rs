@@ -2,10 +2,10 @@
 
 use crate::{
     figure::{Link, Run},
-    labs::{self, Demo, Verdict},
+    labs::{self, Demo, MethodCard, Verdict},
 };
 
-use super::{FaceFate, Scene, Subject};
+use super::{FaceFate, MethodInfo, Scene, SpaceLab, Subject};
 
 /// A method of this lab.
 pub trait SpaceDemo: Demo {
@@ -31,5 +31,20 @@ pub trait SpaceDemo: Demo {
     /// Records its run.
     fn record(scene: &Scene) -> Box<dyn Run> {
         labs::record::<Self>(Self::input(scene))
+    }
+}
+
+impl MethodInfo<Scene> {
+    /// Of a method of this lab.
+    pub(in crate::labs) const fn of<A: SpaceDemo>(lab: &'static SpaceLab<Scene>) -> Self {
+        Self {
+            lab,
+            card: MethodCard::of::<A>(),
+            subject: A::SUBJECT,
+            tells_faces: A::TELLS_FACES,
+            record: A::record,
+            face_fate: A::face_fate,
+            verdict: A::verdict,
+        }
     }
 }

@@ -4,12 +4,12 @@ use std::sync::Arc;
 
 use crate::{
     figure::{Link, Mark, Raster, Run},
-    labs::{Click, Document, Handle, Lab, MethodCard, Own, Verdict},
+    labs::{self, Click, Document, Handle, Lab, MethodCard, Own, Verdict},
     text::{Diagnostic, Value},
 };
 
 use super::{
-    Method, RasterPlan, Scene, SpaceChange, Subject,
+    Method, RasterPlan, Scene, SpaceChange, SpaceLab, Subject,
     change::beside,
     pixel::pixel_link,
     stage::{face_link, object_link, vertex_link},
@@ -175,5 +175,38 @@ impl Document for Scene {
     fn size(&self) -> usize {
         let faces = |object: &super::Object| object.model().mesh().faces().len();
         self.objects().iter().map(faces).sum()
+    }
+}
+
+impl Lab for SpaceLab<Scene> {
+    fn id(&self) -> &'static str {
+        self.id
+    }
+
+    fn name_key(&self) -> &'static str {
+        self.name_key
+    }
+
+    fn about_key(&self) -> &'static str {
+        self.about_key
+    }
+
+    fn methods(&self) -> Vec<&'static MethodCard> {
+        self.all().map(Method::card).collect()
+    }
+
+    fn first_scene(&self) -> labs::Scene {
+        (self.first_scene)().into()
+    }
+
+    /// Any scene in three dimensions.
+    fn adopt(&self, scene: &labs::Scene) -> Option<labs::Scene> {
+        let mut scene: Scene = scene.get::<Scene>()?.clone();
+        (scene.method, scene.beside) = (self.all().next()?, Vec::new());
+        Some(scene.into())
+    }
+
+    fn lock_groups(&self) -> &'static [&'static str] {
+        self.lock_groups
     }
 }

@@ -4,8 +4,8 @@
 mod change;
 pub(in crate::labs) mod demo;
 mod document;
+mod face_fate;
 mod handles;
-mod method_info;
 mod object;
 mod on_scene;
 mod pixel;
@@ -20,12 +20,12 @@ mod subject;
 mod taught_camera;
 
 pub use change::{CameraNumber, SpaceChange};
-pub use method_info::{FaceFate, FaceTest, MethodInfo};
+pub use face_fate::{FaceFate, FaceTest};
 pub use object::{Model, NamedMesh, Object, Picture};
 pub use on_scene::{OnScene, OnSceneInput};
 pub use raster_plan::RasterPlan;
 pub use scene::{MAX_OBJECTS, Method, Scene, SceneError};
-pub use space_lab::SpaceLab;
+pub use space_lab::{MethodInfo, SpaceLab};
 pub use street::street;
 pub use subject::{Places, Subject};
 pub use taught_camera::{Opening, TaughtCamera};

@@ -13,7 +13,7 @@ use super::{MethodInfo, Object, Places, RasterPlan, TaughtCamera};
 pub const MAX_OBJECTS: usize = 10_000;
 
 /// A method of one of these labs.
-pub type Method = crate::labs::Method<MethodInfo>;
+pub type Method = crate::labs::Method<MethodInfo<Scene>>;
 
 /// Always valid: at least one object, the focus is one of them, face and vertex are that object's.
 #[derive(Clone, PartialEq, Debug)]

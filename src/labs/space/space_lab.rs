@@ -1,14 +1,14 @@
-//! A lab in three dimensions.
+//! A lab in three dimensions, and what it knows of its methods.
 
 use crate::{
     figure::{Link, Run},
-    labs::{Lab, MethodCard, Verdict},
+    labs::{Carded, Method, MethodCard, Verdict},
 };
 
-use super::{Method, MethodInfo, Scene};
+use super::{FaceFate, Subject};
 
-/// A lab whose scenes are [`Scene`]s: what tells it from the others of its kind.
-pub struct SpaceLab {
+/// What tells such a lab from the others of its kind; all have the same scenes, `S`.
+pub struct SpaceLab<S: 'static> {
     /// As lesson files spell it.
     pub id: &'static str,
     /// Catalogue key of its name.
@@ -20,55 +20,46 @@ pub struct SpaceLab {
     /// So many methods have room beside another.
     pub most_beside: usize,
     /// Its methods, in the order in which they are taught.
-    pub methods: fn() -> &'static [MethodInfo],
+    pub methods: fn() -> &'static [MethodInfo<S>],
     /// What it opens on where there is no lesson.
-    pub first_scene: fn() -> Scene,
+    pub first_scene: fn() -> S,
     /// Its verdict on what the method that runs has none on.
-    pub verdict: fn(&Scene, Link, &dyn Run) -> Option<Verdict>,
+    pub verdict: fn(&S, Link, &dyn Run) -> Option<Verdict>,
 }
 
-impl SpaceLab {
+impl<S> SpaceLab<S> {
     /// Its methods, in the order in which they are taught.
-    pub fn all(&self) -> impl ExactSizeIterator<Item = Method> + use<> {
+    pub fn all(&self) -> impl ExactSizeIterator<Item = Method<MethodInfo<S>>> + use<S> {
         (self.methods)().iter().map(Method::of)
     }
 
     /// The method with this id.
     #[must_use]
-    pub fn method(&self, id: &str) -> Option<Method> {
+    pub fn method(&self, id: &str) -> Option<Method<MethodInfo<S>>> {
         self.all().find(|method| method.card().id == id)
     }
 }
 
-impl Lab for SpaceLab {
-    fn id(&self) -> &'static str {
-        self.id
-    }
+/// What is known of a method without running it.
+pub struct MethodInfo<S: 'static> {
+    /// Whose it is.
+    pub lab: &'static SpaceLab<S>,
+    /// Names, source and pseudocode.
+    pub card: MethodCard,
+    /// What it is about.
+    pub subject: Subject,
+    /// Can it say what became of a face of the object in focus?
+    pub tells_faces: bool,
+    /// Runs it on a scene.
+    pub record: fn(&S) -> Box<dyn Run>,
+    /// The step that decided the fate of a face of the object in focus.
+    pub face_fate: fn(&S, usize) -> Option<FaceFate>,
+    /// What decided the fate of something, in a run of it; none where only the lab knows.
+    pub verdict: fn(&S, Link, &dyn Run) -> Option<Verdict>,
+}
 
-    fn name_key(&self) -> &'static str {
-        self.name_key
-    }
-
-    fn about_key(&self) -> &'static str {
-        self.about_key
-    }
-
-    fn methods(&self) -> Vec<&'static MethodCard> {
-        self.all().map(Method::card).collect()
-    }
-
-    fn first_scene(&self) -> crate::labs::Scene {
-        (self.first_scene)().into()
-    }
-
-    /// Any scene in three dimensions.
-    fn adopt(&self, scene: &crate::labs::Scene) -> Option<crate::labs::Scene> {
-        let mut scene: Scene = scene.get::<Scene>()?.clone();
-        (scene.method, scene.beside) = (self.all().next()?, Vec::new());
-        Some(scene.into())
-    }
-
-    fn lock_groups(&self) -> &'static [&'static str] {
-        self.lock_groups
+impl<S> Carded for MethodInfo<S> {
+    fn card(&self) -> &MethodCard {
+        &self.card
     }
 }

@@ -23,7 +23,7 @@ use crate::{
 use super::verdict::verdict;
 
 /// Surfaces before a camera, some behind others.
-pub static SURFACES: SpaceLab = SpaceLab {
+pub static SURFACES: SpaceLab<Scene> = SpaceLab {
     id: "surfaces",
     name_key: "lab-surfaces",
     about_key: "lab-surfaces-about",
@@ -38,12 +38,12 @@ pub static SURFACES: SpaceLab = SpaceLab {
 /// The same, for whoever knows no lab by name.
 pub static LAB: &dyn Lab = &SURFACES;
 
-const fn info<A: SpaceDemo>() -> MethodInfo {
+const fn info<A: SpaceDemo>() -> MethodInfo<Scene> {
     MethodInfo::of::<A>(&SURFACES)
 }
 
 /// Every method, in the order in which they are taught; the mistakes last.
-pub static METHODS: [MethodInfo; 11] = [
+pub static METHODS: [MethodInfo<Scene>; 11] = [
     info::<OnScene<DepthBuffer>>(),
     info::<OnScene<RayCasting>>(),
     info::<OnScene<Painter>>(),

@@ -74,10 +74,11 @@ pub fn faces<const N: usize>(
 /// What has room: beside two other methods only space and large pixels, which come first, beside one a third view; alone, also the
 /// picture that the pixels are of, in full size.
 pub fn fitting(scenery: &Scenery, mut views: Vec<View>) -> Vec<View> {
-    match scenery.scene().beside.len() {
-        0 => views.push(scenery.camera(|_| Fate::ToCome, |_, _| FaceLook::Whole, Vec::new())),
-        1 => views.truncate(3),
-        2.. => views.truncate(2),
+    let n_beside = scenery.scene().beside.len();
+    if n_beside == 0 {
+        views.push(scenery.camera(|_| Fate::ToCome, |_, _| FaceLook::Whole, Vec::new()));
+    } else {
+        views.truncate(4 - n_beside.min(2));
     }
     views
 }

@@ -39,7 +39,7 @@ const FIELDS: [&str; 14] = [
 ];
 
 /// The spelling of a lab's scenes.
-pub(in crate::lesson) struct Format(pub &'static SpaceLab);
+pub(in crate::lesson) struct Format(pub &'static SpaceLab<Scene>);
 
 impl SceneFormat for Format {
     fn lab(&self) -> &'static dyn Lab {
@@ -76,7 +76,7 @@ impl SceneFormat for Format {
 
 /// Reads a scene; `room` is how many objects and faces a file may still have.
 fn scene(
-    lab: &'static SpaceLab,
+    lab: &'static SpaceLab<Scene>,
     fields: &TomlFields<'_>,
     room: &mut usize,
     sink: &mut Sink<'_>,
@@ -179,12 +179,20 @@ fn refused_at<T>(
     made.map_err(|error| sink.refuse(span, error, [])).ok()
 }
 
-fn method_of(lab: &'static SpaceLab, item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Method> {
+fn method_of(
+    lab: &'static SpaceLab<Scene>,
+    item: &Item<'_>,
+    sink: &mut Sink<'_>,
+) -> Option<Method> {
     lab.method(method(lab, item, sink)?)
 }
 
 /// The method beside the first, or a list of as many as have room there.
-fn beside(lab: &'static SpaceLab, item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Vec<Method>> {
+fn beside(
+    lab: &'static SpaceLab<Scene>,
+    item: &Item<'_>,
+    sink: &mut Sink<'_>,
+) -> Option<Vec<Method>> {
     let Some(items) = item.get_ref().as_array() else {
         return Some(vec![method_of(lab, item, sink)?]);
     };
