@@ -83,11 +83,11 @@ impl View {
             }
             Body::Raster(raster) => {
                 let [columns, rows] = raster.size.map(|n| n as f32);
-                (
-                    Stand::Drawing,
-                    [columns.max(8.0), rows + 2.2],
-                    [(3.0 * columns).max(8.0), 3.0 * rows + 2.2],
-                )
+                // Where there are more pixels they may be smaller: the picture is seen, if not each number.
+                let [least_columns, least_rows] =
+                    [columns.clamp(9.0, 21.0), rows.min(16.0)].map(|n| 0.9 * n);
+                let natural = [(3.0 * columns).max(8.0), 3.0 * rows + 2.2];
+                (Stand::Drawing, [least_columns, least_rows + 2.2], natural)
             }
             Body::NumberLine(_) => (Stand::Under, [14.0, 6.0], [f32::MAX, 8.0]),
             Body::Clippers(_) => (Stand::Across, [25.5, 5.6], [f32::MAX, 6.8]),
@@ -111,7 +111,7 @@ impl View {
             Body::Story(story) => {
                 // Two cards, or many folded about one.
                 let width = 7.5 * story.cards.len().clamp(1, 2) as f32;
-                (Stand::Under, [width + 4.0, 13.0], [f32::MAX, 19.0])
+                (Stand::Under, [width + 4.0, 12.0], [f32::MAX, 19.0])
             }
             Body::Lists(lists) => lists_need(lists),
             Body::Products(products) => {

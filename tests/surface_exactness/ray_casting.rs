@@ -73,6 +73,7 @@ proptest! {
 }
 
 #[test]
+#[expect(clippy::unreadable_literal, reason = "every bit counts")]
 fn boxes_begin_before_what_is_told() {
     // A needle along the ray through the middle of pixel (9, 5), which meets it at 3.7008; its plane runs so near the eye that 3.6980 is told,
     // which is before it begins. So many walls are between that the needle gets a box of its own.

@@ -61,13 +61,13 @@ pub fn views<L: Variant>(step: &Step<'_, Shown<L>>) -> Vec<View> {
     let mut views = vec![
         scenery.observer_with(|_| Fate::ToCome, faces(marked, scene), Vec::new()),
         View::new(RASTER_VIEW, Body::Raster(raster(step))),
-        View::new(LISTS_VIEW, Body::Lists(lists(step, scene))),
     ];
     // Where nobody is asked nothing must come before anything.
     if !L::KEYS_ONLY {
         let graph = graph(step, scene, now);
         views.push(View::new(GRAPH_VIEW, Body::Graph(graph)));
     }
+    views.push(View::new(LISTS_VIEW, Body::Lists(lists(step, scene))));
     fitting(scenery, views)
 }
 
