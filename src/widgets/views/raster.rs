@@ -1,9 +1,9 @@
 //! A raster in large pixels: squares with what is stored in them, the current one ringed.
 
-use egui::{Align2, Color32, Painter, Pos2, Rect, Stroke, StrokeKind, Vec2, vec2};
+use egui::{Align2, Color32, Painter, Pos2, Rect, StrokeKind, Vec2, vec2};
 
 use crate::{
-    figure::{Link, Pixel, Raster, RasterMark, RasterShape, Role},
+    figure::{Link, Raster, RasterMark, RasterShape, Role},
     paint::Theme,
     text::Value,
     widgets::Look,
@@ -19,6 +19,8 @@ use super::{
 const MOST_WIDTH: f32 = 40.0;
 /// Room for the title.
 const TITLE: f32 = 28.0;
+/// Smaller ones have no lines between them.
+const LEAST_IN_GRID: f32 = 5.0;
 /// What is stored is written in this size at most, and at least; in points.
 const LARGEST: f32 = 11.0;
 const SMALLEST: f32 = 4.5;
@@ -36,16 +38,20 @@ impl OnSlate for Raster {
     }
 
     fn draw(&self, slate: &mut Slate<'_>, rect: Rect, links: &mut Links) {
-        let theme = slate.theme();
         slate.title(&self.title, rect);
         let origin = rect.min + vec2(0.0, slate.pts(TITLE));
         let width = self.pixel_width(slate, rect);
-        let hairline = theme.stroke(1.0, theme.hairline);
+        self.fill(slate, origin, width);
+        if width >= slate.pts(LEAST_IN_GRID) {
+            self.grid(slate, origin, width);
+        }
         for row in 0..self.size[1] {
             for column in 0..self.size[0] {
-                if let Some(pixel) = self.at([column, row]) {
-                    let place = square(origin, width, [column, row]);
-                    draw_pixel(slate, place, pixel, hairline);
+                let value = self
+                    .at([column, row])
+                    .and_then(|pixel| pixel.value.as_ref());
+                if let Some(value) = value {
+                    write(slate, square(origin, width, [column, row]), value);
                 }
             }
         }
@@ -74,6 +80,44 @@ impl OnSlate for Raster {
 }
 
 impl Raster {
+    /// Tones, each as far to the right as it goes: there may be very many pixels.
+    fn fill(&self, slate: &Slate<'_>, origin: Pos2, width: f32) {
+        let tone_at = |column: usize, row: usize| {
+            let pixel = self.at([column, row])?;
+            Some(tone(slate.theme(), pixel.role?, pixel.shade))
+        };
+        let [columns, rows] = self.size;
+        for row in 0..rows {
+            let mut column = 0;
+            while column < columns {
+                let tone = tone_at(column, row);
+                let run = (column..columns).take_while(|&other| tone_at(other, row) == tone);
+                let end = column + run.count();
+                if let Some(tone) = tone {
+                    let first = square(origin, width, [column, row]);
+                    let last = square(origin, width, [end - 1, row]);
+                    slate.painter.rect_filled(first.union(last), 0.0, tone);
+                }
+                column = end;
+            }
+        }
+    }
+
+    /// Lines between pixels, and around all.
+    fn grid(&self, slate: &Slate<'_>, origin: Pos2, width: f32) {
+        let theme = slate.theme();
+        let line = theme.stroke(2.0, theme.hairline);
+        let [columns, rows] = self.size.map(|n| n as f32 * width);
+        let at = origin.round();
+        let along = |n: usize| (0..=n).map(move |i| i as f32 * width);
+        for x in along(self.size[0]) {
+            slate.painter.vline(at.x + x, at.y..=at.y + rows, line);
+        }
+        for y in along(self.size[1]) {
+            slate.painter.hline(at.x..=at.x + columns, at.y + y, line);
+        }
+    }
+
     /// The pixel at a place on the screen.
     fn pixel_at(&self, origin: Pos2, width: f32, at: Pos2) -> Option<[usize; 2]> {
         let place = (at - origin.round()) / width;
@@ -97,19 +141,8 @@ fn square(origin: Pos2, width: f32, [column, row]: [usize; 2]) -> Rect {
     Rect::from_min_size(at, Vec2::splat(width))
 }
 
-fn draw_pixel(slate: &mut Slate<'_>, place: Rect, pixel: &Pixel, hairline: Stroke) {
-    let fill = pixel
-        .role
-        .map(|role| tone(slate.theme(), role, pixel.shade));
-    if let Some(fill) = fill {
-        slate.painter.rect_filled(place, 0.0, fill);
-    }
-    slate
-        .painter
-        .rect_stroke(place, 0.0, hairline, StrokeKind::Inside);
-    let Some(value) = &pixel.value else {
-        return;
-    };
+/// What is stored at a pixel, if it can be read.
+fn write(slate: &mut Slate<'_>, place: Rect, value: &Value) {
     let n_characters = match value {
         Value::Name(name) => name.chars().count(),
         _ => DIGITS,
