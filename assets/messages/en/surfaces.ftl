@@ -36,7 +36,7 @@ faulty-depth-straight-differs = Step { $step } is the first that differs: this d
 depth-opening = { $triangles ->
     [one] One triangle
    *[other] { $triangles } triangles
-  } on { $columns } × { $rows } pixels: { $pixels } depths, one for each pixel.
+  } on { $columns } × { $rows } pixels: { $pixels } depths, one for each pixel, of { $bits } bits each: { $bytes } bytes.
 depth-clear = Cleared: none of the { $pixels } pixels has a triangle.
 depth-triangle = { $triangle } comes, { $place } of { $triangles }.
 depth-triangle-unseen = Nothing of { $triangle } is drawn: it lies outside of the volume, is edge-on, or shows its back.

@@ -36,7 +36,7 @@ faulty-depth-straight-differs = El paso { $step } es el primero que difiere: est
 depth-opening = { $triangles ->
     [one] Un triángulo
    *[other] { $triangles } triángulos
-  } en { $columns } × { $rows } píxeles: { $pixels } profundidades, una por píxel.
+  } en { $columns } × { $rows } píxeles: { $pixels } profundidades, una por píxel, de { $bits } bits cada una: { $bytes } bytes.
 depth-clear = Borrado: ninguno de los { $pixels } píxeles tiene triángulo.
 depth-triangle = Llega { $triangle }, { $place } de { $triangles }.
 depth-triangle-unseen = De { $triangle } no se dibuja nada: está fuera del volumen, de canto o de espaldas.

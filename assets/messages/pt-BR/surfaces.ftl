@@ -36,7 +36,7 @@ faulty-depth-straight-differs = O passo { $step } é o primeiro que difere: esta
 depth-opening = { $triangles ->
     [one] Um triângulo
    *[other] { $triangles } triângulos
-  } em { $columns } × { $rows } pixels: { $pixels } profundidades, uma por pixel.
+  } em { $columns } × { $rows } pixels: { $pixels } profundidades, uma por pixel, de { $bits } bits cada uma: { $bytes } bytes.
 depth-clear = Limpo: nenhum dos { $pixels } pixels tem triângulo.
 depth-triangle = Chega { $triangle }, { $place } de { $triangles }.
 depth-triangle-unseen = De { $triangle } nada se desenha: está fora do volume, de perfil ou de costas.

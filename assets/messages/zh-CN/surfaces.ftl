@@ -33,7 +33,7 @@ faulty-depth-straight-differs = 第 { $step } 步最先不同：这不是该表�
 
 ## The depth buffer
 
-depth-opening = { $triangles } 个三角形，{ $columns } × { $rows } 个像素：共 { $pixels } 个深度，每个像素一个。
+depth-opening = { $triangles } 个三角形，{ $columns } × { $rows } 个像素：共 { $pixels } 个深度，每个像素一个，每个 { $bits } 位：{ $bytes } 字节。
 depth-clear = 清空：{ $pixels } 个像素都还没有三角形。
 depth-triangle = 轮到 { $triangle }，第 { $place } 个，共 { $triangles } 个。
 depth-triangle-unseen = { $triangle } 什么也不画：它在视见体之外，或侧对相机，或背向相机。

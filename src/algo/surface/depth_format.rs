@@ -42,6 +42,18 @@ pub enum DepthNumber {
     Fixed(DepthBits),
 }
 
+impl DepthNumber {
+    /// What one takes.
+    #[must_use]
+    pub const fn n_bits(self) -> u32 {
+        match self {
+            Self::Double => 64,
+            Self::Single => 32,
+            Self::Fixed(bits) => bits.get(),
+        }
+    }
+}
+
 /// How a depth is stored.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct DepthFormat {

@@ -19,7 +19,10 @@ pub type Input = OnSceneInput<DepthBufferInput>;
 
 pub fn opening(input: &Input) -> Caption {
     let [columns, rows] = input.own.surfaces.size().map(|side| side as usize);
+    let bits = input.own.format.number.n_bits() as usize;
     let message = Message::new("depth-opening")
+        .with("bits", bits)
+        .with("bytes", (columns * rows * bits).div_ceil(8))
         .with("triangles", input.own.order.len())
         .with("columns", columns)
         .with("rows", rows)
