@@ -27,6 +27,12 @@ pub const fn edge_link(edge: Edge) -> Link {
     Link::to(edge.id())
 }
 
+/// `[7, 6]`: column and row, from the top left.
+pub fn pixel_formula(pixel: [u32; 2]) -> Formula {
+    let formula = Formula::decimals().sym("[");
+    formula.list(&pixel.map(f64::from)).sym("]")
+}
+
 /// A plain name.
 pub fn name(text: impl Into<String>) -> Value {
     Value::Name(text.into())

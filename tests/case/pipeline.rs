@@ -2,16 +2,19 @@
 
 use serde_json::{Value as Json, json};
 
-use super::asked::answer;
+use super::asked::{answer, line, refusal};
 
 const POINT: &str = r#""point":[1,1,1]"#;
 const MODEL: &str = r#""model":[[1.5,0,0,2],[0,1.5,0,1.5],[0,0,1.5,0.5],[0,0,0,1]]"#;
 const CAMERA: &str = r#""camera":{"position":[-1.9,1,4.2],"target":[0.5,1,1],"up":[0,1,0],"fov_y_deg":90,"aspect":1.6,"near":2,"far":10}"#;
 const SIZE: &str = r#""size":[640,400]"#;
 
+fn case_of(fields: &[&str]) -> String {
+    line("viewing-pipeline", &fields.join(","))
+}
+
 fn pipeline(fields: &[&str]) -> Json {
-    let fields = fields.join(",");
-    answer(&format!(r#"{{"algorithm":"viewing-pipeline",{fields}}}"#))
+    answer(&case_of(fields))
 }
 
 #[test]
@@ -56,8 +59,7 @@ fn a_pipeline_that_is_none_is_refused_where_it_is_wrong() {
     let with = |old: &str, new: &str| {
         let fields = [POINT, MODEL, CAMERA, SIZE].map(|field| field.replace(old, new));
         let fields: Vec<&str> = fields.iter().map(String::as_str).collect();
-        let error = pipeline(&fields)["error"].clone();
-        [error["code"].clone(), error["field"].clone()]
+        refusal(&case_of(&fields))
     };
     for (old, new, code, field) in [
         ("[0,0,0,1]]", "[0,0,1,1]]", "degenerate", "model[3]"),
@@ -90,15 +92,13 @@ fn a_pipeline_that_is_none_is_refused_where_it_is_wrong() {
     assert_eq!(singular["output"]["world"], json!([0.0, 0.0, 0.0]));
 }
 
-fn line(from: &str, to: &str) -> Json {
-    answer(&format!(
-        r#"{{"algorithm":"bresenham","from":{from},"to":{to}}}"#
-    ))
+fn drawn(from: &str, to: &str) -> String {
+    line("bresenham", &format!(r#""from":{from},"to":{to}"#))
 }
 
 #[test]
 fn a_line_has_its_pixels_in_both_directions() {
-    let found = line("[0,0]", "[4,2]");
+    let found = answer(&drawn("[0,0]", "[4,2]"));
     let pixels = json!([[0, 0], [1, 0], [2, 1], [3, 1], [4, 2]]);
     assert_eq!(found["output"], json!({ "pixels": pixels }));
     let events = found["events"].as_array().expect("a list");
@@ -106,10 +106,13 @@ fn a_line_has_its_pixels_in_both_directions() {
         events[1],
         json!({"event": "pixel", "at": [1, 0], "diagonal": false, "error": 4})
     );
-    let mut back = line("[4,2]", "[0.0,0e3]")["output"]["pixels"].clone();
+    let mut back = answer(&drawn("[4,2]", "[0.0,0e3]"))["output"]["pixels"].clone();
     back.as_array_mut().expect("a list").reverse();
     assert_eq!(back, pixels);
-    let point = line("[-7,9223372036854775807]", "[-7,9223372036854775807]");
+    let point = answer(&drawn(
+        "[-7,9223372036854775807]",
+        "[-7,9223372036854775807]",
+    ));
     assert_eq!(point["output"]["pixels"], json!([[-7, i64::MAX]]));
 }
 
@@ -124,10 +127,9 @@ fn a_line_that_is_none_is_refused() {
         ("[0,1e999]", "not-finite", "to[1]"),
         (r#"[0,"1"]"#, "wrong-type", "to[1]"),
     ] {
-        let error = line("[0,0]", to)["error"].clone();
-        assert_eq!([&error["code"], &error["field"]], [code, field], "{to}");
+        assert_eq!(refusal(&drawn("[0,0]", to)), [code, field], "{to}");
     }
-    let longest = line("[0,0]", "[65535,7]");
+    let longest = answer(&drawn("[0,0]", "[65535,7]"));
     let pixels = longest["output"]["pixels"].as_array().expect("a list");
     assert_eq!(pixels.len(), 65_536);
 }

@@ -2,18 +2,21 @@
 
 use serde_json::{Value as Json, json};
 
-use super::asked::{answer, answer_alone};
+use super::asked::{answer, answer_alone, refusal};
 
 const ALGORITHMS: [&str; 4] = ["depth-buffer", "ray-casting", "painter", "bsp"];
 const FRUSTUM: &str = r#"{"fov_y_deg":90,"aspect":1,"near":1,"far":9}"#;
 /// A wall that fills the picture, 3 before the eye, and half a wall before it: its upper edge is level with the eye.
 const WALLS: &str = "[[[-9,-9,-3],[9,-9,-3],[0,18,-3]],[[-6,0,-2],[0,-6,-2],[6,0,-2]]]";
 
-fn solved(algorithm: &str, size: &str, triangles: &str, more: &str) -> Json {
-    let case = format!(
+fn case_of(algorithm: &str, size: &str, triangles: &str, more: &str) -> String {
+    format!(
         r#"{{"algorithm":"{algorithm}","size":{size},"frustum":{FRUSTUM},"triangles":{triangles}{more}}}"#
-    );
-    answer(&case)
+    )
+}
+
+fn solved(algorithm: &str, size: &str, triangles: &str, more: &str) -> Json {
+    answer(&case_of(algorithm, size, triangles, more))
 }
 
 #[test]
@@ -150,22 +153,13 @@ fn every_refusal_names_its_place() {
     ];
     for algorithm in ALGORITHMS {
         for (size, triangles, more, code, field) in cases {
-            let error = &solved(algorithm, size, triangles, more)["error"];
-            assert_eq!(
-                (&error["code"], &error["field"]),
-                (&json!(code), &json!(field)),
-                "{error}"
-            );
+            let case = case_of(algorithm, size, triangles, more);
+            assert_eq!(refusal(&case), [code, field], "{case}");
         }
         let case = format!(
             r#"{{"algorithm":"{algorithm}","size":[2,2],"triangles":[],"frustum":{{"fov_y_deg":90,"aspect":1,"near":2,"far":1}}}}"#
         );
-        let error = &answer(&case)["error"];
-        assert_eq!(
-            (&error["code"], &error["field"]),
-            (&json!("degenerate"), &json!("frustum.far")),
-            "{error}"
-        );
+        assert_eq!(refusal(&case), ["degenerate", "frustum.far"], "{case}");
     }
 }
 

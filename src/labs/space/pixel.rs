@@ -7,7 +7,7 @@ use crate::{
         surface::{DepthBufferInput, Fragment, pixel_story},
     },
     figure::{Caption, Link, Raster},
-    labs::Verdict,
+    labs::{Verdict, words::pixel_formula},
     text::{Formula, Message, Value},
 };
 
@@ -76,15 +76,13 @@ fn verdict_at(scene: &Scene, size: [u32; 2], pixel: [u32; 2]) -> Verdict {
     let input = DepthBufferInput::new(surfaces_of(scene, size));
     let story = pixel_story::<Right>(&input, pixel);
     let seen = story.iter().rfind(|fragment| fragment.kept);
-    let at = Formula::decimals()
-        .sym("[")
-        .list(&pixel.map(f64::from))
-        .sym("]");
     let message = Message::new(match seen {
         Some(_) => "pixel-seen",
         None => "pixel-empty",
     });
-    let message = message.with("at", at).with("count", story.len());
+    let message = message
+        .with("at", pixel_formula(pixel))
+        .with("count", story.len());
     let why = match seen {
         Some(fragment) => {
             let caption = Caption::new(told_of(scene, fragment.id, message));

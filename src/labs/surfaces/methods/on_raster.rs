@@ -17,7 +17,7 @@ use crate::{
             stage::{FaceLook, Fate, Scenery},
         },
     },
-    text::{Formula, Message, Value},
+    text::{Message, Value},
     trace::silent,
 };
 
@@ -25,12 +25,6 @@ use crate::{
 const TONES: [f64; 4] = [0.4, 1.0, 0.05, 0.7];
 /// The one that the step is about.
 const OWN_TONE: f64 = 0.9;
-
-/// `[7, 6]`: column and row, from the top left.
-pub fn pixel_formula(pixel: [u32; 2]) -> Formula {
-    let formula = Formula::decimals().sym("[");
-    formula.list(&pixel.map(f64::from)).sym("]")
-}
 
 /// Depths as JSON has them: none where nothing is seen.
 pub fn depth_list(depths: &[f64]) -> Vec<Option<f64>> {

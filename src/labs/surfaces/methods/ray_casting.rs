@@ -13,12 +13,12 @@ use crate::{
     labs::{
         Answer, CodeLine, Demo, Step, code_line,
         space::{OnScene, OnSceneInput, Scene, Subject, demo::SpaceDemo, soup::surfaces_on_raster},
-        words::name,
+        words::{name, pixel_formula},
     },
     text::{Formula, Message, Value},
 };
 
-use super::on_raster::{depth_list, name_of, pixel_formula};
+use super::on_raster::{depth_list, name_of};
 
 type Input = OnSceneInput<RayCastingInput>;
 type Shown = OnScene<RayCasting>;

@@ -6,10 +6,7 @@ use crate::{
         Fragment, FragmentTally,
     },
     figure::Caption,
-    labs::{
-        space::OnSceneInput,
-        surfaces::methods::on_raster::{name_of, pixel_formula},
-    },
+    labs::{space::OnSceneInput, surfaces::methods::on_raster::name_of, words::pixel_formula},
     text::{Formula, Message, Value},
 };
 

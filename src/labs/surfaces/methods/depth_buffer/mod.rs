@@ -22,13 +22,13 @@ use crate::{
         Answer, CodeLine, Demo, Step, record_beside,
         space::soup::{order, surfaces_on_raster},
         space::{OnScene, OnSceneInput, Scene, Subject, demo::SpaceDemo},
-        words::name,
+        words::{name, pixel_formula},
     },
     text::Value,
     trace::silent,
 };
 
-use super::on_raster::{depth_list, name_of, pixel_formula};
+use super::on_raster::{depth_list, name_of};
 
 use captions::Input;
 use variant::Variant;

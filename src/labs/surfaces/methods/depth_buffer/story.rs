@@ -6,7 +6,8 @@ use crate::{
     labs::{
         Step,
         space::{soup::surface_link, stage::Scenery},
-        surfaces::methods::on_raster::{name_of, pixel_formula, tone},
+        surfaces::methods::on_raster::{name_of, tone},
+        words::pixel_formula,
     },
     text::{Message, Value},
 };

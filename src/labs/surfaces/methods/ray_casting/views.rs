@@ -11,9 +11,8 @@ use crate::{
             soup::surface_link,
             stage::{Fate, Scenery},
         },
-        surfaces::methods::on_raster::{
-            faces, fitting, lettered, name_of, pixel_formula, pixels, sight,
-        },
+        surfaces::methods::on_raster::{faces, fitting, lettered, name_of, pixels, sight},
+        words::pixel_formula,
     },
     text::{Formula, Value},
 };
