@@ -74,6 +74,8 @@ pub struct Mark {
     pub link: Option<Link>,
     /// Dashed whatever its role: not there to stay, and yet what the step is about.
     pub is_dashed: bool,
+    /// It crosses tones of solids, and stands out from any of them by a casing in the ground's colour.
+    pub is_cased: bool,
     /// Of its lines, where its role and its shape do not settle it.
     pub weight: Option<Weight>,
 }
@@ -97,6 +99,7 @@ impl Mark {
             label: None,
             link: None,
             is_dashed: false,
+            is_cased: false,
             weight: None,
         }
     }

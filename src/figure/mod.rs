@@ -48,7 +48,7 @@ pub use matrix::{MatrixProduct, MatrixRow};
 pub use moment::{Moment, MomentError};
 pub use multiples::{Multiples, SmallDrawing};
 pub use products::{Measured, Product, Products, Vector};
-pub use project::project;
+pub use project::{Projected, project};
 pub(crate) use project::{between, complement, inside};
 pub use raster::{Pixel, Raster, RasterMark, RasterShape};
 pub use ribbon::{Ribbon, RibbonStage};

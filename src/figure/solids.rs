@@ -1,8 +1,9 @@
 //! Solids as they are seen: which facet at each sample of a picture.
 
-use std::{collections::HashMap, ops::Range, sync::Arc};
+use std::{ops::Range, sync::Arc};
 
 use glam::DVec3;
+use rustc_hash::FxHashMap;
 
 use crate::{
     algo::surface::{Cull, MeshRef, ScreenTriangle, Viewport, assemble, draw_rows},
@@ -107,7 +108,8 @@ impl SolidMesh {
             triangles: Vec::with_capacity(n_corners),
             facets: Vec::with_capacity(n_corners),
         };
-        let mut vertices: HashMap<[u32; 5], u32> = HashMap::with_capacity(facets.len());
+        let mut vertices: FxHashMap<[u32; 5], u32> = FxHashMap::default();
+        vertices.reserve(facets.len());
         let has_skin = facets.iter().any(|facet| facet.skin.is_some());
         if has_skin {
             let textures = facets

@@ -177,16 +177,6 @@ impl Mark3 {
     }
 }
 
-impl Space {
-    /// Is it the same, the solids being shared with the other and not only alike?
-    #[must_use]
-    pub fn is_same(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.facets, &other.facets)
-            && Arc::ptr_eq(&self.edges, &other.edges)
-            && (self.seer, &self.title, &self.marks) == (other.seer, &other.title, &other.marks)
-    }
-}
-
 impl Edge3 {
     /// How far two facets turn from one plane, at least, so that their edge is a crease: the cosine, of 20°.
     const FLAT: f64 = 0.94;

@@ -19,6 +19,8 @@ pub enum Layer {
     Construction,
     /// Areas.
     Area,
+    /// Under lines that cross tones.
+    Casing,
     /// What stands out glows under every stroke.
     Glow,
     /// Lines.
@@ -59,6 +61,12 @@ pub fn pieces<'a>(
         for part in parts(viewport, &mark.shape) {
             pieces.extend(is_lit.then(|| LayeredPart {
                 layer: Layer::Glow,
+                mark,
+                part: part.clone(),
+            }));
+            let is_line = matches!(part, Part::Stroke(_) | Part::Ring(_) | Part::Arrow(_));
+            pieces.extend((mark.is_cased && is_line).then(|| LayeredPart {
+                layer: Layer::Casing,
                 mark,
                 part: part.clone(),
             }));

@@ -1,5 +1,7 @@
 //! Outlines and creases of solids with very many edges, found between the samples of their picture.
 
+use std::ops::Range;
+
 /// No facet is seen at a sample.
 pub const NONE: u32 = u32::MAX;
 
@@ -9,6 +11,9 @@ const CREASE: f32 = 0.77;
 const STEP: f32 = 3.0;
 /// and by so much at least.
 const LEAST_STEP: f32 = 0.002;
+
+/// Samples that are looked at together, as most are like their neighbours.
+const BLOCK: usize = 64;
 
 /// What is seen at the samples of some rows.
 pub struct Seen {
@@ -25,13 +30,20 @@ pub struct Seen {
 /// Which samples lie beside a line, on either side of it; `normals` are those of the facets, of length 1.
 pub fn outlines(seen: &Seen, normals: &[[f32; 3]]) -> Vec<bool> {
     let n = seen.n_columns.max(1);
-    let mut is_dark = vec![false; seen.facets.len()];
-    for at in 0..seen.facets.len() {
-        let is_last_column = at % n == n - 1;
-        for (step, is_edge) in [(1, is_last_column), (n, false)] {
-            if !is_edge && at + step < seen.facets.len() && seen.is_parted(at, step, normals) {
-                is_dark[at] = true;
-                is_dark[at + step] = true;
+    let n_samples = seen.facets.len();
+    let mut is_dark = vec![false; n_samples];
+    for start in (0..n_samples).step_by(BLOCK) {
+        let end = (start + BLOCK).min(n_samples);
+        if seen.is_alike(start..end, 1) && seen.is_alike(start..end, n) {
+            continue;
+        }
+        for at in start..end {
+            let is_last_column = at % n == n - 1;
+            for (step, is_edge) in [(1, is_last_column), (n, false)] {
+                if !is_edge && at + step < n_samples && seen.is_parted(at, step, normals) {
+                    is_dark[at] = true;
+                    is_dark[at + step] = true;
+                }
             }
         }
     }
@@ -39,6 +51,12 @@ pub fn outlines(seen: &Seen, normals: &[[f32; 3]]) -> Vec<bool> {
 }
 
 impl Seen {
+    /// Shows each of these samples the same facet as the one so many further on?
+    fn is_alike(&self, samples: Range<usize>, step: usize) -> bool {
+        let further = self.facets.get(samples.start + step..samples.end + step);
+        further.is_some_and(|further| self.facets[samples] == *further)
+    }
+
     /// Is there a line between a sample and the one so many further on?
     fn is_parted(&self, at: usize, step: usize, normals: &[[f32; 3]]) -> bool {
         let [a, b] = [at, at + step].map(|at| self.facets[at]);

@@ -1,6 +1,6 @@
 //! The samples of a picture of solids, averaged to pixels.
 
-use std::{ops::Range, thread};
+use std::{ops::Range, sync::Mutex, thread};
 
 use egui::Color32;
 
@@ -19,6 +19,8 @@ const MOST_THREADS: usize = 4;
 
 /// Pixels beside each other that are looked at together, if anything is seen in them.
 const BLOCK: usize = 32;
+/// Samples for a pixel, in both directions, where it is drawn finely.
+pub const FINE: usize = 2;
 
 /// What pixels are made of.
 pub struct Samples<'a> {
@@ -35,47 +37,40 @@ pub struct Samples<'a> {
 }
 
 impl Samples<'_> {
-    /// Draws all rows, some by each thread.
+    /// Draws all rows: each thread takes the next few, so that none waits for one that is late.
     pub fn draw(&self, pixels: &mut [Color32]) {
         let [width, height] = self.size;
         let n_samples = (width * self.fine) as usize * (height * self.fine) as usize;
         let n_threads = thread::available_parallelism().map_or(1, usize::from);
-        let n_threads = if n_samples < FEW { 1 } else { n_threads };
-        let n_rows = height.div_ceil(n_threads.min(MOST_THREADS) as u32).max(1);
-        let bands = pixels.chunks_mut((n_rows * width) as usize);
-        let rows = (0..height)
-            .step_by(n_rows as usize)
-            .map(|first| first..(first + n_rows).min(height));
-        let mut bands: Vec<_> = rows.zip(bands).collect();
-        let last = bands.pop();
-        thread::scope(|scope| {
-            for (rows, pixels) in bands {
-                scope.spawn(move || self.rows(rows, pixels));
-            }
-            if let Some((rows, pixels)) = last {
-                self.rows(rows, pixels);
-            }
-        });
-    }
-
-    /// Some rows of pixels, few at a time: their samples stay near the processor.
-    fn rows(&self, rows: Range<u32>, pixels: &mut [Color32]) {
+        let n_threads = if n_samples < FEW { 1 } else { n_threads }.min(MOST_THREADS);
         let n_at_once = if self.picture.n_triangles() <= FEW_TRIANGLES {
             ROWS_AT_ONCE
         } else {
-            rows.end - rows.start
+            height.div_ceil(n_threads as u32).max(1)
         };
+        let starts = (0..height).step_by(n_at_once as usize);
+        let rows = starts.map(|start| start..(start + n_at_once).min(height));
+        let bands = rows.zip(pixels.chunks_mut((n_at_once * width).max(1) as usize));
+        let bands = Mutex::new(bands);
+        thread::scope(|scope| {
+            for _ in 1..n_threads {
+                scope.spawn(|| self.bands(&bands));
+            }
+            self.bands(&bands);
+        });
+    }
+
+    /// Some rows of pixels after the other, as long as there are any: their samples stay near the processor.
+    fn bands<'p>(&self, bands: &Mutex<impl Iterator<Item = (Range<u32>, &'p mut [Color32])>>) {
         let mut seen = Seen {
             n_columns: (self.size[0] * self.fine) as usize,
             depths: Vec::new(),
             facets: Vec::new(),
             texels: Vec::new(),
         };
-        let starts = rows.clone().step_by(n_at_once.max(1) as usize);
-        let chunks = pixels.chunks_mut((n_at_once * self.size[0]).max(1) as usize);
-        for (start, pixels) in starts.zip(chunks) {
-            let end = (start + n_at_once).min(rows.end);
-            self.few_rows(start..end, &mut seen, pixels);
+        let next = || bands.lock().ok()?.next();
+        while let Some((rows, pixels)) = next() {
+            self.few_rows(rows, &mut seen, pixels);
         }
     }
 
@@ -102,7 +97,7 @@ impl Samples<'_> {
         self.picture.draw_rows(first..end, depths, facets, texels);
         let is_dark = match self.outline {
             Some((_, normals)) => outlines(seen, normals),
-            None => Vec::new(),
+            None => vec![false; n_samples],
         };
         let fine = self.fine as usize;
         let above = (rows.start * self.fine - first) as usize;
@@ -111,47 +106,48 @@ impl Samples<'_> {
             for (block, pixels) in pixels.chunks_mut(BLOCK).enumerate() {
                 let left = top + block * BLOCK * fine;
                 if !is_empty(seen, &is_dark, left, [pixels.len() * fine, fine]) {
-                    self.block(seen, &is_dark, left, pixels);
+                    match fine {
+                        1 => self.block::<1>(seen, &is_dark, left, pixels),
+                        _ => self.block::<FINE>(seen, &is_dark, left, pixels),
+                    }
                 }
             }
         }
     }
 
-    /// Pixels beside each other, from this sample on.
-    fn block(&self, seen: &Seen, is_dark: &[bool], left: usize, pixels: &mut [Color32]) {
-        let fine = self.fine as usize;
+    /// Pixels beside each other, from this sample on. Most have only one colour.
+    fn block<const N: usize>(
+        &self,
+        seen: &Seen,
+        is_dark: &[bool],
+        left: usize,
+        pixels: &mut [Color32],
+    ) {
+        let rows: [Range<usize>; N] = std::array::from_fn(|i| {
+            let start = left + i * seen.n_columns;
+            start..start + N * pixels.len()
+        });
+        let facets = rows
+            .each_ref()
+            .map(|row| chunks::<_, N>(&seen.facets[row.clone()]));
+        let dark = rows.map(|row| chunks::<_, N>(&is_dark[row]));
+        let has_texels = !seen.texels.is_empty();
         for (column, pixel) in pixels.iter_mut().enumerate() {
-            let left = left + column * fine;
-            if let Some(whole) = self.whole(seen, is_dark, left) {
-                *pixel = whole;
-                continue;
-            }
-            let samples = (0..fine).flat_map(|i| {
-                let start = left + i * seen.n_columns;
-                start..start + fine
-            });
-            *pixel = self.pixel(seen, is_dark, samples);
+            let facet = facets[0][column][0];
+            let is_whole = facets.iter().all(|row| row[column] == [facet; N])
+                && dark.iter().all(|row| row[column] == [false; N]);
+            let left = left + column * N;
+            *pixel = if is_whole && !(has_texels && seen.texels[left].is_some()) {
+                let tone = self.tones.get(facet as usize);
+                tone.copied().unwrap_or(Color32::TRANSPARENT)
+            } else {
+                let samples = (0..N).flat_map(|i| {
+                    let start = left + i * seen.n_columns;
+                    start..start + N
+                });
+                self.pixel(seen, is_dark, samples)
+            };
         }
-    }
-
-    /// The colour of a pixel that has only one: of most.
-    fn whole(&self, seen: &Seen, is_dark: &[bool], left: usize) -> Option<Color32> {
-        if seen.texels.get(left).copied().flatten().is_some() {
-            return None;
-        }
-        let (fine, n_columns) = (self.fine as usize, seen.n_columns);
-        let facet = seen.facets[left];
-        for start in (0..fine).map(|i| left + i * n_columns) {
-            let row = start..start + fine;
-            if seen.facets[row.clone()].iter().any(|it| *it != facet) {
-                return None;
-            }
-            if self.outline.is_some() && is_dark[row].contains(&true) {
-                return None;
-            }
-        }
-        let tone = self.tones.get(facet as usize);
-        Some(tone.copied().unwrap_or(Color32::TRANSPARENT))
     }
 
     /// The mean of some samples.
@@ -183,6 +179,11 @@ impl Samples<'_> {
     }
 }
 
+/// As many beside each other as make a pixel.
+fn chunks<T, const N: usize>(samples: &[T]) -> &[[T; N]] {
+    samples.as_chunks().0
+}
+
 /// A texel under a facet's tone: as if the tone's light fell on it.
 fn painted(texel: [u8; 3], tone: Color32) -> Color32 {
     let [r, g, b, a] = tone.to_array();
@@ -201,7 +202,6 @@ fn is_empty(seen: &Seen, is_dark: &[bool], left: usize, [width, n_rows]: [usize;
         // All of them are looked at, several at once.
         let n_seen = seen.facets[samples.clone()].iter();
         let n_seen: usize = n_seen.map(|facet| usize::from(*facet != NONE)).sum();
-        let is_bare = n_seen == 0;
-        is_bare && (is_dark.is_empty() || !is_dark[samples].contains(&true))
+        n_seen == 0 && !is_dark[samples].contains(&true)
     })
 }

@@ -9,10 +9,12 @@ use egui::{
 
 use crate::figure::{Facet, Link, SolidMesh, SolidPicture, Solids};
 
-use super::{Theme, Viewport, solid_samples::Samples, solid_tones::tones};
+use super::{
+    Theme, Viewport,
+    solid_samples::{FINE, Samples},
+    solid_tones::tones,
+};
 
-/// Samples for a pixel, in both directions.
-const FINE: u32 = 2;
 /// While the eye turns, more facets than this are drawn coarsely.
 const MANY: usize = 20_000;
 
@@ -125,7 +127,7 @@ impl Drawn {
             theme,
             lit,
         } = asked;
-        let has_room = |side: &u32| FINE * side <= SolidPicture::MAX_SIDE;
+        let has_room = |side: &u32| FINE as u32 * side <= SolidPicture::MAX_SIDE;
         let is_fine = !(is_moving && solids.facets.len() > MANY);
         let known = before.as_ref().filter(|drawn| drawn.has_surface(asked));
         let mut surface = match known {
@@ -136,7 +138,7 @@ impl Drawn {
             surface.tones = tones(theme, &solids.facets, &surface.normals, lit).into();
         }
         let fine = if is_fine && place.size.iter().all(has_room) {
-            FINE
+            FINE as u32
         } else {
             1
         };

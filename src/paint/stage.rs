@@ -21,6 +21,9 @@ use super::{
     solids::solids,
 };
 
+/// White on either side of a line that crosses tones, in points before the theme's factor.
+const CASING: f32 = 1.25;
+
 /// Draws the marks, then their labels where they cover nothing: where they stand. What is about `lit` stands out.
 pub fn stage(
     painter: &Painter,
@@ -42,6 +45,7 @@ pub fn stage(
     for piece in &pieces {
         match piece.layer {
             Layer::Glow => stage.glow(piece),
+            Layer::Casing => stage.casing(piece),
             Layer::Wash
             | Layer::Construction
             | Layer::Area
@@ -166,6 +170,25 @@ impl Stage<'_> {
                 let tip = at + along * HEAD * self.theme.stroke_scale;
                 self.painter.add(self.head([at, tip], pen.stroke.color));
             }
+        }
+    }
+
+    /// A line in the ground's colour that is a little wider than what will lie over it.
+    fn casing(&self, LayeredPart { mark, part, .. }: &LayeredPart<'_>) {
+        let pen = Pen::of(self.theme, mark);
+        let around = self.theme.stroke(2.0 * CASING, self.theme.background);
+        let stroke = Stroke::new(pen.stroke.width + around.width, around.color);
+        match part {
+            Part::Stroke(points) => Line::new(points, false).draw(self.painter, stroke),
+            Part::Ring(points) => Line::new(points, true).draw(self.painter, stroke),
+            Part::Arrow(ends) => Line::new(ends, false).draw(self.painter, stroke),
+            Part::Wash(_)
+            | Part::Fill(_)
+            | Part::Texture(_)
+            | Part::Solids(_)
+            | Part::Crowd(_)
+            | Part::Head(_)
+            | Part::Marker(..) => {}
         }
     }
 

@@ -26,7 +26,7 @@ const CUT: (f32, f32) = (2.0, 1.0);
 
 impl Seen {
     /// The visible and the hidden parts of an edge.
-    pub(super) fn edge(&self, edge: &Edge3) -> Vec<Mark> {
+    pub(super) fn edge(&mut self, edge: &Edge3) -> Vec<Mark> {
         let kind = self.kind(edge);
         let is_solid = matches!(edge.role, Role::Ink | Role::Soft | Role::Faint);
         let is_round = !edge.is_crease && is_solid;

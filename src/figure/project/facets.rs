@@ -18,7 +18,7 @@ use crate::{
 
 use super::{
     bounds::Bounds,
-    grid::Grid,
+    grid::{Found, Grid},
     interval::{inside, union},
 };
 
@@ -27,6 +27,7 @@ use super::{
 const BEHIND: f64 = 1e-7;
 
 /// A facet in the axes of what sees it.
+#[derive(Clone, Debug)]
 struct InView {
     /// Of the part that is not too near.
     corners: Range<usize>,
@@ -38,6 +39,7 @@ struct InView {
 }
 
 /// All facets of a space.
+#[derive(Clone, Debug)]
 pub struct FacetsInView {
     optics: Optics,
     is_closed: bool,
@@ -46,6 +48,7 @@ pub struct FacetsInView {
     /// On the picture.
     bounds: Vec<Bounds>,
     grid: Grid,
+    found: Found,
 }
 
 impl FacetsInView {
@@ -59,6 +62,7 @@ impl FacetsInView {
             facets: Vec::with_capacity(facets.len()),
             bounds: Vec::with_capacity(facets.len()),
             grid: Grid::new(&[]),
+            found: Found::default(),
         };
         let mut corners = Vec::new();
         for facet in facets {
@@ -110,38 +114,45 @@ impl FacetsInView {
 
     /// The hidden parts of a segment between two points in view, none of which is too near, as intervals of its
     /// parameter in order. It is no edge of the facets `but`.
-    pub fn hidden(&self, ends: [DVec3; 2], but: [Option<u32>; 2]) -> Vec<[f64; 2]> {
+    pub fn hidden(&mut self, ends: [DVec3; 2], but: [Option<u32>; 2]) -> Vec<[f64; 2]> {
         let places = ends.map(|at| self.optics.picture_from_view(at));
         let bounds = Bounds::around(places);
         let farthest = ends[0].z.min(ends[1].z);
         let mut hidden = Vec::new();
-        for idx in self.grid.near(places) {
+        for &idx in self.grid.near(places, &mut self.found) {
             let facet = &self.facets[idx as usize];
-            let is_before = farthest < facet.nearest && bounds.meets(&self.bounds[idx as usize]);
+            let its_bounds = &self.bounds[idx as usize];
+            let is_before = farthest < facet.nearest
+                && bounds.meets(its_bounds)
+                && its_bounds.meets_line(places);
             if is_before && !but.contains(&Some(idx)) {
-                hidden.extend(inside(ends, self.shadow(facet)));
+                let corners = &self.corners[facet.corners.clone()];
+                hidden.extend(inside(ends, shadow(&self.optics, facet, corners)));
             }
         }
         union(hidden)
     }
+}
 
-    /// Planes whose common inner side is what the facet hides: behind it, and within its edges as they are seen. Each is
-    /// a normal that points inwards, and a distance: n·p − d ≥ 0 is inside.
-    fn shadow<'a>(&'a self, facet: &'a InView) -> impl Iterator<Item = (DVec3, f64)> + 'a {
-        let turn = if facet.faces_eye { 1.0 } else { -1.0 };
-        let corners = &self.corners[facet.corners.clone()];
-        let n = corners.len();
-        let through_eye = (0..n).map(move |i| {
-            let [a, b] = [corners[i], corners[(i + 1) % n]];
-            let normal = self.optics.toward_eye(a).cross(b - a) * turn;
-            (normal, normal.dot(a))
-        });
-        let back = -facet.normal * turn;
-        let depth = corners.first().map_or(f64::INFINITY, |&first| {
-            back.dot(first) + BEHIND * back.length() * first.length()
-        });
-        std::iter::once((back, depth)).chain(through_eye)
-    }
+/// Planes whose common inner side is what the facet hides: behind it, and within its edges as they are seen. Each is
+/// a normal that points inwards, and a distance: n·p − d ≥ 0 is inside.
+fn shadow<'a>(
+    optics: &'a Optics,
+    facet: &'a InView,
+    corners: &'a [DVec3],
+) -> impl Iterator<Item = (DVec3, f64)> + 'a {
+    let turn = if facet.faces_eye { 1.0 } else { -1.0 };
+    let n = corners.len();
+    let through_eye = (0..n).map(move |i| {
+        let [a, b] = [corners[i], corners[(i + 1) % n]];
+        let normal = optics.toward_eye(a).cross(b - a) * turn;
+        (normal, normal.dot(a))
+    });
+    let back = -facet.normal * turn;
+    let depth = corners.first().map_or(f64::INFINITY, |&first| {
+        back.dot(first) + BEHIND * back.length() * first.length()
+    });
+    std::iter::once((back, depth)).chain(through_eye)
 }
 
 impl InView {

@@ -10,12 +10,43 @@ const REACH: f64 = 2.0;
 const MOST_CELLS: usize = 64;
 
 /// Facets by the cells of a grid.
+#[derive(Clone, Debug)]
 pub struct Grid {
     /// Cells along a side.
     n: usize,
     /// Where each cell's facets start; one more at the end.
     starts: Vec<u32>,
     facets: Vec<u32>,
+    n_facets: usize,
+}
+
+/// What one search after the other has found, in the same memory.
+#[derive(Clone, Debug, Default)]
+pub struct Found {
+    facets: Vec<u32>,
+    /// Of each facet, the last search that found it.
+    stamps: Vec<u32>,
+    stamp: u32,
+}
+
+impl Found {
+    fn begin(&mut self, n_facets: usize) {
+        self.facets.clear();
+        self.stamp = self.stamp.wrapping_add(1);
+        if self.stamp == 0 || self.stamps.len() != n_facets {
+            self.stamps.clear();
+            self.stamps.resize(n_facets, 0);
+            self.stamp = 1;
+        }
+    }
+
+    fn add(&mut self, facet: u32) {
+        let stamp = &mut self.stamps[facet as usize];
+        if *stamp != self.stamp {
+            *stamp = self.stamp;
+            self.facets.push(facet);
+        }
+    }
 }
 
 impl Grid {
@@ -26,6 +57,7 @@ impl Grid {
             n: n.clamp(1, MOST_CELLS),
             starts: Vec::new(),
             facets: Vec::new(),
+            n_facets: bounds.len(),
         };
         let mut ends = vec![0_u32; grid.n * grid.n + 1];
         grid.for_each(bounds, |cell, _| ends[cell + 1] += 1);
@@ -42,9 +74,9 @@ impl Grid {
         grid
     }
 
-    /// Facets near to a segment, each once, in their order.
-    pub fn near(&self, [a, b]: [[f64; 2]; 2]) -> Vec<u32> {
-        let mut found = Vec::new();
+    /// Facets near to a segment, each once.
+    pub fn near<'a>(&self, [a, b]: [[f64; 2]; 2], found: &'a mut Found) -> &'a [u32] {
+        found.begin(self.n_facets);
         for row in self.cells(a[1].min(b[1]), a[1].max(b[1])) {
             // The part of the segment in this row.
             let low = if row == 0 {
@@ -69,12 +101,12 @@ impl Grid {
             for column in self.cells(from.min(to), from.max(to)) {
                 let cell = row * self.n + column;
                 let [start, end] = [cell, cell + 1].map(|i| self.starts[i] as usize);
-                found.extend_from_slice(&self.facets[start..end]);
+                for &facet in &self.facets[start..end] {
+                    found.add(facet);
+                }
             }
         }
-        found.sort_unstable();
-        found.dedup();
-        found
+        &found.facets
     }
 
     /// Calls back with each cell, and each facet that reaches into it.
@@ -124,9 +156,10 @@ mod tests {
         let grid = Grid::new(&bounds);
         assert!(grid.n > 4);
         let (mut n_met, mut n_near) = (0, 0);
+        let mut found = Found::default();
         for i in 0..200 {
             let ends = [[at(i, 3), at(i, 17)], [at(i, 29), at(i, 41)]];
-            let near = grid.near(ends);
+            let near = grid.near(ends, &mut found);
             n_near += near.len();
             for (facet, [min, max]) in (0..).zip(&boxes) {
                 let is_met = (0..=50).any(|k| {

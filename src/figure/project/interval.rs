@@ -16,11 +16,10 @@ pub fn inside(
     for (normal, d) in planes {
         let distances = [a, b].map(|p| normal.dot(p) - d);
         let [d1, d2] = distances;
-        if d1 == d2 {
-            if d1 < 0.0 {
-                return None;
-            }
-            continue;
+        match distances.map(|distance| distance < 0.0) {
+            [true, true] => return None,
+            [false, false] => continue,
+            [true, false] | [false, true] => {}
         }
         let crossing = Param {
             u: d1 / (d1 - d2),

@@ -43,7 +43,7 @@ impl Seen {
     }
 
     /// All that a mark comes to, but a tint.
-    pub(super) fn mark(&self, mark: &Mark3) -> Vec<Mark> {
+    pub(super) fn mark(&mut self, mark: &Mark3) -> Vec<Mark> {
         match &mark.shape {
             Shape3::Wash(_) => Vec::new(),
             Shape3::Segment(ends) => self.line(mark, &[*ends]),
@@ -73,7 +73,7 @@ impl Seen {
     }
 
     /// Segments, their hidden parts dashed.
-    fn line(&self, mark: &Mark3, edges: &[[[f64; 3]; 2]]) -> Vec<Mark> {
+    fn line(&mut self, mark: &Mark3, edges: &[[[f64; 3]; 2]]) -> Vec<Mark> {
         let (mut hidden, mut visible) = (Vec::new(), Vec::new());
         for &ends in edges {
             let parted = self.parted(ends, [None; 2]);
@@ -118,9 +118,12 @@ impl Seen {
             });
             drawn.extend(parts.map(|part| weighed(part, mark.is_fine)));
         }
+        // What bounds a tone does not cross it.
+        let crosses = edges.len() == 1 && !mark.is_edge && stands_out(mark.role);
         for part in &mut drawn {
             part.link = mark.link;
             part.is_dashed |= mark.is_dashed;
+            part.is_cased = crosses && !part.is_dashed;
         }
         // Its name stands once, where it is seen and longest.
         let named = (0..drawn.len()).max_by(|&a, &b| {
@@ -143,7 +146,8 @@ impl Seen {
             Some(_) => Shape::Arrow(seen),
             None => Shape::Segment(seen),
         };
-        let drawn = Mark::new(mark.role, shape);
+        let mut drawn = Mark::new(mark.role, shape);
+        drawn.is_cased = stands_out(mark.role);
         vec![named(weighed(drawn, mark.is_fine), mark)]
     }
 
@@ -214,6 +218,14 @@ fn weighed(drawn: Mark, is_fine: bool) -> Mark {
         Role::Faint => FINE_FAINT,
     };
     light(drawn, points, strength)
+}
+
+/// Is a line of this role what a picture is about? Then no tone may swallow it.
+const fn stands_out(role: Role) -> bool {
+    match role {
+        Role::Accent | Role::Signal | Role::Accepted => true,
+        Role::Ink | Role::Soft | Role::Faint | Role::Discarded => false,
+    }
 }
 
 fn length(shape: &Shape) -> f64 {

@@ -11,57 +11,27 @@ mod interval;
 mod marks;
 #[cfg(test)]
 mod oracle;
+mod projected;
 #[cfg(test)]
 mod tests;
 
 use glam::DVec3;
 
-use super::{Edge3, Lens, Mark, Mark3, Role, Shape, Shape3, Solids, Space, Weight, lens::Optics};
+use super::{Edge3, Lens, Mark, Space, Weight, lens::Optics};
 
 use facets::FacetsInView;
 pub(crate) use interval::{between, complement, inside};
-
-/// More edges than these are not drawn one by one.
-const MOST_EDGES: usize = 3_000;
+pub use projected::Projected;
 
 /// What is seen of a space: tints, then the solids with their edges, then the marks, each in parts where a solid hides
 /// some of it.
 #[must_use]
 pub fn project(space: &Space, lens: &Lens) -> Vec<Mark> {
-    let Some(optics) = Optics::of(lens) else {
-        return Vec::new();
-    };
-    let bounds_two = |edge: &Edge3| edge.facets.iter().all(Option::is_some);
-    let is_closed = space.edges.iter().all(bounds_two);
-    let is_outlined = space.edges.len() > MOST_EDGES;
-    let is_line = |mark: &Mark3| matches!(mark.shape, Shape3::Segment(_) | Shape3::Outline(_));
-    // Where no line is drawn, none is hidden.
-    let hiding = if is_outlined && !space.marks.iter().any(is_line) {
-        &[]
-    } else {
-        &space.facets[..]
-    };
-    let seen = Seen {
-        optics,
-        facets: FacetsInView::new(hiding, is_closed, optics),
-    };
-    let mut marks: Vec<Mark> = space.marks.iter().filter_map(|it| seen.wash(it)).collect();
-    if !space.facets.is_empty() {
-        let solids = Solids {
-            facets: space.facets.clone(),
-            lens: *lens,
-            is_outlined,
-        };
-        marks.push(Mark::new(Role::Ink, Shape::Solids(solids)));
-    }
-    if !is_outlined {
-        marks.extend(space.edges.iter().flat_map(|edge| seen.edge(edge)));
-    }
-    marks.extend(space.marks.iter().flat_map(|mark| seen.mark(mark)));
-    marks
+    Projected::new(space, lens).marks().to_vec()
 }
 
 /// What is seen.
+#[derive(Clone, Debug)]
 struct Seen {
     optics: Optics,
     facets: FacetsInView,
@@ -74,6 +44,18 @@ struct Parted {
 }
 
 impl Seen {
+    /// Of a space through a lens, if anything can be seen; where no line is drawn that facets could hide, they are left out.
+    fn of(space: &Space, lens: &Lens, hides: bool) -> Option<Self> {
+        let optics = Optics::of(lens)?;
+        let bounds_two = |edge: &Edge3| edge.facets.iter().all(Option::is_some);
+        let is_closed = space.edges.iter().all(bounds_two);
+        let hiding = if hides { &space.facets[..] } else { &[] };
+        Some(Self {
+            optics,
+            facets: FacetsInView::new(hiding, is_closed, optics),
+        })
+    }
+
     fn on_picture(&self, at: DVec3) -> [f64; 2] {
         self.optics.picture_from_view(at)
     }
@@ -96,7 +78,7 @@ impl Seen {
     }
 
     /// A segment that is no edge of the facets `but`.
-    fn parted(&self, ends: [[f64; 3]; 2], but: [Option<u32>; 2]) -> Parted {
+    fn parted(&mut self, ends: [[f64; 3]; 2], but: [Option<u32>; 2]) -> Parted {
         let Some(ends) = self.cut(ends) else {
             return Parted {
                 visible: Vec::new(),

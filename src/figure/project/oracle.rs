@@ -4,7 +4,9 @@ use glam::DVec3;
 
 use super::*;
 use crate::{
-    figure::{Edge3, Facet, Link, Mark3, Seer, Shape3, SolidMesh, SolidPicture},
+    figure::{
+        Edge3, Facet, Link, Mark3, Role, Seer, Shape, Shape3, SolidMesh, SolidPicture, Solids,
+    },
     geom::{Camera, Matrix, Orbit, Solid, ViewVolume},
 };
 

@@ -1,6 +1,8 @@
+use std::sync::Arc;
+
 use super::*;
 use crate::{
-    figure::{Edge3, Facet, Mark3, Seer, Shape3},
+    figure::{Edge3, Facet, Mark3, Role, Seer, Shape, Shape3},
     geom::Orbit,
 };
 
@@ -27,16 +29,18 @@ fn cube() -> Vec<Facet> {
         .collect()
 }
 
-fn seen(marks: Vec<Mark3>, eye: &Orbit) -> Vec<Mark> {
-    let facets = cube();
-    let space = Space {
+fn space_of(facets: Vec<Facet>, marks: Vec<Mark3>, eye: &Orbit) -> Space {
+    Space {
         title: None,
         seer: Seer::Eye(*eye),
         edges: Edge3::of(&facets).into(),
         facets: facets.into(),
         marks,
-    };
-    project(&space, &Lens::Eye(*eye))
+    }
+}
+
+fn seen(marks: Vec<Mark3>, eye: &Orbit) -> Vec<Mark> {
+    project(&space_of(cube(), marks, eye), &Lens::Eye(*eye))
 }
 
 #[test]
@@ -110,4 +114,54 @@ fn what_is_behind_the_eye_is_cut_off_before_it_is_divided() {
     );
     assert!(near[0][1][0] > near[0][0][0], "{near:?}: not mirrored");
     assert!(signal(seen(vec![line(12.0, 30.0)], &eye)).is_empty());
+}
+
+#[test]
+fn what_is_kept_of_the_last_space_is_what_would_be_found_anew() {
+    let eye = |yaw: f64| Orbit::new([0.0; 3], [yaw, 20.0], 8.0, 30.0);
+    let line = |role, x: f64| Mark3::new(role, Shape3::Segment([[x, 0.0, -4.0], [x, 0.5, 4.0]]));
+    let wash = Mark3::new(
+        Role::Accent,
+        Shape3::Wash(vec![[0.0; 3], [3.0, 0.0, 0.0], [0.0, 0.0, 3.0]]),
+    );
+    let mut lit = cube();
+    lit[2].role = Role::Signal;
+    let some = vec![line(Role::Ink, 0.2), wash.clone(), line(Role::Signal, 2.0)];
+    let changed = vec![line(Role::Ink, 0.2), line(Role::Signal, 0.5)];
+    let longer = [changed.clone(), some.clone()].concat();
+    let mut known = Projected::new(
+        &space_of(cube(), some.clone(), &eye(30.0)),
+        &Lens::Eye(eye(30.0)),
+    );
+    for (facets, marks, yaw) in [
+        (cube(), some.clone(), 30.0),
+        (cube(), changed.clone(), 30.0),
+        (cube(), longer, 30.0),
+        (cube(), Vec::new(), 30.0),
+        (cube(), some.clone(), 30.0),
+        (lit.clone(), some.clone(), 30.0),
+        (lit.clone(), changed, 50.0),
+        (Vec::new(), some, 50.0),
+    ] {
+        let solids = known.marks().iter().find_map(faces);
+        let is_alike = solids.is_some_and(|solids| *solids.facets == facets[..]);
+        let kept = solids.map(|solids| solids.facets.clone());
+        let (space, lens) = (space_of(facets, marks, &eye(yaw)), Lens::Eye(eye(yaw)));
+        known = known.again(&space, &lens);
+        assert_eq!(known.marks()[..], project(&space, &lens)[..]);
+        let now = known.marks().iter().find_map(faces);
+        if let (Some(kept), Some(now)) = (kept.filter(|_| is_alike && yaw == 30.0), now) {
+            assert!(
+                Arc::ptr_eq(&kept, &now.facets),
+                "what is alike is drawn once"
+            );
+        }
+    }
+}
+
+fn faces(mark: &Mark) -> Option<&crate::figure::Solids> {
+    match &mark.shape {
+        Shape::Solids(solids) => Some(solids),
+        _ => None,
+    }
 }

@@ -95,7 +95,9 @@ impl Obstacle {
 
 /// All of them on the stage.
 pub fn obstacles(viewport: &Viewport, theme: &Theme, pieces: &[LayeredPart<'_>]) -> Vec<Obstacle> {
-    let pieces = pieces.iter().filter(|piece| piece.layer != Layer::Glow);
+    let pieces = pieces
+        .iter()
+        .filter(|piece| !matches!(piece.layer, Layer::Glow | Layer::Casing));
     let all = pieces
         .flat_map(|piece| of_piece(viewport, theme, piece))
         .filter(|obstacle| obstacle.bounds().intersects(viewport.rect));

@@ -14,6 +14,9 @@ use super::super::Look;
 /// Text is not set smaller than this part of its natural size: what has still no room is folded, or left out.
 pub const LEAST_SCALE: f32 = 0.6;
 
+/// Text is set in few sizes: glyphs of each are drawn once, and a run has many steps.
+const STEP: f32 = 1.0 / 64.0;
+
 /// The size of a view's title, in points.
 const TITLE_PTS: f32 = 13.0;
 
@@ -100,7 +103,8 @@ impl<'a> Slate<'a> {
             if part >= 1.0 || slate.scale <= least {
                 break;
             }
-            slate.scale = (0.997 * slate.scale * part).max(least);
+            let scale = (slate.scale * part / STEP).ceil() - 1.0;
+            slate.scale = (scale * STEP).max(least);
         }
         slate
     }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use egui::{Align2, Context, Id, Rect, Role, Sense, StrokeKind, Ui, WidgetInfo, vec2};
 
 use crate::{
-    figure::{ColumnLayout, Lens, Link, Mark, Seer, Space, ViewId, project},
+    figure::{ColumnLayout, Lens, Link, Mark, Projected, Seer, Space, ViewId},
     paint::{self, Around, Viewport},
     widgets::{Look, hit, rect_of},
 };
@@ -49,32 +49,17 @@ pub fn under_title(rect: Rect, look: Look<'_>, shown: &Space) -> Rect {
     }
 }
 
-/// What was seen last, and what it came to: nothing is projected again that has not changed.
-#[derive(Clone)]
-struct Projected {
-    space: Space,
-    lens: Lens,
-    marks: Arc<[Mark]>,
-}
-
-/// What is seen of a space, as marks: under this name those of the last frame, if they still hold.
+/// What is seen of a space, as marks: what the last frame had under this name is not found again where it still holds.
 #[must_use]
 pub fn projected(ctx: &Context, id: Id, space: &Space, lens: &Lens) -> Arc<[Mark]> {
     let id = id.with("projected");
-    let known: Option<Projected> = ctx.data(|data| data.get_temp(id));
-    if let Some(known) = known
-        && known.lens == *lens
-        && known.space.is_same(space)
-    {
-        return known.marks;
-    }
-    let marks: Arc<[Mark]> = project(space, lens).into();
-    let now = Projected {
-        space: space.clone(),
-        lens: *lens,
-        marks: marks.clone(),
+    let known: Option<Option<Projected>> = ctx.data_mut(|data| data.remove_temp(id));
+    let now = match known.flatten() {
+        Some(known) => known.again(space, lens),
+        None => Projected::new(space, lens),
     };
-    ctx.data_mut(|data| data.insert_temp(id, now));
+    let marks = now.marks().clone();
+    ctx.data_mut(|data| data.insert_temp(id, Some(now)));
     marks
 }
 

@@ -1,0 +1,136 @@
+//! What is seen of a space, kept: of the next one only what differs is found anew.
+
+use std::sync::Arc;
+
+use crate::figure::{Edge3, Facet, Lens, Mark, Mark3, Role, Shape, Shape3, Solids, Space};
+
+use super::Seen;
+
+/// More edges than these are not drawn one by one.
+const MOST_EDGES: usize = 3_000;
+
+/// What is seen of a space through a lens.
+#[derive(Clone, Debug)]
+pub struct Projected {
+    space: Space,
+    lens: Lens,
+    /// None where the lens shows nothing.
+    seen: Option<Seen>,
+    /// Faces and edges.
+    solids: Vec<Mark>,
+    /// Of each of the space's own marks.
+    parts: Vec<Parts>,
+    marks: Arc<[Mark]>,
+}
+
+/// What a mark comes to.
+#[derive(Clone, Debug, Default)]
+struct Parts {
+    tint: Option<Mark>,
+    lines: Vec<Mark>,
+}
+
+impl Projected {
+    /// Of a space that nothing is known of yet.
+    #[must_use]
+    pub fn new(space: &Space, lens: &Lens) -> Self {
+        let mut seen = Seen::of(space, lens, hides(space));
+        let solids = seen.as_mut().map(|seen| seen.solids(space, lens));
+        let projected = Self {
+            space: Space {
+                marks: Vec::new(),
+                ..space.clone()
+            },
+            lens: *lens,
+            seen,
+            solids: solids.unwrap_or_default(),
+            parts: Vec::new(),
+            marks: Arc::new([]),
+        };
+        projected.with_marks(space)
+    }
+
+    /// Of a space that may be the same in part.
+    #[must_use]
+    pub fn again(self, space: &Space, lens: &Lens) -> Self {
+        if self.lens != *lens || !self.has_solids_of(space) || hides(space) != hides(&self.space) {
+            Self::new(space, lens)
+        } else if self.space.marks == space.marks {
+            self
+        } else {
+            self.with_marks(space)
+        }
+    }
+
+    /// Tints, then the solids with their edges, then the marks, each in parts where a solid hides some of it.
+    #[must_use]
+    pub const fn marks(&self) -> &Arc<[Mark]> {
+        &self.marks
+    }
+
+    /// The same solids, or others that are alike.
+    fn has_solids_of(&self, space: &Space) -> bool {
+        fn are_alike<T: PartialEq>(a: &Arc<[T]>, b: &Arc<[T]>) -> bool {
+            Arc::ptr_eq(a, b) || a == b
+        }
+        are_alike::<Facet>(&self.space.facets, &space.facets)
+            && are_alike::<Edge3>(&self.space.edges, &space.edges)
+    }
+
+    /// The same solids with the marks of this space.
+    fn with_marks(mut self, space: &Space) -> Self {
+        let Some(seen) = &mut self.seen else {
+            return self;
+        };
+        let known = self.space.marks.iter().zip(self.parts.drain(..));
+        let mut known = known.map(Some).chain(std::iter::repeat_with(|| None));
+        let parts = space.marks.iter().map(|mark| match known.next().flatten() {
+            Some((known, parts)) if known == mark => parts,
+            _ => Parts {
+                tint: seen.wash(mark),
+                lines: seen.mark(mark),
+            },
+        });
+        let parts: Vec<Parts> = parts.collect();
+        let tints = parts.iter().filter_map(|parts| parts.tint.as_ref());
+        let lines = parts.iter().flat_map(|parts| &parts.lines);
+        let marks = tints.chain(&self.solids).chain(lines).cloned().collect();
+        self.space.marks.clone_from(&space.marks);
+        Self {
+            parts,
+            marks,
+            ..self
+        }
+    }
+}
+
+/// Are there too many edges to draw them one by one?
+fn is_outlined(space: &Space) -> bool {
+    space.edges.len() > MOST_EDGES
+}
+
+/// Where no line is drawn, none is hidden.
+fn hides(space: &Space) -> bool {
+    let is_line = |mark: &Mark3| matches!(mark.shape, Shape3::Segment(_) | Shape3::Outline(_));
+    !is_outlined(space) || space.marks.iter().any(is_line)
+}
+
+impl Seen {
+    /// The faces of a space, and its edges.
+    fn solids(&mut self, space: &Space, lens: &Lens) -> Vec<Mark> {
+        let mut marks = Vec::new();
+        let is_outlined = is_outlined(space);
+        if !space.facets.is_empty() {
+            let solids = Solids {
+                facets: space.facets.clone(),
+                lens: *lens,
+                is_outlined,
+            };
+            marks.push(Mark::new(Role::Ink, Shape::Solids(solids)));
+        }
+        if !is_outlined {
+            marks.extend(space.edges.iter().flat_map(|edge| self.edge(edge)));
+        }
+        marks
+    }
+}
