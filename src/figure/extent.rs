@@ -86,8 +86,13 @@ impl View {
                 // Where there are more pixels they may be smaller: the picture is seen, if not each number.
                 let [least_columns, least_rows] =
                     [columns.clamp(9.0, 21.0), rows.min(16.0)].map(|n| 0.9 * n);
-                let natural = [(3.0 * columns).max(8.0), 3.0 * rows + 2.2];
-                (Stand::Drawing, [least_columns, least_rows + 2.2], natural)
+                let around = if raster.scale.is_some() { 4.4 } else { 2.2 };
+                let natural = [(3.0 * columns).max(8.0), 3.0 * rows + around];
+                (
+                    Stand::Drawing,
+                    [least_columns, least_rows + around],
+                    natural,
+                )
             }
             Body::NumberLine(_) => (Stand::Under, [14.0, 6.0], [f32::MAX, 8.0]),
             Body::Clippers(_) => (Stand::Across, [25.5, 5.6], [f32::MAX, 6.8]),

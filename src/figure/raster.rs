@@ -13,6 +13,8 @@ pub struct Raster {
     pub size: [usize; 2],
     /// One for each pixel.
     pub pixels: Vec<Pixel>,
+    /// What the darkest and the palest shade stand for, where that is to be read off.
+    pub scale: Option<[Value; 2]>,
     /// The pixel that this step is about, by column and row.
     pub current: Option<[usize; 2]>,
     /// What is drawn over the pixels.
@@ -88,6 +90,7 @@ mod tests {
             title: Value::Count(6),
             size: [3, 2],
             pixels: pixels.collect(),
+            scale: None,
             current: None,
             over: Vec::new(),
         };

@@ -10,18 +10,25 @@ alg-faulty-depth-straight = Depth buffer, distance straight across the screen
 
 code-depth-clear = picture ← background, z ← ∞
 words-depth-clear = Clear the picture to the background and every depth to infinity.
+code-depth-clear-reversed = picture ← background, z ← −∞
+words-depth-clear-reversed = Clear the picture to the background and every depth to minus infinity: nothing is farther.
 code-depth-triangle = for each triangle T
 words-depth-triangle = Take the triangles, in any order.
 code-depth-fragment = for each pixel in T: z_T ← depth of T there
 words-depth-fragment = For each pixel whose middle the triangle covers, find its depth there.
 code-depth-compare = if z_T < z[pixel]
 words-depth-compare = Compare it with the depth that stands there.
+code-depth-compare-reversed = if z_T > z[pixel]
 code-depth-write = picture[pixel] ← T, z[pixel] ← z_T
 words-depth-write = If it is less, write the triangle and its depth.
+words-depth-write-reversed = If it is greater, write the triangle and its depth: 1 is near.
 code-faulty-depth-clear = picture ← background, z ← 0
 words-faulty-depth-clear = Clear every depth to 0, the depth of the near plane.
+code-faulty-depth-clear-reversed = picture ← background, z ← 1
+words-faulty-depth-clear-reversed = Clear every depth to 1, the depth of the near plane.
 code-faulty-depth-compare = if z_T > z[pixel]
 words-faulty-depth-compare = Write where the new depth is greater.
+words-faulty-depth-compare-reversed = Write where the new depth is less, although 1 is near.
 code-faulty-depth-always = always
 words-faulty-depth-always = Do not compare at all.
 code-faulty-depth-straight = for each pixel in T: z_T ← distance, straight across the screen
@@ -60,6 +67,9 @@ depth-done = Done: { $fragments ->
 
 raster-depth = Depth in thousandths
 raster-depth-steps = Depth in { $bits } bits: 0 to { $last }
+raster-distance = Distance from the camera
+scale-near = near { $value }
+scale-far = { $value } far
 raster-wrong = { $count ->
     [one] One pixel is wrong
    *[other] { $count } pixels are wrong
@@ -347,6 +357,10 @@ raster-steps = A step is
 raster-steps-fragments = a fragment
 raster-steps-spans = a row of a triangle
 raster-steps-triangles = a triangle
+raster-tones = Tones tell
+raster-tones-triangles = which triangle
+raster-tones-stored = the depth as stored
+raster-tones-distance = its distance
 raster-number = Depth
 raster-reversed = Reversed: 1 is near
 raster-cull = Leave out back faces

@@ -10,18 +10,25 @@ alg-faulty-depth-straight = Búfer de profundidad, distancia lineal en pantalla
 
 code-depth-clear = picture ← background, z ← ∞
 words-depth-clear = Borra la imagen con el fondo y pon cada profundidad a infinito.
+code-depth-clear-reversed = picture ← background, z ← −∞
+words-depth-clear-reversed = Borra la imagen con el fondo y pon cada profundidad a menos infinito: nada está más lejos.
 code-depth-triangle = for each triangle T
 words-depth-triangle = Toma los triángulos, en cualquier orden.
 code-depth-fragment = for each pixel in T: z_T ← depth of T there
 words-depth-fragment = Para cada píxel cuyo centro cubre el triángulo, halla allí su profundidad.
 code-depth-compare = if z_T < z[pixel]
 words-depth-compare = Compárala con la profundidad guardada.
+code-depth-compare-reversed = if z_T > z[pixel]
 code-depth-write = picture[pixel] ← T, z[pixel] ← z_T
 words-depth-write = Si es menor, escribe el triángulo y su profundidad.
+words-depth-write-reversed = Si es mayor, escribe el triángulo y su profundidad: 1 es cerca.
 code-faulty-depth-clear = picture ← background, z ← 0
 words-faulty-depth-clear = Pon cada profundidad a 0, la del plano cercano.
+code-faulty-depth-clear-reversed = picture ← background, z ← 1
+words-faulty-depth-clear-reversed = Pon cada profundidad a 1, la del plano cercano.
 code-faulty-depth-compare = if z_T > z[pixel]
 words-faulty-depth-compare = Escribe cuando la nueva profundidad es mayor.
+words-faulty-depth-compare-reversed = Escribe cuando la nueva profundidad es menor, aunque 1 sea cerca.
 code-faulty-depth-always = always
 words-faulty-depth-always = No compares nada.
 code-faulty-depth-straight = for each pixel in T: z_T ← distance, straight across the screen
@@ -60,6 +67,9 @@ depth-done = Terminado: { $fragments ->
 
 raster-depth = Profundidad en milésimas
 raster-depth-steps = Profundidad en { $bits } bits: 0 a { $last }
+raster-distance = Distancia a la cámara
+scale-near = cerca { $value }
+scale-far = { $value } lejos
 raster-wrong = { $count ->
     [one] Un píxel equivocado
    *[other] { $count } píxeles equivocados
@@ -350,6 +360,10 @@ raster-steps = Un paso es
 raster-steps-fragments = un fragmento
 raster-steps-spans = una fila de un triángulo
 raster-steps-triangles = un triángulo
+raster-tones = Los tonos muestran
+raster-tones-triangles = qué triángulo
+raster-tones-stored = la profundidad guardada
+raster-tones-distance = su distancia
 raster-number = Profundidad
 raster-reversed = Invertida: 1 es cerca
 raster-cull = Descartar caras traseras

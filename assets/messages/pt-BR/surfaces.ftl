@@ -10,18 +10,25 @@ alg-faulty-depth-straight = Buffer de profundidade, distância linear na tela
 
 code-depth-clear = picture ← background, z ← ∞
 words-depth-clear = Limpe a imagem com o fundo e ponha cada profundidade em infinito.
+code-depth-clear-reversed = picture ← background, z ← −∞
+words-depth-clear-reversed = Limpe a imagem com o fundo e ponha cada profundidade em menos infinito: nada está mais longe.
 code-depth-triangle = for each triangle T
 words-depth-triangle = Pegue os triângulos, em qualquer ordem.
 code-depth-fragment = for each pixel in T: z_T ← depth of T there
 words-depth-fragment = Para cada pixel cujo centro o triângulo cobre, ache ali a sua profundidade.
 code-depth-compare = if z_T < z[pixel]
 words-depth-compare = Compare-a com a profundidade guardada.
+code-depth-compare-reversed = if z_T > z[pixel]
 code-depth-write = picture[pixel] ← T, z[pixel] ← z_T
 words-depth-write = Se for menor, escreva o triângulo e a sua profundidade.
+words-depth-write-reversed = Se for maior, escreva o triângulo e a sua profundidade: 1 é perto.
 code-faulty-depth-clear = picture ← background, z ← 0
 words-faulty-depth-clear = Ponha cada profundidade em 0, a do plano próximo.
+code-faulty-depth-clear-reversed = picture ← background, z ← 1
+words-faulty-depth-clear-reversed = Ponha cada profundidade em 1, a do plano próximo.
 code-faulty-depth-compare = if z_T > z[pixel]
 words-faulty-depth-compare = Escreva quando a nova profundidade é maior.
+words-faulty-depth-compare-reversed = Escreva quando a nova profundidade é menor, embora 1 seja perto.
 code-faulty-depth-always = always
 words-faulty-depth-always = Não compare nada.
 code-faulty-depth-straight = for each pixel in T: z_T ← distance, straight across the screen
@@ -60,6 +67,9 @@ depth-done = Pronto: { $fragments ->
 
 raster-depth = Profundidade em milésimos
 raster-depth-steps = Profundidade em { $bits } bits: 0 a { $last }
+raster-distance = Distância até a câmera
+scale-near = perto { $value }
+scale-far = { $value } longe
 raster-wrong = { $count ->
     [one] Um pixel errado
    *[other] { $count } pixels errados
@@ -350,6 +360,10 @@ raster-steps = Um passo é
 raster-steps-fragments = um fragmento
 raster-steps-spans = uma linha de um triângulo
 raster-steps-triangles = um triângulo
+raster-tones = Os tons mostram
+raster-tones-triangles = qual triângulo
+raster-tones-stored = a profundidade guardada
+raster-tones-distance = a sua distância
 raster-number = Profundidade
 raster-reversed = Invertida: 1 é perto
 raster-cull = Descartar faces traseiras

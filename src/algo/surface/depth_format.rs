@@ -75,6 +75,16 @@ impl DepthFormat {
         }
     }
 
+    /// The depth from 0 on the near plane to 1 on the far plane that a stored one stands for.
+    #[must_use]
+    pub const fn forward(&self, stored: f64) -> f64 {
+        if self.is_reversed {
+            1.0 - stored
+        } else {
+            stored
+        }
+    }
+
     /// Where nothing has been written: farther than everything.
     #[must_use]
     pub const fn nothing(&self) -> f64 {

@@ -18,6 +18,11 @@ pub trait SpaceDemo: Demo {
     /// Its input, from the scene.
     fn input(scene: &Scene) -> Self::Input;
 
+    /// Its card, where this scene changes its pseudocode.
+    fn card(_: &Scene) -> Option<&'static MethodCard> {
+        None
+    }
+
     /// The step that decided the fate of a face of the object in focus, and what was asked there.
     fn face_fate(_: &Scene, _face_idx: usize) -> Option<FaceFate> {
         None
@@ -40,6 +45,7 @@ impl MethodInfo<Scene> {
         Self {
             lab,
             card: MethodCard::of::<A>(),
+            card_on: A::card,
             subject: A::SUBJECT,
             tells_faces: A::TELLS_FACES,
             record: A::record,

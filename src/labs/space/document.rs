@@ -74,7 +74,8 @@ impl Document for Scene {
     }
 
     fn methods(&self) -> Vec<&'static MethodCard> {
-        self.on_stage().map(Method::card).collect()
+        let card = |method: Method| (method.info().card_on)(self).unwrap_or(method.card());
+        self.on_stage().map(card).collect()
     }
 
     fn set_method(&mut self, id: &str) {

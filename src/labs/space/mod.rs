@@ -23,7 +23,7 @@ pub use change::{CameraNumber, SpaceChange};
 pub use face_fate::{FaceFate, FaceTest};
 pub use object::{Model, NamedMesh, Object, Picture};
 pub use on_scene::{OnScene, OnSceneInput};
-pub use raster_plan::RasterPlan;
+pub use raster_plan::{RasterPlan, Tones};
 pub use scene::{MAX_OBJECTS, Method, Scene, SceneError};
 pub use space_lab::{MethodInfo, SpaceLab};
 pub use street::street;

@@ -16,6 +16,20 @@ pub struct RasterPlan {
     pub shuffle: Option<u64>,
     /// The pixel that is looked at, by column and row; one that the raster has not is none.
     pub pixel: Option<[u32; 2]>,
+    /// What the tones of a depth buffer tell.
+    pub tones: Tones,
+}
+
+/// What the tones of a depth buffer tell.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Tones {
+    /// Which triangle is seen.
+    #[default]
+    Triangles,
+    /// The depth as it is stored.
+    Stored,
+    /// The distance that it stands for.
+    Distance,
 }
 
 impl Default for RasterPlan {
@@ -27,6 +41,7 @@ impl Default for RasterPlan {
             culls_backs: false,
             shuffle: None,
             pixel: None,
+            tones: Tones::default(),
         }
     }
 }

@@ -46,6 +46,8 @@ pub struct MethodInfo<S: 'static> {
     pub lab: &'static SpaceLab<S>,
     /// Names, source and pseudocode.
     pub card: MethodCard,
+    /// The same for a scene that changes its pseudocode.
+    pub card_on: fn(&S) -> Option<&'static MethodCard>,
     /// What it is about.
     pub subject: Subject,
     /// Can it say what became of a face of the object in focus?

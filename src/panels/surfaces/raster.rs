@@ -6,7 +6,7 @@ use crate::{
     algo::surface::{DepthBits, DepthNumber, DepthSteps},
     labs::{
         Edit,
-        space::{RasterPlan, Scene, SpaceChange},
+        space::{RasterPlan, Scene, SpaceChange, Tones},
     },
     panels::{PanelAsk, number_field},
     widgets::{Look, form_button},
@@ -35,6 +35,7 @@ pub fn form(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
         });
         let looked_at = pixel(ui, look, plan).map(|plan| (plan, 2));
         let chosen = steps(ui, look, plan)
+            .or(tones(ui, look, plan))
             .or(number(ui, look, plan))
             .or(checks(ui, look, plan));
         let ask = |(plan, place)| PanelAsk::Tune(change(plan), FIRST_NUMBER + place);
@@ -66,20 +67,39 @@ fn change(plan: RasterPlan) -> Edit {
     Edit::own(SpaceChange::Raster(plan))
 }
 
-fn steps(ui: &mut Ui, look: Look<'_>, plan: RasterPlan) -> Option<RasterPlan> {
+fn steps(ui: &mut Ui, look: Look<'_>, mut plan: RasterPlan) -> Option<RasterPlan> {
     let kinds = [
         (DepthSteps::Fragments, "raster-steps-fragments"),
         (DepthSteps::Spans, "raster-steps-spans"),
         (DepthSteps::Triangles, "raster-steps-triangles"),
     ];
-    ui.label(look.say("raster-steps"));
+    plan.steps = one_of(ui, look, "raster-steps", (plan.steps, kinds))?;
+    Some(plan)
+}
+
+fn tones(ui: &mut Ui, look: Look<'_>, mut plan: RasterPlan) -> Option<RasterPlan> {
+    let kinds = [
+        (Tones::Triangles, "raster-tones-triangles"),
+        (Tones::Stored, "raster-tones-stored"),
+        (Tones::Distance, "raster-tones-distance"),
+    ];
+    plan.tones = one_of(ui, look, "raster-tones", (plan.tones, kinds))?;
+    Some(plan)
+}
+
+/// Radio buttons under a heading: the one that was chosen and is not so now.
+fn one_of<T: Copy + PartialEq>(
+    ui: &mut Ui,
+    look: Look<'_>,
+    heading: &'static str,
+    (now, kinds): (T, [(T, &'static str); 3]),
+) -> Option<T> {
+    ui.label(look.say(heading));
     let mut asked = None;
-    for (steps, key) in kinds {
-        let is_so = plan.steps == steps;
+    for (kind, key) in kinds {
+        let is_so = now == kind;
         if ui.radio(is_so, look.say(key)).clicked() && !is_so {
-            let mut new = plan;
-            new.steps = steps;
-            asked = Some(new);
+            asked = Some(kind);
         }
     }
     asked

@@ -19,8 +19,11 @@ use super::{
 const MOST_WIDTH: f32 = 40.0;
 /// Room for the title.
 const TITLE: f32 = 28.0;
+/// Room for the scale of shades, and so many of them are told apart.
+const SCALE: f32 = 28.0;
+const SHADES: usize = 16;
 /// Smaller ones have no lines between them.
-const LEAST_IN_GRID: f32 = 5.0;
+const LEAST_IN_GRID: f32 = 9.0;
 /// What is stored is written in this size at most, and at least; in points.
 const LARGEST: f32 = 11.0;
 const SMALLEST: f32 = 4.5;
@@ -29,8 +32,9 @@ const CHARACTER: f32 = 0.6;
 const AROUND: f32 = 0.3;
 /// Numbers are as large as so many digits have room for.
 const DIGITS: usize = 3;
-/// The darkest that a shade may be under ink.
+/// The darkest that a shade may be under ink, and where there is none.
 const DARKEST: f32 = 0.45;
+const DARKEST_BARE: f32 = 0.9;
 
 impl OnSlate for Raster {
     fn slate<'a>(&self, painter: &'a Painter, look: Look<'a>, _rect: Rect) -> Slate<'a> {
@@ -44,6 +48,13 @@ impl OnSlate for Raster {
         self.fill(slate, origin, width);
         if width >= slate.pts(LEAST_IN_GRID) {
             self.grid(slate, origin, width);
+        } else {
+            let [columns, rows] = self.size.map(|n| n as f32 * width);
+            let whole = Rect::from_min_size(origin.round(), vec2(columns, rows));
+            let line = slate.theme().stroke(2.0, slate.theme().hairline);
+            slate
+                .painter
+                .rect_stroke(whole, 0.0, line, StrokeKind::Outside);
         }
         for row in 0..self.size[1] {
             for column in 0..self.size[0] {
@@ -62,6 +73,9 @@ impl OnSlate for Raster {
         }
         if let Some(current) = self.current {
             ring(slate, square(origin, width, current));
+        }
+        if let Some(ends) = &self.scale {
+            self.draw_scale(slate, (origin, width), ends);
         }
         for mark in &self.over {
             draw_over(slate, (origin.round(), width), mark);
@@ -82,9 +96,10 @@ impl OnSlate for Raster {
 impl Raster {
     /// Tones, each as far to the right as it goes: there may be very many pixels.
     fn fill(&self, slate: &Slate<'_>, origin: Pos2, width: f32) {
+        let darkest = self.darkest(slate, width);
         let tone_at = |column: usize, row: usize| {
             let pixel = self.at([column, row])?;
-            Some(tone(slate.theme(), pixel.role?, pixel.shade))
+            Some(shaded(slate.theme(), pixel.role?, pixel.shade, darkest))
         };
         let [columns, rows] = self.size;
         for row in 0..rows {
@@ -103,6 +118,15 @@ impl Raster {
         }
     }
 
+    /// Where shades are to be read off, and no numbers with them, they go as far as they can.
+    fn darkest(&self, slate: &Slate<'_>, width: f32) -> f32 {
+        if self.scale.is_some() && number_pts(slate, width, DIGITS) < SMALLEST {
+            DARKEST_BARE
+        } else {
+            DARKEST
+        }
+    }
+
     /// Lines between pixels, and around all.
     fn grid(&self, slate: &Slate<'_>, origin: Pos2, width: f32) {
         let theme = slate.theme();
@@ -118,6 +142,27 @@ impl Raster {
         }
     }
 
+    /// Under the pixels, as wide as they are: from the darkest shade to the palest, between what they stand for.
+    fn draw_scale(&self, slate: &mut Slate<'_>, (origin, width): (Pos2, f32), ends: &[Value; 2]) {
+        let [columns, rows] = self.size.map(|n| n as f32 * width);
+        let top = origin.round() + vec2(0.0, rows + 0.5 * slate.pts(SCALE));
+        let style = (Face::Plain, LARGEST, slate.theme().soft);
+        let [near, far] = ends.each_ref().map(|end| slate.low(end, style));
+        let near = slate.put(&near, top, Align2::LEFT_CENTER);
+        let far = slate.put(&far, top + vec2(columns, 0.0), Align2::RIGHT_CENTER);
+        let gap = slate.pts(8.0);
+        let bar = Rect::from_x_y_ranges(near.right() + gap..=far.left() - gap, near.y_range());
+        let step = bar.width() / SHADES as f32;
+        let darkest = self.darkest(slate, width);
+        for i in 0..SHADES {
+            let [left, right] = [i, i + 1].map(|i| (bar.left() + i as f32 * step).round());
+            let part = Rect::from_x_y_ranges(left..=right, bar.y_range());
+            let shade = 1.0 - (i as f64 + 0.5) / SHADES as f64;
+            let tone = shaded(slate.theme(), Role::Soft, shade, darkest);
+            slate.painter.rect_filled(part, 0.0, tone);
+        }
+    }
+
     /// The pixel at a place on the screen.
     fn pixel_at(&self, origin: Pos2, width: f32, at: Pos2) -> Option<[usize; 2]> {
         let place = (at - origin.round()) / width;
@@ -130,7 +175,8 @@ impl Raster {
     /// Whole pixels of the screen, so that all squares are alike.
     fn pixel_width(&self, slate: &Slate<'_>, rect: Rect) -> f32 {
         let [columns, rows] = self.size.map(|n| n.max(1) as f32);
-        let height = rect.height() - slate.pts(TITLE);
+        let scale = if self.scale.is_some() { SCALE } else { 0.0 };
+        let height = rect.height() - slate.pts(TITLE + scale);
         let fits = (rect.width() / columns).min(height / rows);
         fits.min(slate.pts(MOST_WIDTH)).floor().max(1.0)
     }
@@ -147,8 +193,7 @@ fn write(slate: &mut Slate<'_>, place: Rect, value: &Value) {
         Value::Name(name) => name.chars().count(),
         _ => DIGITS,
     };
-    let wide = CHARACTER * n_characters as f32 + AROUND;
-    let pts = (place.width() / (wide * slate.pts(1.0))).min(LARGEST);
+    let pts = number_pts(slate, place.width(), n_characters);
     if pts < SMALLEST {
         return;
     }
@@ -158,15 +203,25 @@ fn write(slate: &mut Slate<'_>, place: Rect, value: &Value) {
     }
 }
 
+/// The size of so many characters in a pixel of this width.
+fn number_pts(slate: &Slate<'_>, width: f32, n_characters: usize) -> f32 {
+    let wide = CHARACTER * n_characters as f32 + AROUND;
+    (width / (wide * slate.pts(1.0))).min(LARGEST)
+}
+
 /// A role's tone, the darker the larger the shade, light enough for ink.
 pub fn tone(theme: &Theme, role: Role, shade: f64) -> Color32 {
+    shaded(theme, role, shade, DARKEST)
+}
+
+fn shaded(theme: &Theme, role: Role, shade: f64, darkest: f32) -> Color32 {
     let colour = match role {
         Role::Ink | Role::Soft | Role::Faint | Role::Discarded => theme.soft,
         Role::Accent => theme.accent,
         Role::Signal => theme.signal,
         Role::Accepted => theme.accepted,
     };
-    let strength = 0.1 + (DARKEST - 0.1) * shade.clamp(0.0, 1.0) as f32;
+    let strength = 0.1 + (darkest - 0.1) * shade.clamp(0.0, 1.0) as f32;
     colour.gamma_multiply(strength)
 }
 

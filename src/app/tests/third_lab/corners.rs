@@ -197,6 +197,7 @@ fn raster(state: &State, current: Option<usize>) -> Raster {
         title: Value::Name("d".to_owned()),
         size: [4, 2],
         pixels: (0..8).map(pixel).collect(),
+        scale: None,
         current: current.map(|idx| [idx % 4, idx / 4]),
         over: Vec::new(),
     }

@@ -217,6 +217,7 @@ fn raster(step: &Step<'_, Shown>) -> Raster {
             own,
             lettered(picture, |id| name_of(step.input, id)),
         ),
+        scale: None,
         current: None,
         over,
     }

@@ -2,7 +2,7 @@
 
 use crate::{
     algo::surface::{DepthBits, DepthFormat, DepthNumber, DepthSteps},
-    labs::space::RasterPlan,
+    labs::space::{RasterPlan, Tones},
     lesson::{
         sink::Sink,
         toml_fields::{Item, TomlFields, list, one_of, whole},
@@ -10,11 +10,18 @@ use crate::{
     text::Message,
 };
 
-const FIELDS: [&str; 6] = ["rows", "steps", "depth", "cull", "shuffle", "pixel"];
+const FIELDS: [&str; 7] = [
+    "rows", "steps", "depth", "cull", "shuffle", "pixel", "tones",
+];
 const STEPS: [(&str, DepthSteps); 3] = [
     ("fragments", DepthSteps::Fragments),
     ("spans", DepthSteps::Spans),
     ("triangles", DepthSteps::Triangles),
+];
+const TONES: [(&str, Tones); 3] = [
+    ("triangles", Tones::Triangles),
+    ("depth", Tones::Stored),
+    ("distance", Tones::Distance),
 ];
 /// Formats of depths: whole numbers of so many bits, and floating point; reversed, 1 is near.
 const DEPTHS: [&str; 16] = [
@@ -48,11 +55,7 @@ pub(super) fn raster(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<RasterPlan>
         plan = plan.with_rows(whole(item, range, sink)? as u32);
     }
     if let Some(item) = fields.get("steps") {
-        let names = STEPS.map(|(name, _)| name);
-        plan.steps = one_of(item, &names, "problem-unknown-value", sink, |name| {
-            let known = STEPS.into_iter().find(|(known, _)| *known == name);
-            known.map(|(_, steps)| steps)
-        })?;
+        plan.steps = named(item, STEPS, sink)?;
     }
     if let Some(item) = fields.get("depth") {
         plan.format = one_of(item, &DEPTHS, "problem-unknown-value", sink, format_of)?;
@@ -67,7 +70,19 @@ pub(super) fn raster(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<RasterPlan>
     if let Some(item) = fields.get("pixel") {
         plan.pixel = Some(pixel(item, sink)?);
     }
+    if let Some(item) = fields.get("tones") {
+        plan.tones = named(item, TONES, sink)?;
+    }
     (sink.n_errors() == n_errors).then_some(plan)
+}
+
+/// What one of these names stands for.
+fn named<T: Copy>(item: &Item<'_>, all: [(&str, T); 3], sink: &mut Sink<'_>) -> Option<T> {
+    let names = all.map(|(name, _)| name);
+    one_of(item, &names, "problem-unknown-value", sink, |name| {
+        let known = all.into_iter().find(|(known, _)| *known == name);
+        known.map(|(_, value)| value)
+    })
 }
 
 /// Column and row, from 0 at the top left.
@@ -121,5 +136,9 @@ pub(super) fn raster_to_toml(plan: &RasterPlan) -> Option<String> {
         plan.pixel
             .map(|[column, row]| format!("pixel = [{column}, {row}]")),
     );
+    let tones = TONES.into_iter().find(|(_, tones)| *tones == plan.tones);
+    if let Some((name, _)) = tones.filter(|(_, tones)| *tones != usual.tones) {
+        parts.push(format!("tones = \"{name}\""));
+    }
     (!parts.is_empty()).then(|| format!("{{ {} }}", parts.join(", ")))
 }

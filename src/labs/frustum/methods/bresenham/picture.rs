@@ -153,6 +153,7 @@ pub fn raster(drawn: &DrawnSegment, state: &State, event: Option<Event>) -> Rast
         title: Value::Message(title.with("columns", columns).with("rows", rows)),
         size: [columns, rows],
         pixels,
+        scale: None,
         current,
         over: over(state, event),
     }

@@ -3,6 +3,7 @@
 mod captions;
 mod curve;
 mod numbers;
+mod shades;
 mod story;
 mod variant;
 mod views;
@@ -19,7 +20,7 @@ use crate::{
     },
     figure::{Caption, Run, Tick, View, Watch, WatchRow, WatchSection},
     labs::{
-        Answer, CodeLine, Demo, Step, record_beside,
+        Answer, CodeLine, Demo, MethodCard, Step, record_beside,
         space::soup::{order, surfaces_on_raster},
         space::{OnScene, OnSceneInput, Scene, Subject, demo::SpaceDemo},
         words::{name, pixel_formula},
@@ -71,6 +72,16 @@ impl<L: Variant> SpaceDemo for Shown<L> {
             }
         };
         OnSceneInput::of(scene, own)
+    }
+
+    fn card(scene: &Scene) -> Option<&'static MethodCard> {
+        let reversed = const {
+            &MethodCard {
+                code: L::REVERSED,
+                ..MethodCard::of::<Self>()
+            }
+        };
+        scene.raster.format.is_reversed.then_some(reversed)
     }
 
     fn record(scene: &Scene) -> Box<dyn Run> {

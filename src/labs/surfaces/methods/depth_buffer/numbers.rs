@@ -1,9 +1,21 @@
 //! Depths as they are stored, in words and in pixels.
 
 use crate::{
-    algo::surface::{DepthFormat, DepthNumber, Fragment},
+    algo::surface::{DepthFormat, DepthNumber, Fragment, Rays},
     text::{Formula, Value},
 };
+
+use super::variant::Variant;
+
+/// Along a pixel's ray, t where the depth is this by these rules.
+pub fn t_of<L: Variant>(rays: &Rays, depth: f64) -> f64 {
+    if L::STRAIGHT_DISTANCE {
+        let [near, far] = [1.0, rays.far()].map(|t| rays.distance(t));
+        rays.t_of(near + depth * (far - near))
+    } else {
+        rays.t_at(depth)
+    }
+}
 
 /// As the buffer holds it: of fixed point the number of its step.
 fn shown(format: &DepthFormat, stored: f64) -> f64 {

@@ -2,19 +2,28 @@
 
 use crate::{
     algo::surface::{DepthBuffer, DepthBufferInput, DepthNumber, Rays},
-    figure::{Body, Mark3, Raster, Role, Shape3, View},
+    figure::{Body, Mark3, Pixel, Raster, Role, Shape3, View},
     labs::{
         Step,
-        space::stage::{Fate, Scenery},
+        space::{
+            Tones,
+            stage::{Fate, Scenery},
+        },
         surfaces::methods::on_raster::{
             faces, fitting, outline, pixels, sight, titled, wrong_pixels,
         },
     },
-    text::{Message, Value},
     trace::silent,
 };
 
-use super::{Shown, curve::curves, numbers::in_pixel, story::story, variant::Variant};
+use super::{
+    Shown,
+    curve::curves,
+    numbers::{in_pixel, t_of},
+    shades::Shades,
+    story::story,
+    variant::Variant,
+};
 
 const RASTER_VIEW: &str = "raster";
 const CURVE_VIEW: &str = "curve";
@@ -37,7 +46,10 @@ pub fn views<L: Variant>(step: &Step<'_, Shown<L>>) -> Vec<View> {
     let look = faces([(own, Role::Accent)], scene);
     let mut views = vec![
         scenery.observer_with(|_| Fate::ToCome, look, marks(step, scenery)),
-        View::new(RASTER_VIEW, Body::Raster(raster(step))),
+        View::new(
+            RASTER_VIEW,
+            Body::Raster(raster(step, scenery.scene().raster.tones)),
+        ),
     ];
     let format = &step.input.own.format;
     if format.number != DepthNumber::Double {
@@ -62,20 +74,9 @@ fn marks<L: Variant>(step: &Step<'_, Shown<L>>, scenery: &Scenery) -> Vec<Mark3>
         let far = |pixel| sight(surfaces, camera, pixel, rays.far());
         return pixel_of(step).map(far).unwrap_or_default();
     };
-    let stored = if step.input.own.format.is_reversed {
-        1.0 - fragment.stored
-    } else {
-        fragment.stored
-    };
+    let stored = step.input.own.format.forward(fragment.stored);
     let ray = rays.through(fragment.pixel);
-    let [near, far] = [1.0, rays.far()].map(|t| rays.distance(t));
-    let t_of = |depth: f64| {
-        if L::STRAIGHT_DISTANCE {
-            rays.t_of(near + depth * (far - near))
-        } else {
-            rays.t_at(depth)
-        }
-    };
+    let t_of = |depth: f64| t_of::<L>(&rays, depth);
     let at = |depth: f64| camera.world_from_view(ray.at(t_of(depth)));
     let mut marks = sight(surfaces, camera, fragment.pixel, t_of(fragment.depth));
     if fragment.stored_id >= 0 && (0.0..=1.0).contains(&stored) {
@@ -94,7 +95,7 @@ fn marks<L: Variant>(step: &Step<'_, Shown<L>>, scenery: &Scenery) -> Vec<Mark3>
 }
 
 /// The picture so far; where one pixel is looked at, the whole picture, so that it is known where that is.
-fn raster<L: Variant>(step: &Step<'_, Shown<L>>) -> Raster {
+fn raster<L: Variant>(step: &Step<'_, Shown<L>>, tones: Tones) -> Raster {
     let own = &step.input.own;
     let whole = own.pixel.map(|_| {
         silent::<DepthBuffer<L>>(&DepthBufferInput {
@@ -105,14 +106,15 @@ fn raster<L: Variant>(step: &Step<'_, Shown<L>>) -> Raster {
     let so_far = whole.as_ref().unwrap_or(&step.state.so_far);
     let current = step.state.triangle.map(|(id, _)| id);
     let depth = |place: usize| in_pixel(&own.format, *so_far.depth.get(place)?);
-    let [columns, rows] = own.surfaces.size().map(|side| side as usize);
-    let mut title = match own.format.number {
-        DepthNumber::Double | DepthNumber::Single => Value::Term("raster-depth"),
-        DepthNumber::Fixed(bits) => {
-            let message = Message::new("raster-depth-steps").with("bits", bits.get() as usize);
-            Value::Message(message.with("last", bits.largest() as usize))
-        }
+    let shades = Shades {
+        rays: Rays::of(&own.surfaces),
+        format: &own.format,
+        tones,
     };
+    let shaded = so_far.depth.iter();
+    let shaded: Option<Vec<Pixel>> = shaded.map(|&depth| shades.pixel::<L>(depth)).collect();
+    let [columns, rows] = own.surfaces.size().map(|side| side as usize);
+    let mut title = shades.title();
     let mut over = current.map_or_else(Vec::new, |id| outline(&own.surfaces, id, Role::Accent));
     if step.state.is_done {
         let wrong = wrong_pixels(&own.surfaces, &so_far.picture);
@@ -122,7 +124,8 @@ fn raster<L: Variant>(step: &Step<'_, Shown<L>>) -> Raster {
     Raster {
         title,
         size: [columns, rows],
-        pixels: pixels(&so_far.picture, current, depth),
+        pixels: shaded.unwrap_or_else(|| pixels(&so_far.picture, current, depth)),
+        scale: shades.scale(),
         current: pixel_of(step).map(|pixel| pixel.map(|x| x as usize)),
         over,
     }

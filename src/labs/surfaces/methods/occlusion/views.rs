@@ -91,6 +91,7 @@ fn raster(step: &Step<'_, Shown>) -> Raster {
             let is_asked = |_: &Value| step.state.asked.iter().any(|(pixel, _)| *pixel == here);
             names(place).filter(|name| !is_asked(name))
         }),
+        scale: None,
         current: None,
         over,
     }

@@ -125,6 +125,7 @@ fn raster<L: Variant>(step: &Step<'_, Shown<L>>) -> Raster {
             own,
             lettered(picture, |id| name_of(step.input, id)),
         ),
+        scale: None,
         current: None,
         over,
     }

@@ -111,6 +111,7 @@ fn raster(step: &Step<'_, Shown>, own: Option<u32>) -> Raster {
             own,
             lettered(picture, |id| name_of(step.input, id)),
         ),
+        scale: None,
         current: current.map(|(pixel, _)| pixel.map(|x| x as usize)),
         over: Vec::new(),
     }
