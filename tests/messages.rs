@@ -75,6 +75,22 @@ fn every_language_says_what_english_says() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
+/// In Portuguese `[one]` is said of 0, too: where it spells the number it is `[1]`.
+#[test]
+fn nothing_is_not_one_in_portuguese() {
+    let brazilian = texts().filter(|(lang, ..)| *lang == Lang::PtBr);
+    let lines =
+        brazilian.flat_map(|(_, area, source)| source.lines().map(move |line| (area, line)));
+    let is_spelt = |line: &str| {
+        line.split(' ')
+            .any(|word| matches!(word, "um" | "uma" | "Um" | "Uma"))
+    };
+    let wrong: Vec<_> = lines
+        .filter(|(_, line)| line.trim_start().starts_with("[one]") && is_spelt(line))
+        .collect();
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
 #[test]
 fn every_message_can_be_said() {
     for lang in Lang::ALL {

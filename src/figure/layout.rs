@@ -16,11 +16,16 @@
 //! Everything is settled by what a whole run wants ([`super::needs`]), so that no step moves anything.
 
 mod column;
+mod groups;
 mod slot;
 #[cfg(test)]
 mod tests;
+mod way;
 
-use super::{Need, Stand, ViewId};
+use super::{Need, ViewId};
+
+use groups::Groups;
+use way::Way;
 
 pub use self::{column::ColumnLayout, slot::Slot};
 
@@ -30,8 +35,6 @@ const DRAWING: [f32; 2] = [0.45, 0.42];
 const READABLE: f32 = 13.0;
 /// The same of its width, where there is no room otherwise, or text is larger: what is read has it first.
 const NARROW: f32 = 0.36;
-/// Of what views want at least this part is better than nothing.
-const LOW: f32 = 0.82;
 /// An inset takes so much of its drawing's width, and no more of its height.
 const INSET: [f32; 2] = [0.27, 0.4];
 /// Between a drawing and what stands beside it, and under it; in ems.
@@ -71,43 +74,6 @@ pub struct Layout {
     pub title: Slot,
     /// One or two.
     pub columns: Vec<ColumnLayout>,
-}
-
-/// Where that stands which belongs beside the drawing.
-#[derive(Clone, Copy)]
-enum Way {
-    /// There.
-    Beside,
-    /// Under the drawing: the column is narrow.
-    Under,
-    /// Beside the drawing after all, which is narrow itself: the column is low, too. What measures it is wider.
-    Narrow,
-    /// Under it after all, and all of them are low.
-    Low,
-}
-
-impl Way {
-    /// What is tried first in columns of this shape: what is higher than it is wide has more room under the drawing.
-    fn roomy(is_portrait: bool) -> [Self; 3] {
-        if is_portrait {
-            [Self::Under, Self::Beside, Self::Narrow]
-        } else {
-            [Self::Beside, Self::Under, Self::Narrow]
-        }
-    }
-
-    /// What views want at least, if they stand so.
-    fn wanted(self, needs: &[Need]) -> Vec<Need> {
-        let part = match self {
-            Self::Beside | Self::Under | Self::Narrow => 1.0,
-            Self::Low => LOW,
-        };
-        let lower = |need: &Need| Need {
-            least: [need.least[0], part * need.least[1]],
-            ..*need
-        };
-        needs.iter().map(lower).collect()
-    }
 }
 
 impl Sheet {
@@ -208,47 +174,21 @@ impl Sheet {
         needs: &[Need],
         most: [f32; 2],
     ) -> Vec<(ViewId, Slot)> {
-        let stands = |stand| needs.iter().position(|need| need.stand == stand);
-        let Some(first) = stands(Stand::Drawing).or(stands(Stand::Inset)) else {
+        let Some(groups) = Groups::of(needs, way) else {
             return Vec::new();
         };
-        let drawing = &needs[first];
-        let others = needs[..first].iter().chain(&needs[first + 1..]);
-        let (insets, others): (Vec<&Need>, Vec<&Need>) =
-            others.partition(|need| need.stand == Stand::Inset);
-        let (over, others): (Vec<&Need>, Vec<&Need>) = others
-            .into_iter()
-            .partition(|need| need.stand == Stand::Over);
-        let (mut across, others): (Vec<&Need>, Vec<&Need>) = others
-            .into_iter()
-            .partition(|need| need.stand == Stand::Across);
-        let (mut under, mut beside): (Vec<&Need>, Vec<&Need>) = others
-            .into_iter()
-            .partition(|need| matches!(need.stand, Stand::Under | Stand::Foot));
-        match way {
-            Way::Beside => {}
-            Way::Under | Way::Low => under.append(&mut beside),
-            Way::Narrow => {
-                let wider = under.extract_if(.., |need| need.stand == Stand::Under);
-                across.splice(..0, wider).for_each(drop);
-            }
-        }
+        let Groups {
+            drawing,
+            insets,
+            over,
+            across,
+            under,
+            beside,
+        } = groups;
         let over = self.across(way, &mut stage, drawing, over, Slot::take_top);
         let across = self.across(way, &mut stage, drawing, across, Slot::take_bottom);
         let [width, height] = stage.size();
-        let (em, least_width) = match way {
-            Way::Beside => {
-                let part = if self.em > READABLE {
-                    NARROW
-                } else {
-                    DRAWING[0]
-                };
-                let least = drawing.least[0] * READABLE.min(self.em);
-                (self.em, least.max(part * width))
-            }
-            Way::Narrow => (READABLE.min(self.em), NARROW * width),
-            Way::Under | Way::Low => (self.em, width),
-        };
+        let (em, least_width) = self.least_width(way, drawing, width);
         let gap_x = GAP[0] * em;
         let room = width - least_width - gap_x - self.inset;
         let side_width = beside.iter().map(|need| need.natural[0] * self.em);
@@ -294,6 +234,24 @@ impl Sheet {
         slots.extend(across);
         slots.extend(self.insets(drawn, &insets));
         slots
+    }
+
+    /// The size of text that views beside a drawing are measured by, and what that keeps of a column's width.
+    fn least_width(&self, way: Way, drawing: &Need, width: f32) -> (f32, f32) {
+        let readable = READABLE.min(self.em);
+        match way {
+            Way::Beside => {
+                let part = if self.em > READABLE {
+                    NARROW
+                } else {
+                    DRAWING[0]
+                };
+                let least = drawing.least[0] * readable;
+                (self.em, least.max(part * width))
+            }
+            Way::Narrow => (readable, NARROW * width),
+            Way::Under | Way::Low => (self.em, width),
+        }
     }
 
     /// In the lower right corner of the drawing, each to the left of the one before, in its own proportions.

@@ -8,6 +8,8 @@ pub struct Texture {
     size: [usize; 2],
     /// The same numbers.
     ends: [f32; 2],
+    /// Where columns and rows are powers of 2: one less than each, and the power of the columns.
+    masks: Option<([u32; 2], u32)>,
     /// 0x00rrggbb
     texels: Arc<[u32]>,
 }
@@ -34,6 +36,10 @@ impl Texture {
         is_usable.then(|| Self {
             size,
             ends: size.map(|n| n as f32),
+            masks: size
+                .iter()
+                .all(|n| n.is_power_of_two())
+                .then(|| (size.map(|n| n as u32 - 1), size[0].trailing_zeros())),
             texels: texels
                 .iter()
                 .map(|&[r, g, b]| u32::from_be_bytes([0, r, g, b]))
@@ -74,19 +80,38 @@ impl Texture {
     /// Where the texels stand. A call of its own: what it writes side by side is worked out side by side.
     #[inline(never)]
     fn indices<const N: usize>(&self, [u, v]: &[[f32; N]; 2]) -> [u32; N] {
-        let [columns, rows] = self.size.map(|n| n as u32);
         let [n_columns, n_rows] = self.ends;
+        if let Some(([last_column, last_row], bits)) = self.masks {
+            let right = masked_places(u, n_columns, last_column);
+            let up = masked_places(v, n_rows, last_row);
+            return std::array::from_fn(|i| (last_row - up[i]) << bits | right[i]);
+        }
+        let [columns, rows] = self.size.map(|n| n as u32);
         let (right, up) = (places(u, n_columns), places(v, n_rows));
         std::array::from_fn(|i| (rows - 1 - up[i]) * columns + right[i])
     }
 }
 
-/// Which of `n` texels beside each other, from 0 to 1 and from there on again. Floats from 2²³ on hold whole numbers in their
-/// last bits: nothing is cast, which the processor would do one by one.
+/// Floats from 2²³ on hold whole numbers in their last bits: nothing is cast, which the processor would do one by one.
+const WHOLE: f32 = 8_388_608.0;
+const WHOLE_OF_ANY_SIGN: f32 = 1.5 * WHOLE;
+
+/// Which of `n` texels beside each other, from 0 to 1 and from there on again, `n` being a power of 2 and `last` one less: what
+/// is added by going on again is a multiple of `n`.
+#[inline]
+fn masked_places<const N: usize>(along: &[f32; N], n: f32, last: u32) -> [u32; N] {
+    std::array::from_fn(|i| {
+        let part = along[i] - ((along[i] + WHOLE_OF_ANY_SIGN) - WHOLE_OF_ANY_SIGN);
+        let place = part * n;
+        let nearest = place + WHOLE_OF_ANY_SIGN;
+        let is_above = nearest - WHOLE_OF_ANY_SIGN > place;
+        nearest.to_bits().wrapping_sub(u32::from(is_above)) & last
+    })
+}
+
+/// Which of `n` texels beside each other, from 0 to 1 and from there on again.
 #[inline]
 fn places<const N: usize>(along: &[f32; N], n: f32) -> [u32; N] {
-    const WHOLE: f32 = 8_388_608.0;
-    const WHOLE_OF_ANY_SIGN: f32 = 1.5 * WHOLE;
     let last = n - 1.0;
     let places: [f32; N] = std::array::from_fn(|i| {
         let part = along[i] - ((along[i] + WHOLE_OF_ANY_SIGN) - WHOLE_OF_ANY_SIGN);
@@ -111,6 +136,34 @@ mod tests {
         (place as u32).min(n as u32 - 1)
     }
 
+    /// The same without any rounding.
+    fn exact_place(along: f32, n: usize) -> u32 {
+        let along = f64::from(along);
+        ((along - along.floor()) * n as f64) as u32
+    }
+
+    #[test]
+    fn where_sides_are_powers_of_two_places_are_exact() {
+        for bits in [0, 1, 3, 10, 13] {
+            let n = 1_usize << bits;
+            let masked = |along: &[f32; 4]| masked_places(along, n as f32, n as u32 - 1);
+            let mut along = -8.0_f32;
+            while along < 8.0 {
+                let beside = [along.next_down(), along, along.next_up(), along / 3.0];
+                assert_eq!(
+                    masked(&beside),
+                    beside.map(|x| exact_place(x, n)),
+                    "{beside:?}"
+                );
+                along += 1.0 / 256.0;
+            }
+            let small = [0.0, -0.0, f32::MIN_POSITIVE, -1e-6];
+            assert_eq!(masked(&small), small.map(|x| exact_place(x, n)));
+            let large = [4096.125, -70_000.375, 1e6, -0.1];
+            assert_eq!(masked(&large), large.map(|x| exact_place(x, n)));
+        }
+    }
+
     #[test]
     fn places_are_those_of_the_floor() {
         for n in [1, 2, 3, 7, 1000, 1024, Texture::MAX_SIDE] {
@@ -132,7 +185,8 @@ mod tests {
 
     #[test]
     fn there_is_a_texel_wherever_one_is_asked_for() {
-        let texture = Texture::new([3, 2], [[9; 3]; 6]).expect("six texels");
+        let odd = Texture::new([3, 2], [[9; 3]; 6]).expect("six texels");
+        let even = Texture::new([4, 2], [[9; 3]; 8]).expect("eight texels");
         let mut wild = vec![f32::NAN, f32::INFINITY, f32::NEG_INFINITY];
         for power in 0..128 {
             let large = f32::from_bits((127 + power) << 23);
@@ -145,8 +199,10 @@ mod tests {
             ]);
         }
         for &u in &wild {
-            assert_eq!(texture.at([u, 0.5]), [9; 3]);
-            assert_eq!(texture.at([0.5, u]), [9; 3]);
+            for texture in [&odd, &even] {
+                assert_eq!(texture.at([u, 0.5]), [9; 3]);
+                assert_eq!(texture.at([0.5, u]), [9; 3]);
+            }
         }
     }
 

@@ -1,6 +1,6 @@
 //! A step's sentence: the decision semibold, the arithmetic after it.
 
-use egui::{Label, Painter, Rect, TextStyle, Ui, UiBuilder, Vec2, pos2, vec2};
+use egui::{FontId, Label, Painter, Rect, TextStyle, Ui, UiBuilder, Vec2, pos2, vec2};
 
 use crate::{
     figure::Caption,
@@ -14,6 +14,9 @@ use super::Look;
 const ROW_PTS: f32 = 32.0;
 /// White space above and below.
 const MARGIN_PTS: f32 = 8.0;
+
+/// What is too long is set in smaller type, down to this, before anything is left out.
+const SMALLER: [f32; 3] = [1.0, 0.9, 0.8];
 
 /// Of many captions so many are set to see how high they are.
 const MOST_MEASURED: usize = 4;
@@ -75,31 +78,41 @@ pub fn caption(ui: &mut Ui, look: Look<'_>, rect: Rect, shown: &Caption) {
 pub struct CaptionLayout(Typeset);
 
 impl CaptionLayout {
-    /// Sets a caption in lines. Where it does not fit into the room, steps are left out from the middle of its
-    /// arithmetic; the decision is always whole.
+    /// Sets a caption in lines. Where it does not fit into the room it is smaller, and where that is not enough, steps are
+    /// left out from the middle of its arithmetic; the decision is always whole.
     #[must_use]
     pub fn new(painter: &Painter, look: Look<'_>, caption: &Caption, room: Vec2) -> Self {
         let style = painter.ctx().global_style();
-        let font = |of: TextStyle| of.resolve(&style);
-        let decision = Span::message(
-            look.catalog,
-            &caption.decision,
-            font(theme::caption_strong()),
-            look.theme.ink,
-        );
-        let set = |formulas: Vec<Vec<Piece>>| {
+        let font = |of: TextStyle, part: f32| {
+            let font = of.resolve(&style);
+            FontId::new(part * font.size, font.family)
+        };
+        let set = |(formulas, part): (Vec<Vec<Piece>>, f32)| {
+            let decision = Span::message(
+                look.catalog,
+                &caption.decision,
+                font(theme::caption_strong(), part),
+                look.theme.ink,
+            );
             let arithmetic = Span {
                 pieces: in_a_row(formulas),
-                font: font(theme::caption()),
+                font: font(theme::caption(), part),
                 colour: look.theme.soft,
                 italics: false,
             };
-            Typeset::wrapped(painter, &[decision.clone(), arithmetic], room.x)
+            Typeset::wrapped(painter, &[decision, arithmetic], room.x)
         };
-        let fitting = shorter_and_shorter(look.catalog, caption)
+        let [.., smallest] = SMALLER;
+        let whole = || shorter_and_shorter(look.catalog, caption).next();
+        let smaller = SMALLER
+            .into_iter()
+            .filter_map(|part| Some((whole()?, part)));
+        let shorter = shorter_and_shorter(look.catalog, caption).skip(1);
+        let fitting = smaller
+            .chain(shorter.map(|formulas| (formulas, smallest)))
             .map(set)
             .find(|typeset| typeset.size().y <= room.y);
-        Self(fitting.unwrap_or_else(|| set(Vec::new())))
+        Self(fitting.unwrap_or_else(|| set((Vec::new(), smallest))))
     }
 
     /// Of all its lines.

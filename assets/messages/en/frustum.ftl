@@ -63,7 +63,7 @@ point-inside = P is inside the { $plane } plane.
 point-on = P is on the { $plane } plane, which counts as inside.
 point-outside = P is outside the { $plane } plane.
 point-done-inside = None of { $planes } planes has P outside: it is in the volume.
-point-done-outside = { $outside } of { $planes } planes have P outside: it is not in the volume.
+point-done-outside = P is outside { $outside } of { $planes } planes: it is not in the volume.
 code-plane-each = for each plane (n, D):
 code-point-distance = d ← n·P + D
 code-point-outside = if d < 0: outside
@@ -149,6 +149,7 @@ words-face-decide = Backs of closed solids are hidden by their fronts.
 
 ## The funnel
 
+level-so-far = so far
 level-scene = in the scene
 level-spheres = after the spheres
 level-vertices = after the vertices

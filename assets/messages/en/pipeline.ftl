@@ -53,7 +53,7 @@ pipeline-view-ahead = Row 3 measures backwards: P is { $value } ahead, and so z 
 pipeline-clip-x = Row 1 scales x, so that left and right stand at x = ±w.
 pipeline-clip-y = Row 2 scales y, so that bottom and top stand at y = ±w.
 pipeline-clip-z = Row 3 puts near at z = −w and far at z = w.
-pipeline-clip-w = Row 4 copies the depth into w: { $value }, by which will be divided.
+pipeline-clip-w = Row 4 copies the depth into w: { $value }, the divisor to come.
 pipeline-clip-w-parallel = Row 4 leaves w at 1: with parallel sight lines nothing is to be divided.
 pipeline-inside = Inside: x, y and z lie between −w and w.
 pipeline-outside = Outside: clipping takes P away.

@@ -61,7 +61,7 @@ depth-done = Done: { $fragments ->
   }, { $writes } of them written, for { $pixels ->
     [one] one pixel
    *[other] { $pixels } pixels
-  }. So often each was computed on average:
+  }. Average times each was computed:
 
 ## Views
 

@@ -149,6 +149,7 @@ words-face-decide = En un sólido cerrado, las caras delanteras tapan las traser
 
 ## The funnel
 
+level-so-far = hasta ahora
 level-scene = en la escena
 level-spheres = tras las esferas
 level-vertices = tras los vértices

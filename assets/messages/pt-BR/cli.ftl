@@ -92,7 +92,7 @@ case-front = Mostra a frente: n·e = { $dot }.
 case-back = Não mostra a frente: n·e = { $dot }.
 case-polygons =
     { $n ->
-        [one] Um polígono: { $rings }
+        [1] Um polígono: { $rings }
        *[other] { $n } polígonos: { $rings }
     }
 case-surfaces-seen = { $seen } de { $pixels } pixels mostram uma superfície.
@@ -102,7 +102,7 @@ case-bsp-pieces = A árvore contém { $pieces } peças; { $seen } de { $pixels }
 case-bsp-too-large = Os planos cortariam estes triângulos em mais de { $pieces } pedaços, ou classificariam pedaços mais de { $questions } vezes: não se constrói uma árvore de tantos.
 case-triangles =
     { $n ->
-        [one] Um triângulo: { $triangles }
+        [1] Um triângulo: { $triangles }
        *[other] { $n } triângulos: { $triangles }
     }
 

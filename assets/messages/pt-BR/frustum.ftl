@@ -63,7 +63,7 @@ point-inside = P está do lado de dentro do plano { $plane }.
 point-on = P está no plano { $plane }, o que conta como dentro.
 point-outside = P está do lado de fora do plano { $plane }.
 point-done-inside = Nenhum dos { $planes } planos deixa P fora: está no volume.
-point-done-outside = { $outside } de { $planes } planos deixam P fora: não está no volume.
+point-done-outside = P está fora de { $outside } dos { $planes } planos: não está no volume.
 code-plane-each = para cada plano (n, D):
 code-point-distance = d ← n·P + D
 code-point-outside = se d < 0: fora
@@ -82,7 +82,7 @@ sphere-opening = Uma esfera em torno de todos os vértices responde pelo objeto:
 sphere-inside = A esfera está do lado de dentro do plano { $plane }.
 sphere-straddles = A esfera cruza o plano { $plane }.
 sphere-outside = A esfera está do lado de fora do plano { $plane }: descartada inteira.
-sphere-done-inside = Os { $planes } planos a têm dentro: nenhum triângulo precisa de teste.
+sphere-done-inside = Está dentro dos { $planes } planos: nenhum triângulo precisa de teste.
 sphere-done-straddles = Cruza { $cut } de { $planes } planos: seus triângulos são testados.
 planes-done-outside = O plano { $plane } a rejeita após { $planes ->
         [one] { $planes } teste
@@ -116,7 +116,7 @@ box-in-vain = Cruza { $cut ->
         [one] { $cut } plano
        *[other] { $cut } planos
     } e, mesmo assim, nada dela está dentro de todos.
-box-done-inside = Os { $planes } planos a têm dentro.
+box-done-inside = Está dentro dos { $planes } planos.
 box-done-straddles = Nenhum dos { $planes } planos a rejeita: seus triângulos são testados.
 box-done-in-vain = Os { $planes } planos a mantêm e ela seria desenhada em vão: é conservador, não errado.
 code-box-corners = contar cantos com n·p + D < 0
@@ -149,6 +149,7 @@ words-face-decide = Em um sólido fechado, as faces da frente escondem as trasei
 
 ## The funnel
 
+level-so-far = até agora
 level-scene = na cena
 level-spheres = após as esferas
 level-vertices = após os vértices
@@ -318,11 +319,11 @@ pixel-seen = O pixel { $at } mostra a face { $face } do objeto { $object }: { $c
   }
 pixel-empty = Nenhuma face cobre o pixel { $at }.
 pixel-other = { $count ->
-    [one] Um pixel
+    [1] Um pixel
    *[other] { $count } pixels
   } { $direction } vê-se a face { $face } do objeto { $object }.
 pixel-other-nothing = { $count ->
-    [one] Um pixel
+    [1] Um pixel
    *[other] { $count } pixels
   } { $direction } não se vê nada.
 pixel-right = à direita

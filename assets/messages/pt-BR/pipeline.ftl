@@ -53,7 +53,7 @@ pipeline-view-ahead = A linha 3 mede para trás: P está { $value } à frente, e
 pipeline-clip-x = A linha 1 escala x: esquerda e direita ficam em x = ±w.
 pipeline-clip-y = A linha 2 escala y: embaixo e em cima ficam em y = ±w.
 pipeline-clip-z = A linha 3 põe o plano próximo em z = −w e o distante em z = w.
-pipeline-clip-w = A linha 4 copia a profundidade em w: { $value }, pelo qual se dividirá.
+pipeline-clip-w = A linha 4 copia a profundidade para w: { $value }, o futuro divisor.
 pipeline-clip-w-parallel = A linha 4 deixa w em 1: com linhas de visão paralelas não há nada a dividir.
 pipeline-inside = Dentro: x, y e z estão entre −w e w.
 pipeline-outside = Fora: o recorte tira P.
@@ -77,7 +77,7 @@ object-to = até
 case-too-many-pixels = A linha tem { $found } pixels: são aceitos no máximo { $max }.
 case-pixels =
     { $count ->
-        [one] Um pixel.
+        [1] Um pixel.
        *[other] { $count } pixels.
     }
 
@@ -109,7 +109,7 @@ drawn-line-reject = Nada dela está dentro: nenhum pixel.
 drawn-line-divide = Divididas por w e escaladas, as duas pontas são lugares na tela.
 drawn-line-round = Cada ponta vai ao pixel em que está; a linha passa agora de centro a centro.
 drawn-line-first = { $at } é o primeiro pixel. e diz de que lado do próximo ponto médio a linha passa.
-drawn-line-straight = e = { $e } < 0: a linha não chega ao ponto médio. Um reto, a { $at }.
-drawn-line-diagonal = e = { $e } > 0: a linha passa além do ponto médio. Um na diagonal, a { $at }.
+drawn-line-straight = e = { $e } < 0: a linha não chega ao ponto médio. Um passo reto, até { $at }.
+drawn-line-diagonal = e = { $e } > 0: a linha passa além do ponto médio. Um passo na diagonal, até { $at }.
 drawn-line-tie-straight = e = 0: exatamente entre dois pixels, e toma-se a coordenada menor: { $at }.
 drawn-line-tie-diagonal = e = 0: exatamente entre dois pixels, e toma-se a coordenada menor: { $at }, na diagonal.

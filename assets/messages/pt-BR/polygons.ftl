@@ -71,7 +71,7 @@ ear-cut = { $triangle } é destacado pela diagonal { $diagonal }: restam { $n } 
 ear-last = Restam três vértices: { $triangle } é o último triângulo.
 ear-done =
     { $n ->
-        [one] Pronto: um triângulo, tal como foi dado.
+        [1] Pronto: um triângulo, tal como foi dado.
        *[other] Pronto: { $n } triângulos, dois a menos que os vértices.
     }
 ear-list-ring = O que resta
@@ -109,7 +109,7 @@ tac-touch = { $triangle } apenas toca a região: nenhum pedaço.
 tac-finish =
     { $n ->
         [0] Pronto: nenhum pedaço. O polígono não entra na região.
-        [one] Pronto: um pedaço.
+        [1] Pronto: um pedaço.
        *[other] Pronto: { $n } pedaços, todos convexos: sem pontes.
     }
 tac-list-triangles = Triângulos
@@ -290,7 +290,7 @@ wa-done-clip = Pronto: o polígono de recorte está dentro do polígono a recort
 wa-done-equal = Pronto: os dois polígonos são o mesmo, e a resposta também.
 wa-done-crossing =
     { $n ->
-        [one] Pronto: um pedaço.
+        [1] Pronto: um pedaço.
        *[other] Pronto: { $n } pedaços.
     }
 wa-list-subject = Lista do polígono

@@ -41,7 +41,7 @@ faulty-depth-straight-differs = O passo { $step } é o primeiro que difere: esta
 ## The depth buffer
 
 depth-opening = { $triangles ->
-    [one] Um triângulo
+    [1] Um triângulo
    *[other] { $triangles } triângulos
   } em { $columns } × { $rows } pixels: { $pixels } profundidades, uma por pixel, de { $bits } bits cada uma: { $bytes } bytes.
 depth-clear = Limpo: nenhum dos { $pixels } pixels tem triângulo.
@@ -56,12 +56,12 @@ depth-fragment-tie = No pixel { $at }, { $triangle } está tão próximo quanto 
 depth-fragment-lost-to-nothing = No pixel { $at } { $triangle } não é escrito, embora ali não houvesse nada.
 depth-nothing = nada
 depth-done = Pronto: { $fragments ->
-    [one] um fragmento
+    [1] um fragmento
    *[other] { $fragments } fragmentos
   }, { $writes } deles escritos, para { $pixels ->
-    [one] um pixel
+    [1] um pixel
    *[other] { $pixels } pixels
-  }. Vezes que cada um foi calculado, em média:
+  }. Em média, cada um foi calculado tantas vezes:
 
 ## Views
 
@@ -71,7 +71,7 @@ raster-distance = Distância até a câmera
 scale-near = perto { $value }
 scale-far = { $value } longe
 raster-wrong = { $count ->
-    [one] Um pixel errado
+    [1] Um pixel errado
    *[other] { $count } pixels errados
   }
 depth-done-nothing = Pronto: de { $fragments } fragmentos nenhum foi escrito.
@@ -107,10 +107,10 @@ words-ray-inside = Se o ponto está no triângulo, o raio o atinge.
 code-ray-nearest = picture[pixel] ← T of the smallest t
 words-ray-nearest = Vê-se o ponto atingido de menor t.
 ray-opening = { $rays ->
-    [one] Um raio
+    [1] Um raio
    *[other] { $rays } raios
   } para { $columns } × { $rows } pixels; cada um pergunta a { $triangles ->
-    [one] um triângulo.
+    [1] um triângulo.
    *[other] { $triangles } triângulos.
   }
 ray-pixel = O raio pelo centro do pixel { $at }: em t = 0 o olho, em t = 1 o plano próximo.
@@ -124,15 +124,15 @@ ray-says-before-near = { $triangle } é cortado antes do plano próximo: t < 1.
 ray-says-beyond-far = { $triangle } é cortado além do plano distante.
 ray-says-beside = O raio corta o plano de { $triangle } fora do triângulo: não o atinge.
 ray-seen = O pixel { $at } fica com { $triangle }: o menor t de { $hits ->
-    [one] um ponto atingido.
+    [1] um ponto atingido.
    *[other] { $hits } pontos atingidos.
   }
 ray-seen-nothing = O pixel { $at } continua fundo: nenhum triângulo é atingido.
 ray-done = Pronto: { $rays ->
-    [one] um raio, que
+    [1] um raio, que
    *[other] { $rays } raios, cada um dos quais
   } perguntou a { $triangles ->
-    [one] um triângulo
+    [1] um triângulo
    *[other] { $triangles } triângulos
   }.
 ray-culled = não perguntado
@@ -177,7 +177,7 @@ faulty-painter-nearest-differs = O passo { $step } é o primeiro que difere: a c
 faulty-painter-keys-differs = O passo { $step } é o primeiro que difere: não se pergunta a ninguém se este pode ser o próximo.
 surfaces-first = Só os primeiros { $triangles } de { $all } triângulos: ninguém poderia acompanhar os passos de todos.
 painter-opening = { $triangles ->
-    [one] Há um triângulo
+    [1] Há um triângulo
    *[other] Há { $triangles } triângulos
   } para pintar, primeiro o mais distante: o que se pinta depois esconde o que está lá.
 painter-key = { $triangle } tem a chave { $key }. Fica entre estas distâncias:
@@ -194,7 +194,7 @@ painter-cycle-first = Um ciclo: { $triangle } espera por si mesmo.
 painter-cycle-next = { $before } deve ser pintado antes de { $triangle }.
 painter-paint = { $triangle } é pintado sobre tudo: { $place } de { $triangles }.
 painter-done = Pronto: perguntou-se por { $pairs ->
-    [one] um par
+    [1] um par
    *[other] { $pairs } pares
   } de { $triangles } triângulos.
 painter-done-cycle = Não existe ordem: cada um de { $cycle } triângulos deve vir antes do seguinte, e o último antes do primeiro.
@@ -223,7 +223,7 @@ words-bsp-visit = Ao percorrer, pergunte em cada nó de que lado está o olho.
 code-bsp-paint = walk(other side); paint node; walk(eye’s side)
 words-bsp-paint = Primeiro o outro lado, depois o próprio nó e por fim o lado do olho.
 bsp-opening = { $triangles ->
-    [one] Um triângulo vira
+    [1] Um triângulo vira
    *[other] { $triangles } triângulos viram
   } uma árvore de planos, construída uma vez e percorrida para cada olho.
 bsp-node-root = O plano de { $triangle } é o primeiro nó.
@@ -264,23 +264,23 @@ words-occlusion-skip = Em nenhum: pule-o.
 code-occlusion-draw = else draw P
 words-occlusion-draw = Senão, desenhe-o.
 occlusion-opening = { $objects ->
-    [one] Um objeto
+    [1] Um objeto
    *[other] { $objects } objetos
   } em { $columns } × { $rows } pixels. O terço dos que estão na imagem que cobre mais pixels esconde os demais e é desenhado primeiro: { $occluders }.
 occlusion-none = nenhum
 occlusion-occluder = { $object } é um oclusor e é desenhado sem consulta: { $triangles ->
-    [one] um triângulo,
+    [1] um triângulo,
    *[other] { $triangles } triângulos,
   } { $writes ->
-    [one] um fragmento escrito.
+    [1] um fragmento escrito.
    *[other] { $writes } fragmentos escritos.
   }
 occlusion-seen = A caixa de { $object } cobre { $asked ->
-    [one] um pixel
+    [1] um pixel
    *[other] { $asked } pixels
   } e seria vista em { $passed }. Nada é escrito.
 occlusion-hidden = A caixa de { $object } cobre { $asked ->
-    [one] um pixel
+    [1] um pixel
    *[other] { $asked } pixels
   } e não seria vista em nenhum: em toda parte há algo mais próximo.
 occlusion-beside = A caixa de { $object } não cobre nenhum pixel.
@@ -290,24 +290,24 @@ occlusion-skip = { $object } é pulado: { $triangles ->
    *[other] seus { $triangles } triângulos não são desenhados.
   }
 occlusion-draw = { $object } é desenhado: { $triangles ->
-    [one] um triângulo,
+    [1] um triângulo,
    *[other] { $triangles } triângulos,
   } { $writes ->
-    [one] um fragmento escrito.
+    [1] um fragmento escrito.
    *[other] { $writes } fragmentos escritos.
   }
 occlusion-in-vain = { $object } é desenhado em vão, { $triangles ->
-    [one] um triângulo:
+    [1] um triângulo:
    *[other] { $triangles } triângulos:
   } sua caixa seria vista em { $passed ->
-    [one] um pixel,
+    [1] um pixel,
    *[other] { $passed } pixels,
   } o próprio { $object } em nenhum. Uma caixa pode dizer demais, nunca de menos.
 occlusion-done = Pronto: { $drawn ->
-    [one] um desenhado
+    [1] um desenhado
    *[other] { $drawn } desenhados
   }, { $skipped ->
-    [one] um pulado
+    [1] um pulado
    *[other] { $skipped } pulados
   }. { $spared } de { $triangles } triângulos são poupados, e a imagem é a mesma que se tudo tivesse sido desenhado.
 occlusion-objects = objetos
@@ -325,15 +325,15 @@ watch-triangles-spared = triângulos poupados
 
 owns-nothing = { $surface } não cobre nenhum pixel do raster.
 owns-none = { $surface } cobre { $covered ->
-    [one] um pixel
+    [1] um pixel
    *[other] { $covered } pixels
   } e não é visto em nenhum: em toda parte há outra coisa na frente.
 owns-all = { $surface } cobre { $covered ->
-    [one] um pixel e é visto nele.
+    [1] um pixel e é visto nele.
    *[other] { $covered } pixels e é visto em todos.
   }
 owns-some = { $surface } cobre { $covered } pixels e é visto em { $seen }; em { $hidden ->
-    [one] um
+    [1] um
    *[other] { $hidden }
   } há outra coisa na frente.
 

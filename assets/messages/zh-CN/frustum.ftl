@@ -134,6 +134,7 @@ words-face-decide = 封闭立体的背面总被正面挡住。
 
 ## The funnel
 
+level-so-far = 至此
 level-scene = 场景中
 level-spheres = 包围球之后
 level-vertices = 顶点之后

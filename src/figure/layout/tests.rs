@@ -1,6 +1,7 @@
 //! Nothing overlaps, and what there is no room for is left out.
 
 use super::*;
+use crate::figure::Stand;
 
 fn need(id: &'static str, stand: Stand, least: [f32; 2], natural: [f32; 2]) -> Need {
     let id = ViewId(id);

@@ -1,7 +1,7 @@
 //! How much is left after each test.
 
 use crate::{
-    algo::cull::{CullRules, FunnelEvent as Event, FunnelLevels, Level},
+    algo::cull::{Containment, CullRules, FunnelEvent as Event, FunnelLevels, Level},
     figure::{Ribbon, RibbonStage, WatchRow},
     labs::Step,
     text::{Message, Value},
@@ -31,6 +31,7 @@ const fn levels_of(levels: &FunnelLevels) -> [Level; 5] {
 /// What has come through each gate so far.
 pub fn ribbon<L: CullRules>(step: &Step<'_, Shown<L>>) -> Ribbon {
     let levels = levels_of(&step.state.levels);
+    let to_come = to_come(step);
     let at_work = match step.event {
         Some(Event::Object { .. }) => Some(0),
         Some(Event::Plane { .. } | Event::Sphere { .. }) => Some(1),
@@ -42,13 +43,15 @@ pub fn ribbon<L: CullRules>(step: &Step<'_, Shown<L>>) -> Ribbon {
     let stage = |i: usize| {
         let Level { objects, triangles } = levels[i];
         let before = i.checked_sub(1).map(|i| levels[i].triangles);
+        let known = (triangles + to_come[i]) as i64;
+        let change = before.map(|before| known - before as i64);
         RibbonStage {
-            title: Message::new(TITLES[i]),
+            title: Message::new(if i == 0 { "level-so-far" } else { TITLES[i] }),
             counts: Message::new("level-counts")
                 .with("objects", objects)
                 .with("triangles", triangles),
             amount: triangles,
-            change: before.map(|before| triangles as i64 - before as i64),
+            change: change.filter(|change| *change != 0 || to_come[i] == 0),
             is_to_come: levels[0].triangles == 0,
         }
     };
@@ -59,6 +62,28 @@ pub fn ribbon<L: CullRules>(step: &Step<'_, Shown<L>>) -> Ribbon {
         at_work,
         most: given.max(levels[3].triangles),
     }
+}
+
+/// Of the object whose turn it is: triangles, or their pieces, that stand before each gate and have not been asked there.
+fn to_come<L: CullRules>(step: &Step<'_, Shown<L>>) -> [usize; 5] {
+    let state = step.state;
+    let mut to_come = [0; 5];
+    let Some(object_idx) = state.object_idx else {
+        return to_come;
+    };
+    let n = step.input.own.objects[object_idx].triangles.len();
+    match state.sphere.class {
+        None => to_come[1] = n,
+        Some(Containment::Outside) => {}
+        Some(Containment::Inside) => to_come[4] = n - state.faces.len(),
+        Some(Containment::Straddles) => {
+            to_come[2] = n - state.triangles.len();
+            if let Some(Event::Triangle { n_pieces, .. }) = step.event {
+                to_come[4] = n_pieces;
+            }
+        }
+    }
+    to_come
 }
 
 /// The same as rows of an answer key.

@@ -6,13 +6,14 @@ use crate::{
     labs::{
         Step,
         space::{
-            Tones,
+            Scene,
             stage::{Fate, Scenery},
         },
         surfaces::methods::on_raster::{
-            faces, fitting, outline, pixels, sight, titled, wrong_pixels,
+            faces, fitting, lettered, name_of, outline, pixels, sight, titled, wrong_pixels,
         },
     },
+    text::Value,
     trace::silent,
 };
 
@@ -46,10 +47,7 @@ pub fn views<L: Variant>(step: &Step<'_, Shown<L>>) -> Vec<View> {
     let look = faces([(own, Role::Accent)], scene);
     let mut views = vec![
         scenery.observer_with(|_| Fate::ToCome, look, marks(step, scenery)),
-        View::new(
-            RASTER_VIEW,
-            Body::Raster(raster(step, scenery.scene().raster.tones)),
-        ),
+        View::new(RASTER_VIEW, Body::Raster(raster(step, scenery.scene()))),
     ];
     let format = &step.input.own.format;
     if format.number != DepthNumber::Double {
@@ -94,27 +92,52 @@ fn marks<L: Variant>(step: &Step<'_, Shown<L>>, scenery: &Scenery) -> Vec<Mark3>
     marks
 }
 
-/// The picture so far; where one pixel is looked at, the whole picture, so that it is known where that is.
-fn raster<L: Variant>(step: &Step<'_, Shown<L>>, tones: Tones) -> Raster {
+/// How many triangles have come to the pixel that is looked at, or have passed beside it.
+fn n_drawn<L: Variant>(step: &Step<'_, Shown<L>>) -> usize {
+    let (own, state) = (&step.input.own, step.state);
+    let place = |id: u32| own.order.iter().position(|&other| other == id);
+    match state.triangle.and_then(|(id, _)| place(id)) {
+        _ if state.is_done => own.order.len(),
+        Some(before) => before + usize::from(state.fragment.is_some()),
+        None => 0,
+    }
+}
+
+/// The picture so far; where one pixel is looked at, all of the picture's pixels, so that it is known where that is. Beside two others
+/// there is no room for depths, and triangles have their names as they have there.
+fn raster<L: Variant>(step: &Step<'_, Shown<L>>, scene: &Scene) -> Raster {
     let own = &step.input.own;
     let whole = own.pixel.map(|_| {
         silent::<DepthBuffer<L>>(&DepthBufferInput {
             pixel: None,
+            order: own.order[..n_drawn(step)].to_vec(),
             ..own.clone()
         })
     });
     let so_far = whole.as_ref().unwrap_or(&step.state.so_far);
     let current = step.state.triangle.map(|(id, _)| id);
-    let depth = |place: usize| in_pixel(&own.format, *so_far.depth.get(place)?);
+    let is_narrow = scene.beside.len() > 1;
+    let named = lettered(&so_far.picture, |id| name_of(step.input, id));
+    let said = |place: usize| {
+        if is_narrow {
+            named(place)
+        } else {
+            in_pixel(&own.format, *so_far.depth.get(place)?)
+        }
+    };
     let shades = Shades {
         rays: Rays::of(&own.surfaces),
         format: &own.format,
-        tones,
+        tones: scene.raster.tones,
     };
     let shaded = so_far.depth.iter();
     let shaded: Option<Vec<Pixel>> = shaded.map(|&depth| shades.pixel::<L>(depth)).collect();
     let [columns, rows] = own.surfaces.size().map(|side| side as usize);
-    let mut title = shades.title();
+    let mut title = if is_narrow {
+        Value::Term("raster-so-far")
+    } else {
+        shades.title()
+    };
     let mut over = current.map_or_else(Vec::new, |id| outline(&own.surfaces, id, Role::Accent));
     if step.state.is_done {
         let wrong = wrong_pixels(&own.surfaces, &so_far.picture);
@@ -124,7 +147,7 @@ fn raster<L: Variant>(step: &Step<'_, Shown<L>>, tones: Tones) -> Raster {
     Raster {
         title,
         size: [columns, rows],
-        pixels: shaded.unwrap_or_else(|| pixels(&so_far.picture, current, depth)),
+        pixels: shaded.unwrap_or_else(|| pixels(&so_far.picture, current, said)),
         scale: shades.scale(),
         current: pixel_of(step).map(|pixel| pixel.map(|x| x as usize)),
         over,
