@@ -71,9 +71,8 @@ impl Shades<'_> {
     }
 }
 
-/// A distance with at most three digits before or after its point: a pixel has no room for more.
+/// A distance with at most three digits: a pixel has no room for more.
 fn short(distance: f64) -> Value {
-    let digits = 2 - (distance.abs().max(1.0).log10().floor() as i32).min(2);
-    let scale = 10_f64.powi(digits.min(1));
-    Value::Formula(Formula::decimals().num((distance * scale).round() / scale))
+    let parts = if distance.abs() < 100.0 { 10.0 } else { 1.0 };
+    Value::Formula(Formula::decimals().num((distance * parts).round() / parts))
 }
