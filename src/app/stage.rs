@@ -17,8 +17,8 @@ use crate::{
     text::Message,
     widgets::{
         Canvas, CanvasShown, Spot, StepWords, TEXT_PTS, beside_the_drawing, caption_text, covered,
-        gripped, headline, link_at, picture_viewport, projected, rect_of, slot_of, title_of_space,
-        under_title,
+        gripped, headline, link_at, picture_viewport, projected, rect_of, slot_of, title_ground,
+        title_of_space, under_title,
     },
 };
 
@@ -306,6 +306,9 @@ impl Column<'_> {
             Some(seen) => Cow::Borrowed(&seen[..]),
             None => state.marks(self.index, model, frame),
         };
+        let corner = rect.shrink2(vec2(INDENT, 0.0));
+        let mut covered = covered(self.places, drawing.0, look);
+        covered.extend(space.and_then(|space| title_ground(ui, look, corner, space)));
         let shown = Canvas {
             id,
             viewport,
@@ -320,13 +323,13 @@ impl Column<'_> {
             has_grid: is_flat,
             pointed: self.pointed(model, ui, is_drawing, (&viewport, drawing.1), &marks),
             marks: &marks,
-            covered: &covered(self.places, drawing.0, look),
+            covered: &covered,
             lit,
             look,
         }
         .show(ui);
         if let Some(space) = space {
-            title_of_space(ui, look, rect.shrink2(vec2(INDENT, 0.0)), space);
+            title_of_space(ui, look, corner, space);
         }
         state.canvas_ids.push(id);
         let ids = spots.iter().map(|spot| id.with(spot.index));

@@ -75,7 +75,7 @@ impl View {
                 let [low, high] = if n > 2.0 { [6.5, 10.0] } else { [5.0, 6.0] };
                 (Stand::Across, [5.0 * n, low], [f32::MAX, high])
             }
-            Body::Spaces(_) => (Stand::Over, [30.0, 7.4], [f32::MAX, 9.0]),
+            Body::Spaces(_) => (Stand::Over, [30.0, 7.4], [f32::MAX, 8.0]),
             Body::Matrix(product) => {
                 let rows = product.rows.len() as f32;
                 let least = [17.0, 4.5 + 1.8 * rows];

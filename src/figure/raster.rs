@@ -31,6 +31,14 @@ pub struct RasterMark {
     pub shape: RasterShape,
 }
 
+impl RasterMark {
+    /// A line stands under what is stored, so that both can be read.
+    #[must_use]
+    pub const fn is_line(&self) -> bool {
+        matches!(self.shape, RasterShape::Line(_))
+    }
+}
+
 /// What is drawn over pixels.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum RasterShape {

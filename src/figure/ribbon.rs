@@ -24,6 +24,6 @@ pub struct RibbonStage {
     pub amount: usize,
     /// What the gate has taken away, or added: written at it, `−166`, once it is known.
     pub change: Option<i64>,
-    /// Has the run not come here yet? Drawn pale.
+    /// Has the run not come here yet? Its counts are not told.
     pub is_to_come: bool,
 }

@@ -10,6 +10,7 @@ use fluent_bundle::{FluentArgs, FluentError, FluentResource, FluentValue};
 
 use super::lang::Lang;
 use super::message::{Message, Value};
+use super::number::Notation;
 use super::piece::Piece;
 
 macro_rules! ftl {
@@ -90,9 +91,10 @@ impl Catalog {
         Piece::plain(&self.message_pieces(message))
     }
 
-    /// [`message`](Self::message), to be set: its values are kept whole.
+    /// [`message`](Self::message), to be set: its values are kept whole, and written alike.
     #[must_use]
     pub fn message_pieces(&self, message: &Message) -> Vec<Piece> {
+        let notation = Notation::of(message.args.iter().map(|(_, value)| value));
         let text = self.resolve(message.key, &message.args);
         let mut pieces = Vec::new();
         let mut rest = &text[..];
@@ -101,7 +103,9 @@ impl Catalog {
             pieces.extend(Piece::words(&rest[..at]));
             match message.args.get(i) {
                 Some((_, Value::Message(inner))) => pieces.extend(self.message_pieces(inner)),
-                Some((_, value)) => pieces.push(Piece::Kept(self.value_pieces(value))),
+                Some((_, value)) => {
+                    pieces.push(Piece::Kept(self.value_pieces_as(value, notation)));
+                }
                 None => {}
             }
             rest = &rest[at + c.len_utf8()..];

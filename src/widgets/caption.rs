@@ -103,11 +103,9 @@ impl CaptionLayout {
             Typeset::wrapped(painter, &[decision, arithmetic], room.x)
         };
         let [.., smallest] = SMALLER;
-        let whole = || shorter_and_shorter(look.catalog, caption).next();
-        let smaller = SMALLER
-            .into_iter()
-            .filter_map(|part| Some((whole()?, part)));
-        let shorter = shorter_and_shorter(look.catalog, caption).skip(1);
+        let mut shorter = shorter_and_shorter(look.catalog, caption);
+        let whole = shorter.next().unwrap_or_default();
+        let smaller = SMALLER.into_iter().map(|part| (whole.clone(), part));
         let fitting = smaller
             .chain(shorter.map(|formulas| (formulas, smallest)))
             .map(set)

@@ -39,7 +39,9 @@ pub use section::{rule, section};
 pub use timeline::Timeline;
 pub use title::column_title;
 pub use transport::{Press, speed_menu, transport_buttons, transport_width};
-pub use views::{covered, picture_viewport, projected, space, title_of_space, under_title, view};
+pub use views::{
+    covered, picture_viewport, projected, space, title_ground, title_of_space, under_title, view,
+};
 pub use watch::{WatchRoom, WatchShown, WatchTable, watch};
 
 use crate::{paint::Theme, text::Catalog};

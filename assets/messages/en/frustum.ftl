@@ -130,6 +130,7 @@ words-box-done = The planes never reject what can be seen; they may keep what ca
 
 ## A face
 
+face-of-object = { $face } of object { $object }
 face-opening = Does face { $face } show its front to the camera?
 face-normal = Face { $face } runs counter-clockwise as seen from outside: its normal points outside.
 face-to-eye = From V₀ of face { $face } to the camera: e = eye − V₀.

@@ -66,6 +66,7 @@ depth-done = Done: { $fragments ->
 ## Views
 
 raster-depth = Depth in thousandths
+raster-depth-unit = Depth in units of { $unit }
 raster-depth-steps = Depth in { $bits } bits: 0 to { $last }
 raster-distance = Distance from the camera
 scale-near = near { $value }
@@ -74,10 +75,18 @@ raster-wrong = { $count ->
     [one] One pixel is wrong
    *[other] { $count } pixels are wrong
   }
+depth-done-stored = Done: the depths of { $pixels ->
+    [one] one pixel
+   *[other] { $pixels } pixels
+  } go from { $least } to { $most }.
+depth-done-distance = Done: the distances of { $pixels ->
+    [one] one pixel
+   *[other] { $pixels } pixels
+  } go from { $least } to { $most }.
 depth-done-nothing = Done: of { $fragments } fragments none was written.
 curve-forward = depth over distance
 curve-reversed = reversed
-curve-step = one step: { $step }
+curve-step = one step at { $distance }: { $step }
 story-title = Pixel { $at } in order of arrival
 story-held = Stored depth
 story-nearer = nearer
@@ -192,6 +201,7 @@ painter-constraint = { $before } must be painted before { $after }.
 painter-place = Nobody that is left objects to { $triangle }: it is number { $place } of { $triangles }.
 painter-cycle-first = A cycle: { $triangle } is waiting for itself.
 painter-cycle-next = { $before } must be painted before { $triangle }.
+painter-cycle-closes = { $before } must be painted before { $triangle }, and { $triangle } before { $first }: the cycle is closed.
 painter-paint = { $triangle } is painted over everything: { $place } of { $triangles }.
 painter-done = Done: { $pairs ->
     [one] one pair

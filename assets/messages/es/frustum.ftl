@@ -130,6 +130,7 @@ words-box-done = Los planos nunca rechazan lo visible; pueden conservar lo que n
 
 ## A face
 
+face-of-object = { $face } del objeto { $object }
 face-opening = ¿Muestra la cara { $face } su frente a la cámara?
 face-normal = Vista desde fuera, la cara { $face } se recorre en sentido antihorario: su normal apunta hacia fuera.
 face-to-eye = Desde V₀ de la cara { $face } hasta la cámara: e = ojo − V₀.

@@ -66,6 +66,7 @@ depth-done = Terminado: { $fragments ->
 ## Views
 
 raster-depth = Profundidad en milésimas
+raster-depth-unit = Profundidad en unidades de { $unit }
 raster-depth-steps = Profundidad en { $bits } bits: 0 a { $last }
 raster-distance = Distancia a la cámara
 scale-near = cerca { $value }
@@ -74,10 +75,18 @@ raster-wrong = { $count ->
     [one] Un píxel equivocado
    *[other] { $count } píxeles equivocados
   }
+depth-done-stored = Terminado: las profundidades de { $pixels ->
+    [one] un píxel
+   *[other] { $pixels } píxeles
+  } van de { $least } a { $most }.
+depth-done-distance = Terminado: las distancias de { $pixels ->
+    [one] un píxel
+   *[other] { $pixels } píxeles
+  } van de { $least } a { $most }.
 depth-done-nothing = Terminado: de { $fragments } fragmentos no se escribió ninguno.
 curve-forward = profundidad según la distancia
 curve-reversed = invertida
-curve-step = un paso: { $step }
+curve-step = un paso a { $distance }: { $step }
 story-title = Píxel { $at }, por orden de llegada
 story-held = Profundidad guardada
 story-nearer = más cerca
@@ -192,6 +201,7 @@ painter-constraint = { $before } debe pintarse antes que { $after }.
 painter-place = Nadie de los que quedan se opone a { $triangle }: es el número { $place } de { $triangles }.
 painter-cycle-first = Un ciclo: { $triangle } se espera a sí mismo.
 painter-cycle-next = { $before } debe pintarse antes que { $triangle }.
+painter-cycle-closes = { $before } debe pintarse antes que { $triangle }, y { $triangle } antes que { $first }: el ciclo se cierra.
 painter-paint = { $triangle } se pinta sobre todo: { $place } de { $triangles }.
 painter-done = Terminado: se preguntó por { $pairs ->
     [one] un par

@@ -130,6 +130,7 @@ words-box-done = Os planos nunca rejeitam o que é visível; podem manter o que 
 
 ## A face
 
+face-of-object = { $face } do objeto { $object }
 face-opening = A face { $face } mostra sua frente à câmera?
 face-normal = Vista de fora, a face { $face } é percorrida no sentido anti-horário: sua normal aponta para fora.
 face-to-eye = De V₀ da face { $face } até a câmera: e = olho − V₀.

@@ -66,6 +66,7 @@ depth-done = Pronto: { $fragments ->
 ## Views
 
 raster-depth = Profundidade em milésimos
+raster-depth-unit = Profundidade em unidades de { $unit }
 raster-depth-steps = Profundidade em { $bits } bits: 0 a { $last }
 raster-distance = Distância até a câmera
 scale-near = perto { $value }
@@ -74,10 +75,18 @@ raster-wrong = { $count ->
     [1] Um pixel errado
    *[other] { $count } pixels errados
   }
+depth-done-stored = Pronto: as profundidades de { $pixels ->
+    [1] um pixel
+   *[other] { $pixels } pixels
+  } vão de { $least } a { $most }.
+depth-done-distance = Pronto: as distâncias de { $pixels ->
+    [1] um pixel
+   *[other] { $pixels } pixels
+  } vão de { $least } a { $most }.
 depth-done-nothing = Pronto: de { $fragments } fragmentos nenhum foi escrito.
 curve-forward = profundidade pela distância
 curve-reversed = invertida
-curve-step = um passo: { $step }
+curve-step = um passo a { $distance }: { $step }
 story-title = Pixel { $at }, por ordem de chegada
 story-held = Profundidade guardada
 story-nearer = mais perto
@@ -192,6 +201,7 @@ painter-constraint = { $before } deve ser pintado antes de { $after }.
 painter-place = Nenhum dos que restam se opõe a { $triangle }: ele é o número { $place } de { $triangles }.
 painter-cycle-first = Um ciclo: { $triangle } espera por si mesmo.
 painter-cycle-next = { $before } deve ser pintado antes de { $triangle }.
+painter-cycle-closes = { $before } deve ser pintado antes de { $triangle }, e { $triangle } antes de { $first }: o ciclo se fecha.
 painter-paint = { $triangle } é pintado sobre tudo: { $place } de { $triangles }.
 painter-done = Pronto: perguntou-se por { $pairs ->
     [1] um par

@@ -115,6 +115,7 @@ words-box-done = 平面测试从不拒绝看得见的，但可能保留看不见
 
 ## A face
 
+face-of-object = { $face }（物体 { $object }）
 face-opening = 第 { $face } 个面是否以正面朝向相机？
 face-normal = 从外面看第 { $face } 个面是逆时针：法向量指向外面。
 face-to-eye = 从第 { $face } 个面的 V₀ 指向相机：e = 视点 − V₀。

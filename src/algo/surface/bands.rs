@@ -2,31 +2,105 @@
 
 use std::ops::Range;
 
-use super::Viewport;
+use super::{ScreenTriangle, Viewport};
 
 /// So many pixels are near enough.
 const PIXELS_AT_ONCE: u32 = 1 << 16;
-/// So many pixels take longer to fill than one triangle that it is somewhere else.
-const PIXELS_A_QUESTION: usize = 16;
 
-/// Calls back with some of the rows, from the top, and the places of their pixels among those of all rows. Every triangle has
-/// to be asked whether it is there: where they are many, all rows come at once.
-pub(super) fn for_each_band(
-    n_triangles: usize,
+/// Calls back with some of the rows, from the top, the places of their pixels among those of all rows, and which triangles
+/// reach into them, in their order.
+pub(super) fn for_each_band<const N: usize>(
+    triangles: &[ScreenTriangle<N>],
     viewport: &Viewport,
     rows: &Range<u32>,
-    mut draw: impl FnMut(&Range<u32>, Range<usize>),
+    mut draw: impl FnMut(&Range<u32>, Range<usize>, &[u32]),
 ) {
     let [width, _] = viewport.size();
     let few = (PIXELS_AT_ONCE / width).max(1);
-    let n_rows = rows.end.saturating_sub(rows.start);
-    let n_questions = n_triangles * n_rows.div_ceil(few) as usize;
-    let is_cheap = n_questions * PIXELS_A_QUESTION <= (n_rows * width) as usize;
-    let n_at_once = if is_cheap { few } else { n_rows.max(1) };
+    let reaches = triangles.iter().map(|triangle| {
+        let [first, _, end] = triangle.rows;
+        [first, end]
+    });
+    let sorted = Sorted::new(reaches, rows, few);
     let place = |row: u32| ((row - rows.start) * width) as usize;
-    for start in rows.clone().step_by(n_at_once as usize) {
-        let band = start..(start + n_at_once).min(rows.end);
+    for (nth, start) in rows.clone().step_by(few as usize).enumerate() {
+        let band = start..(start + few).min(rows.end);
         let places = place(band.start)..place(band.end);
-        draw(&band, places);
+        draw(&band, places, sorted.of(nth));
+    }
+}
+
+/// Triangles by the bands that they reach into.
+struct Sorted {
+    /// Where those of each band begin, and where the last ones end.
+    starts: Vec<u32>,
+    triangles: Vec<u32>,
+}
+
+impl Sorted {
+    /// By counting; each from its first row to the one after its last.
+    fn new(reaches: impl Iterator<Item = [u32; 2]> + Clone, rows: &Range<u32>, few: u32) -> Self {
+        let n_rows = rows.end.saturating_sub(rows.start);
+        let n_bands = n_rows.div_ceil(few) as usize;
+        let bands = |reach: [u32; 2]| {
+            let [first, end] = reach.map(|row| row.saturating_sub(rows.start).min(n_rows));
+            let bands = first / few..end.div_ceil(few);
+            if first < end { bands } else { 0..0 }
+        };
+        // One further on, so that filling leaves each start where it belongs.
+        let mut starts = vec![0; n_bands + 2];
+        for reach in reaches.clone() {
+            for band in bands(reach) {
+                starts[band as usize + 2] += 1;
+            }
+        }
+        for band in 2..starts.len() {
+            starts[band] += starts[band - 1];
+        }
+        let n_all = starts.last().map_or(0, |&n| n as usize);
+        let mut sorted = vec![0; n_all];
+        for (nth, reach) in (0..).zip(reaches) {
+            for band in bands(reach) {
+                let place = &mut starts[band as usize + 1];
+                sorted[*place as usize] = nth;
+                *place += 1;
+            }
+        }
+        Self {
+            starts,
+            triangles: sorted,
+        }
+    }
+
+    fn of(&self, band: usize) -> &[u32] {
+        &self.triangles[self.starts[band] as usize..self.starts[band + 1] as usize]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_stands_in_every_band_that_it_reaches_into_in_its_order() {
+        let rows = 3..20;
+        let reaches: Vec<[u32; 2]> = (0..24)
+            .flat_map(|first| (0..24).map(move |end| [first, end]))
+            .collect();
+        for few in 1..20 {
+            let sorted = Sorted::new(reaches.iter().copied(), &rows, few);
+            let bands = rows.clone().step_by(few as usize).enumerate();
+            for (nth, start) in bands {
+                let band = start..(start + few).min(rows.end);
+                let meets = |[first, end]: [u32; 2]| (first..end).any(|row| band.contains(&row));
+                let here = (0..).zip(&reaches).filter(|(_, reach)| meets(**reach));
+                let here: Vec<u32> = here.map(|(nth, _)| nth).collect();
+                assert_eq!(sorted.of(nth), here, "{few} rows, band {nth}");
+            }
+        }
+        assert!(Sorted::new([].into_iter(), &rows, 5).of(0).is_empty());
+        #[expect(clippy::reversed_empty_ranges, reason = "that is what is asked")]
+        let none = Sorted::new([[0, 9]].into_iter(), &(7..2), 5);
+        assert!(none.triangles.is_empty(), "no rows, no bands");
     }
 }

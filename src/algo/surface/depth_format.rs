@@ -67,7 +67,7 @@ impl DepthFormat {
     /// What stands in the buffer for a depth from 0 on the near plane to 1 on the far plane.
     #[must_use]
     pub fn stored(&self, depth: f64) -> f64 {
-        let turned = if self.is_reversed { 1.0 - depth } else { depth };
+        let turned = self.turned(depth);
         match self.number {
             DepthNumber::Double => turned,
             DepthNumber::Single => f64::from(turned as f32),
@@ -75,14 +75,10 @@ impl DepthFormat {
         }
     }
 
-    /// The depth from 0 on the near plane to 1 on the far plane that a stored one stands for.
+    /// The other way round where depth is reversed: from a depth to what is stored, before that is rounded, and back.
     #[must_use]
-    pub const fn forward(&self, stored: f64) -> f64 {
-        if self.is_reversed {
-            1.0 - stored
-        } else {
-            stored
-        }
+    pub const fn turned(&self, depth: f64) -> f64 {
+        if self.is_reversed { 1.0 - depth } else { depth }
     }
 
     /// Where nothing has been written: farther than everything.

@@ -116,6 +116,12 @@ impl Rays {
         }
     }
 
+    /// How far away the near and the far plane are.
+    #[must_use]
+    pub fn ends(&self) -> [f64; 2] {
+        [1.0, self.far()].map(|t| self.distance(t))
+    }
+
     /// t at a distance before the eye's plane.
     #[must_use]
     pub fn t_of(&self, distance: f64) -> f64 {

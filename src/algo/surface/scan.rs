@@ -30,11 +30,11 @@ pub fn draw_rows<const N: usize>(
     depths: &mut [f32],
     mut put: impl FnMut(usize, u32, [f32; N]),
 ) {
-    for_each_band(triangles.len(), viewport, &rows, |band, places| {
+    for_each_band(triangles, viewport, &rows, |band, places, here| {
         let first = places.start;
         let depths = &mut depths[places];
         draw_band(
-            triangles,
+            here.iter().map(|&nth| &triangles[nth as usize]),
             viewport,
             band,
             depths,
@@ -66,12 +66,12 @@ pub fn shade_rows<const N: usize>(
     background: u32,
     mut shade: impl FnMut(u32, &[Lanes<f32>; N]) -> Lanes<u32>,
 ) {
-    for_each_band(triangles.len(), viewport, &rows, |band, places| {
+    for_each_band(triangles, viewport, &rows, |band, places, here| {
         let (depths, samples) = (&mut depths[places.clone()], &mut samples[places]);
         depths.fill(f32::INFINITY);
         samples.fill(background);
         draw_band(
-            triangles,
+            here.iter().map(|&nth| &triangles[nth as usize]),
             viewport,
             band,
             depths,
@@ -87,8 +87,8 @@ pub fn shade_rows<const N: usize>(
 
 /// Puts out the same as [`draw_rows`], some pixels beside each other at once, and all bits of those of them that are nearer.
 #[inline]
-fn draw_band<const N: usize>(
-    triangles: &[ScreenTriangle<N>],
+fn draw_band<'a, const N: usize>(
+    triangles: impl Iterator<Item = &'a ScreenTriangle<N>>,
     viewport: &Viewport,
     rows: &Range<u32>,
     depths: &mut [f32],

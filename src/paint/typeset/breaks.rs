@@ -32,7 +32,8 @@ impl Lines<'_> {
     fn fill(&mut self, range: Range<usize>, gap: Gap) {
         let worse = match gap {
             Gap::Words => Some(Gap::Relation),
-            Gap::Relation => Some(Gap::Any),
+            Gap::Relation => Some(Gap::Term),
+            Gap::Term => Some(Gap::Any),
             Gap::Any | Gap::Closed => None,
         };
         let mut start = range.start;

@@ -48,6 +48,8 @@ pub enum Gap {
     Words,
     /// Before a relation in a formula.
     Relation,
+    /// Before a term of a sum.
+    Term,
     /// Any other space, and any two ideographs.
     Any,
     /// None.
@@ -132,6 +134,7 @@ fn gap(chars: &[Char], char: &Char) -> Gap {
         is_sign && before.c == ' '
     });
     match before.depth.min(char.depth) {
+        0 | 1 if !is_after && TERMS.contains(char.c) => Gap::Term,
         0 | 1 if is_after || OPERATORS.contains(char.c) => Gap::Any,
         0 | 1 if Piece::RELATIONS.contains(&char.c) => Gap::Relation,
         0 => Gap::Words,
@@ -139,6 +142,7 @@ fn gap(chars: &[Char], char: &Char) -> Gap {
     }
 }
 
+const TERMS: &str = "+−";
 const OPERATORS: &str = "+−·/×←";
 /// No line begins with these,
 const CLOSING: &str = "，。、；：！？）》」』”’…";

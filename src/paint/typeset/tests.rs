@@ -198,7 +198,7 @@ fn no_line_breaks_within_a_coordinate_a_formula_or_a_term() {
 }
 
 #[test]
-fn a_formula_too_long_for_any_line_goes_on_before_a_relation() {
+fn a_formula_too_long_for_any_line_goes_on_before_a_relation_or_a_term() {
     let sum = Formula::default()
         .sym("a = 1 + 2 + 3 + 4 = 2 + 3 + 5")
         .equals(10.0);
@@ -211,6 +211,19 @@ fn a_formula_too_long_for_any_line_goes_on_before_a_relation() {
     let typeset = set(|painter| Typeset::wrapped(painter, std::slice::from_ref(&span), 190.0));
     let lines: Vec<String> = typeset.galley.rows.iter().map(|row| row.text()).collect();
     assert_eq!(lines, ["a = 1 + 2 + 3 + 4 ", "= 2 + 3 + 5 = 10"]);
+    let products = Formula::default().sym("d = 2 · 3 + 4 · ").operand(-5.0);
+    let products = products.sym(" + 6 · 7").equals(28.0);
+    let products = Span {
+        pieces: vec![Piece::Kept(Catalog::of(Lang::En).formula_pieces(&products))],
+        ..span
+    };
+    let typeset = set(|painter| Typeset::wrapped(painter, std::slice::from_ref(&products), 150.0));
+    let lines: Vec<String> = typeset.galley.rows.iter().map(|row| row.text()).collect();
+    assert_eq!(
+        lines,
+        ["d = 2 · 3 ", "+ 4 · (−5) ", "+ 6 · 7 = 28"],
+        "no product is torn"
+    );
     let code = Span::text("if n·D > 0: t ← max(t, n·w / n·D)", FONT, INK);
     let typeset = set(|painter| Typeset::wrapped(painter, std::slice::from_ref(&code), 270.0));
     let lines: Vec<String> = typeset.galley.rows.iter().map(|row| row.text()).collect();

@@ -42,12 +42,14 @@ const APART: f32 = 14.0;
 const HOOK: f32 = 5.0;
 /// At most so many times its natural size.
 const MOST_GROWN: f32 = 1.25;
+/// And of what that comes to at least this part: smaller numbers are not read any more.
+const LEAST_PART: f32 = 0.34;
 
 impl OnSlate for MatrixProduct {
     fn slate<'a>(&self, painter: &'a Painter, look: Look<'a>, rect: Rect) -> Slate<'a> {
         let mut slate = Slate::with_numbers(painter, look, Notation::Decimals);
         slate.scale *= MOST_GROWN;
-        let least = 0.42 * slate.scale;
+        let least = LEAST_PART * slate.scale;
         slate.shrunk_to(least, rect.size(), |slate| wanted(slate, self))
     }
 

@@ -29,7 +29,7 @@ use crate::figure::{Body, Link, View};
 
 use super::Look;
 pub use space::{
-    covered, picture_viewport, projected, space, title as title_of_space, under_title,
+    covered, picture_viewport, projected, space, title as title_of_space, title_ground, under_title,
 };
 
 use links::Links;

@@ -56,16 +56,14 @@ impl OnSlate for Raster {
                 .painter
                 .rect_stroke(whole, 0.0, line, StrokeKind::Outside);
         }
-        for row in 0..self.size[1] {
-            for column in 0..self.size[0] {
-                let value = self
-                    .at([column, row])
-                    .and_then(|pixel| pixel.value.as_ref());
-                if let Some(value) = value {
-                    write(slate, square(origin, width, [column, row]), value);
-                }
-            }
+        let (lines, points) = self
+            .over
+            .iter()
+            .partition::<Vec<_>, _>(|mark| mark.is_line());
+        for mark in lines {
+            draw_over(slate, (origin.round(), width), mark);
         }
+        self.write(slate, origin, width);
         if let Some(at) = links.pointer
             && let Some(pixel) = self.pixel_at(origin, width, at)
         {
@@ -77,7 +75,7 @@ impl OnSlate for Raster {
         if let Some(ends) = &self.scale {
             self.draw_scale(slate, (origin, width), ends);
         }
-        for mark in &self.over {
+        for mark in points {
             draw_over(slate, (origin.round(), width), mark);
         }
     }
@@ -94,6 +92,22 @@ impl OnSlate for Raster {
 }
 
 impl Raster {
+    /// What is stored, paler where nothing has been drawn.
+    fn write(&self, slate: &mut Slate<'_>, origin: Pos2, width: f32) {
+        let theme = slate.theme();
+        for row in 0..self.size[1] {
+            for column in 0..self.size[0] {
+                let Some(pixel) = self.at([column, row]) else {
+                    continue;
+                };
+                let ink = pixel.role.map_or(theme.soft, |_| theme.ink);
+                if let Some(value) = &pixel.value {
+                    write(slate, square(origin, width, [column, row]), (value, ink));
+                }
+            }
+        }
+    }
+
     /// Tones, each as far to the right as it goes: there may be very many pixels.
     fn fill(&self, slate: &Slate<'_>, origin: Pos2, width: f32) {
         let darkest = self.darkest(slate, width);
@@ -188,7 +202,7 @@ fn square(origin: Pos2, width: f32, [column, row]: [usize; 2]) -> Rect {
 }
 
 /// What is stored at a pixel, if it can be read.
-fn write(slate: &mut Slate<'_>, place: Rect, value: &Value) {
+fn write(slate: &mut Slate<'_>, place: Rect, (value, ink): (&Value, Color32)) {
     let n_characters = match value {
         Value::Name(name) => name.chars().count(),
         _ => DIGITS,
@@ -197,7 +211,7 @@ fn write(slate: &mut Slate<'_>, place: Rect, value: &Value) {
     if pts < SMALLEST {
         return;
     }
-    let text = slate.low(value, (Face::Mono, pts, slate.theme().ink));
+    let text = slate.low(value, (Face::Mono, pts, ink));
     if text.size().x <= place.width() {
         slate.put(&text, place.center(), Align2::CENTER_CENTER);
     }

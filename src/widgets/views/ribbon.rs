@@ -77,7 +77,8 @@ impl OnSlate for Ribbon {
             }
             let aside = if i == 0 { 0.0 } else { slate.pts(ASIDE) };
             let mut at = pos2(places[i].left() + aside, rect.top());
-            for words in words(slate, stage, room) {
+            let n_known = if stage.is_to_come { 1 } else { 2 };
+            for words in words(slate, stage, room).into_iter().take(n_known) {
                 at.y = slate.put(&words, at, Align2::LEFT_TOP).bottom();
             }
         }
@@ -86,8 +87,11 @@ impl OnSlate for Ribbon {
     fn spoken(&self, look: Look<'_>) -> String {
         let stage = |(i, stage): (usize, &RibbonStage)| {
             let arrow = if self.at_work == Some(i) { "→ " } else { "" };
-            let [title, counts] =
-                [&stage.title, &stage.counts].map(|said| look.catalog.message(said));
+            let title = look.catalog.message(&stage.title);
+            if stage.is_to_come {
+                return format!("{arrow}{title}");
+            }
+            let counts = look.catalog.message(&stage.counts);
             format!("{arrow}{title}: {counts}")
         };
         let stages: Vec<String> = self.stages.iter().enumerate().map(stage).collect();
@@ -162,17 +166,12 @@ fn gate(slate: &Slate<'_>, rect: Rect, x: f32, is_at_work: bool) {
     slate.painter.vline(x, rect.y_range(), line);
 }
 
-/// A stage's title, and its counts under it.
+/// A stage's title, and its counts, which stand under it once they are known.
 fn words(slate: &Slate<'_>, stage: &RibbonStage, width: f32) -> [Typeset; 2] {
     let theme = slate.theme();
-    let ink = if stage.is_to_come {
-        theme.soft
-    } else {
-        theme.ink
-    };
     [
         slate.sentence(&stage.title, width, (Face::Plain, TITLE_PTS, theme.soft)),
-        slate.sentence(&stage.counts, width, (Face::Strong, COUNTS_PTS, ink)),
+        slate.sentence(&stage.counts, width, (Face::Strong, COUNTS_PTS, theme.ink)),
     ]
 }
 

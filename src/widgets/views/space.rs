@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use egui::{Align2, Context, Id, Rect, Role, Sense, StrokeKind, Ui, WidgetInfo, vec2};
+use egui::{Align2, Context, Id, Pos2, Rect, Role, Sense, StrokeKind, Ui, WidgetInfo, vec2};
 
 use crate::{
-    figure::{ColumnLayout, Lens, Link, Mark, Projected, Seer, Space, ViewId},
-    paint::{self, Around, Viewport},
+    figure::{ColumnLayout, Lens, Link, Mark, Projected, Space, ViewId},
+    paint::{self, Around, Typeset, Viewport},
     widgets::{Look, hit, rect_of},
 };
 
@@ -41,8 +41,8 @@ pub fn picture_viewport(rect: Rect, lens: &Lens) -> Viewport {
 #[must_use]
 pub fn under_title(rect: Rect, look: Look<'_>, shown: &Space) -> Rect {
     let title = 1.9 * TITLE_PTS * look.theme.text_scale;
-    let is_crowded = matches!(shown.seer, Seer::Apart(_)) && title > CROWDED * rect.height();
-    if is_crowded {
+    let stands_over = Lens::from(shown.seer).aspect().is_some() || shown.title.is_none();
+    if !stands_over && title > CROWDED * rect.height() {
         rect.with_min_y(rect.top() + title)
     } else {
         rect
@@ -94,21 +94,20 @@ pub fn space(
     let painter = ui.painter_at(viewport.rect);
     painter.rect_filled(viewport.rect, 0.0, look.theme.background);
     let Look { theme, catalog } = look;
+    let is_camera = lens.aspect().is_some();
+    let corner = if is_camera { viewport.rect } else { rect };
+    let mut covered = covered.to_vec();
+    covered.extend(title_ground(ui, look, corner, shown));
     let around = Around {
         before: &[],
-        covered,
+        covered: &covered,
     };
     paint::stage(&painter, &viewport, theme, catalog, &marks, lit, around);
-    if lens.aspect().is_some() {
+    if is_camera {
         let frame = theme.stroke(FRAME, theme.accent);
         ui.painter()
             .rect_stroke(viewport.rect, 0.0, frame, StrokeKind::Middle);
     }
-    let corner = if lens.aspect().is_some() {
-        viewport.rect
-    } else {
-        rect
-    };
     title(ui, look, corner, shown);
     hit::link_at(&viewport, &marks, response.hover_pos()?)
 }
@@ -128,22 +127,48 @@ fn spoken(look: Look<'_>, shown: &Space) -> String {
     }
 }
 
-/// Over a camera's picture; in the corner of what an eye sees.
-pub fn title(ui: &Ui, look: Look<'_>, rect: Rect, shown: &Space) {
-    let Some(title) = &shown.title else { return };
+/// A title's words and their place.
+struct Title {
+    words: Typeset,
+    at: Pos2,
+    align: Align2,
+}
+
+impl Title {
+    /// Over a camera's picture; in the corner of what an eye sees.
+    fn new(slate: &mut Slate<'_>, rect: Rect, shown: &Space) -> Option<Self> {
+        let face = (Face::Strong, TITLE_PTS, slate.look.theme.ink);
+        let words = slate.value(shown.title.as_ref()?, face);
+        let gap = slate.pts(5.0);
+        let (at, align) = if Lens::from(shown.seer).aspect().is_some() {
+            (rect.left_top() - vec2(0.0, gap), Align2::LEFT_BOTTOM)
+        } else {
+            (rect.left_top() + vec2(0.0, 2.0 * gap), Align2::LEFT_TOP)
+        };
+        Some(Self { words, at, align })
+    }
+
+    /// Readable on whatever is drawn there.
+    fn ground(&self) -> Rect {
+        let ground = self.align.anchor_size(self.at, self.words.size());
+        ground.expand(2.0).with_min_x(self.at.x)
+    }
+}
+
+/// Where the title of a space stands, in whose corner `rect` has its own: no label should.
+#[must_use]
+pub fn title_ground(ui: &Ui, look: Look<'_>, rect: Rect, shown: &Space) -> Option<Rect> {
     let mut slate = Slate::new(ui.painter(), look);
-    let title = slate.value(title, (Face::Strong, TITLE_PTS, look.theme.ink));
-    let gap = slate.pts(5.0);
-    let (at, align) = if Lens::from(shown.seer).aspect().is_some() {
-        (rect.left_top() - vec2(0.0, gap), Align2::LEFT_BOTTOM)
-    } else {
-        (rect.left_top() + vec2(0.0, 2.0 * gap), Align2::LEFT_TOP)
+    Some(Title::new(&mut slate, rect, shown)?.ground())
+}
+
+/// The title of a space.
+pub fn title(ui: &Ui, look: Look<'_>, rect: Rect, shown: &Space) {
+    let mut slate = Slate::new(ui.painter(), look);
+    let Some(title) = Title::new(&mut slate, rect, shown) else {
+        return;
     };
-    // Readable on whatever is drawn there.
-    let ground = align.anchor_size(at, title.size()).expand(2.0);
-    let ground = ground.with_min_x(at.x);
-    slate
-        .painter
-        .rect_filled(ground, 0.0, look.theme.background);
-    slate.put(&title, at, align);
+    let background = look.theme.background;
+    slate.painter.rect_filled(title.ground(), 0.0, background);
+    slate.put(&title.words, title.at, title.align);
 }

@@ -37,6 +37,9 @@ const FACES_VIEW: &str = "faces";
 /// Of a solid with more faces only the one in hand is measured beside it.
 const MOST_FACES: usize = 24;
 
+/// The normal as it is drawn, as a part of the longer edge at V₀.
+const NORMAL_PART: f64 = 0.75;
+
 impl Answer for BackFaceOutput {
     fn json(&self) -> Json {
         json!(self)
@@ -204,11 +207,18 @@ impl Demo for Shown {
     }
 }
 
-/// The face's number, where a scene has several.
+/// The face's number, and whose it is where a scene has several objects.
 fn face_name(input: &Input) -> Value {
-    let scenery = input.scenery.as_deref();
-    let number = scenery.map_or(1, |scenery| scenery.scene().face() + 1);
-    Value::Count(number)
+    let Some(scenery) = input.scenery.as_deref() else {
+        return Value::Count(1);
+    };
+    let scene = scenery.scene();
+    let face = scene.face() + 1;
+    if scene.objects().len() == 1 {
+        return Value::Count(face);
+    }
+    let named = Message::new("face-of-object").with("face", face);
+    Value::Message(named.with("object", scene.object_name(scene.focus())))
 }
 
 /// `n·e = (−9)·8 + (−9)·5 + 9·4 = −81`.
@@ -262,7 +272,7 @@ fn marks(step: &Step<'_, Shown>) -> Vec<Mark3> {
     let mut normal_tip = None;
     if let Some((_, n)) = step.state.normal {
         let size = (b - a).length().max((c - a).length());
-        let tip = middle + DVec3::from(n).normalize_or_zero() * size;
+        let tip = middle + DVec3::from(n).normalize_or_zero() * NORMAL_PART * size;
         let arrow = Shape3::Arrow([middle.into(), tip.into()]);
         marks.push(Mark3::new(Role::Signal, arrow).labelled(name("n")).strong());
         normal_tip = Some(tip);

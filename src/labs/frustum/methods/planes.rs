@@ -130,6 +130,10 @@ pub fn gauges(
 
 /// The perpendicular from a point to a plane, and the square at its foot.
 pub fn perpendicular(plane: &Plane, at: [f64; 3], d: f64, label: Formula) -> Vec<Mark3> {
+    if d == 0.0 {
+        let on = Mark3::new(Role::Signal, Shape3::Dot(at));
+        return vec![on.labelled(Value::Formula(label)).strong()];
+    }
     let from = DVec3::from(at);
     let unit = DVec3::from(plane.unit_normal());
     let foot = from - unit * d;

@@ -81,7 +81,8 @@ impl Scenery {
     ) -> Space {
         let (facets, edges) = self.solids(fate, look, true);
         let mut marks = ground(&self.scene);
-        marks.extend(volume(self.scene.culler()));
+        let volume = volume(self.scene.culler()).into_iter();
+        marks.extend(volume.filter(|mark| !is_named_by(&own, mark)));
         marks.extend(own);
         Space {
             title: Some(Value::Term("view-observer")),
@@ -182,6 +183,13 @@ impl Scenery {
         };
         objects.iter().enumerate().filter_map(number).collect()
     }
+}
+
+/// Whether a mark is a mere name, and one of these says it too.
+fn is_named_by(own: &[Mark3], mark: &Mark3) -> bool {
+    let is_name = matches!(mark.shape, Shape3::Label(_));
+    let mut others = own.iter().filter_map(|mark| mark.label.as_ref());
+    is_name && others.any(|label| Some(&label.text) == mark.label.as_ref().map(|label| &label.text))
 }
 
 /// Over an object; of one triangle, on it.

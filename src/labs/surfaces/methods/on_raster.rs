@@ -7,7 +7,7 @@ use crate::{
         surface::{DepthBuffer, DepthBufferInput, Picture, Rays, Surfaces},
         volume::{ClipSpace, ClipVertex, HomogeneousLine, HomogeneousTriangle, LineInput},
     },
-    figure::{Caption, Mark3, Pixel, RasterMark, RasterShape, Role, Shape3, View},
+    figure::{Body, Caption, Mark3, Pixel, RasterMark, RasterShape, Role, Shape3, View},
     geom::Camera,
     labs::{
         Document,
@@ -65,14 +65,21 @@ pub fn faces<const N: usize>(
     }
 }
 
-/// What has room: beside two other methods only space and large pixels, which come first, beside one a third view; alone, also the
-/// picture that the pixels are of, in full size.
+/// Beside another method there is no room to name each of more triangles.
+const MOST_NAMED: usize = 12;
+
+/// What has room: beside two other methods only space and large pixels, which come first, beside one a third view where it need
+/// not name too many triangles; alone, also the picture that the pixels are of, in full size.
 pub fn fitting(scenery: &Scenery, mut views: Vec<View>) -> Vec<View> {
     let n_beside = scenery.scene().beside.len();
     if n_beside == 0 {
         views.push(scenery.camera(|_| Fate::ToCome, |_, _| FaceLook::Whole, Vec::new()));
     } else {
-        views.truncate(4 - n_beside.min(2));
+        let objects = scenery.scene().objects().iter();
+        let n_triangles: usize = objects.map(|o| o.model().mesh().faces().len()).sum();
+        let names_all = |view: &View| matches!(view.body, Body::Graph(_) | Body::Table(_));
+        let has_room = n_beside == 1 && (n_triangles <= MOST_NAMED || !views.iter().any(names_all));
+        views.truncate(if has_room { 3 } else { 2 });
     }
     views
 }
@@ -94,7 +101,11 @@ pub fn pixels(
 ) -> Vec<Pixel> {
     let pixel = |(place, &id): (usize, &i32)| {
         let Ok(id) = u32::try_from(id) else {
-            return Pixel::EMPTY;
+            let value = value(place);
+            return Pixel {
+                value,
+                ..Pixel::EMPTY
+            };
         };
         let (role, shade) = tone(id, own);
         Pixel {

@@ -97,6 +97,12 @@ fn pixel(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<[u32; 2]> {
     Some([column? as u32, row? as u32])
 }
 
+/// The name that stands for this.
+fn name_of<T: Copy + PartialEq>(value: T, all: [(&'static str, T); 3]) -> Option<&'static str> {
+    let known = all.into_iter().find(|(_, known)| *known == value);
+    known.map(|(name, _)| name)
+}
+
 fn format_of(name: &str) -> Option<DepthFormat> {
     let known = DEPTHS.contains(&name);
     let number = name.strip_suffix("-reversed").unwrap_or(name);
@@ -118,10 +124,8 @@ pub(super) fn raster_to_toml(plan: &RasterPlan) -> Option<String> {
     if plan.rows() != usual.rows() {
         parts.push(format!("rows = {}", plan.rows()));
     }
-    let steps = STEPS.into_iter().find(|(_, steps)| *steps == plan.steps);
-    if let Some((name, _)) = steps.filter(|(_, steps)| *steps != usual.steps) {
-        parts.push(format!("steps = \"{name}\""));
-    }
+    let steps = name_of(plan.steps, STEPS).filter(|_| plan.steps != usual.steps);
+    parts.extend(steps.map(|name| format!("steps = \"{name}\"")));
     let depth = DEPTHS
         .into_iter()
         .find(|name| format_of(name) == Some(plan.format));
@@ -136,9 +140,7 @@ pub(super) fn raster_to_toml(plan: &RasterPlan) -> Option<String> {
         plan.pixel
             .map(|[column, row]| format!("pixel = [{column}, {row}]")),
     );
-    let tones = TONES.into_iter().find(|(_, tones)| *tones == plan.tones);
-    if let Some((name, _)) = tones.filter(|(_, tones)| *tones != usual.tones) {
-        parts.push(format!("tones = \"{name}\""));
-    }
+    let tones = name_of(plan.tones, TONES).filter(|_| plan.tones != usual.tones);
+    parts.extend(tones.map(|name| format!("tones = \"{name}\"")));
     (!parts.is_empty()).then(|| format!("{{ {} }}", parts.join(", ")))
 }

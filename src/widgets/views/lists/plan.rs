@@ -34,6 +34,10 @@ const MOST_GROWN: f32 = 1.2;
 /// Entries are folded before text becomes smaller than this part of its size in a theme of plain size, and details are
 /// left out.
 const FOLD_BELOW: f32 = 0.82;
+/// Of so few entries none is folded before their text becomes smaller than this part: what is folded away is soon what the
+/// step is about.
+const FEW: usize = 8;
+const FOLD_FEW_BELOW: f32 = 0.7;
 /// So many rows at least stand in a list that is folded.
 const LEAST_ROWS: usize = 4;
 /// A column of details is no narrower.
@@ -189,24 +193,29 @@ impl Plan {
 pub fn slate<'a>(painter: &'a Painter, look: Look<'a>, room: Vec2, lists: &Lists) -> Slate<'a> {
     let n_rows = lists.lists.iter().map(|list| list.entries.len()).max();
     let n_rows = n_rows.unwrap_or(1).max(1);
+    let fold_below = if n_rows > FEW {
+        FOLD_BELOW
+    } else {
+        FOLD_FEW_BELOW
+    };
     let said = Said::new(look, lists);
     Slate::grown(painter, look, room, MOST_GROWN, |slate| {
         let around = over(slate, lists) + under(slate, lists);
         let height = |n_rows: usize| around + slate.pts(STEPS[0]) * n_rows as f32;
-        let is_folded = room.y / height(n_rows) * slate.scale < FOLD_BELOW;
+        let is_folded = room.y / height(n_rows) * slate.scale < fold_below;
         // Folded, as many rows are seen as there is room for.
         let least = if is_folded {
             LEAST_ROWS.min(n_rows)
         } else {
             n_rows
         };
-        let height = if is_folded && slate.scale > FOLD_BELOW {
-            let fits = (room.y - around * FOLD_BELOW / slate.scale) / (STEPS[0] * FOLD_BELOW);
+        let height = if is_folded && slate.scale > fold_below {
+            let fits = (room.y - around * fold_below / slate.scale) / (STEPS[0] * fold_below);
             height((fits as usize).clamp(least, n_rows))
         } else {
             height(least)
         };
-        let n_details = if slate.scale > FOLD_BELOW {
+        let n_details = if slate.scale > fold_below {
             usize::MAX
         } else {
             0

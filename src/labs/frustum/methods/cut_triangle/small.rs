@@ -79,7 +79,7 @@ impl Progress {
     }
 }
 
-/// One drawing a plane.
+/// One drawing a plane. What is still to come is pale; before the first step nothing is told of it.
 pub fn small(
     triangle: &[SpaceVertex; 3],
     planes: &[Plane],
@@ -89,10 +89,11 @@ pub fn small(
 ) -> Multiples {
     let sheet = Sheet::of(triangle, scenery);
     let given = sheet.ring(triangle);
+    let has_begun = progress.plane_idx.is_some() || progress.n_done > 0;
     let drawing = |idx: usize| {
         let is_current = progress.plane_idx == Some(idx);
         let is_to_come = !is_current && idx >= progress.n_done;
-        let stage = stages.get(idx);
+        let stage = stages.get(idx).filter(|_| has_begun);
         let strength = if is_to_come { TO_COME } else { 1.0 };
         let mut marks = vec![
             Mark::new(Role::Discarded, Shape::Outline(given.clone()))

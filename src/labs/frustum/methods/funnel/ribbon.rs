@@ -40,27 +40,36 @@ pub fn ribbon<L: CullRules>(step: &Step<'_, Shown<L>>) -> Ribbon {
         Some(Event::Face { .. }) => Some(4),
         Some(Event::Done) | None => None,
     };
+    let given = step.input.own.objects.iter();
+    let given = Level {
+        objects: given.len(),
+        triangles: given.map(|object| object.triangles.len()).sum(),
+    };
+    let has_begun = step.event.is_some();
     let stage = |i: usize| {
-        let Level { objects, triangles } = levels[i];
+        let is_so_far = i == 0 && has_begun;
+        let Level { objects, triangles } = if i == 0 && !has_begun {
+            given
+        } else {
+            levels[i]
+        };
         let before = i.checked_sub(1).map(|i| levels[i].triangles);
         let known = (triangles + to_come[i]) as i64;
         let change = before.map(|before| known - before as i64);
         RibbonStage {
-            title: Message::new(if i == 0 { "level-so-far" } else { TITLES[i] }),
+            title: Message::new(if is_so_far { "level-so-far" } else { TITLES[i] }),
             counts: Message::new("level-counts")
                 .with("objects", objects)
                 .with("triangles", triangles),
             amount: triangles,
             change: change.filter(|change| *change != 0 || to_come[i] == 0),
-            is_to_come: levels[0].triangles == 0,
+            is_to_come: triangles == 0 && levels[0].triangles == 0,
         }
     };
-    let given = step.input.own.objects.iter();
-    let given: usize = given.map(|object| object.triangles.len()).sum();
     Ribbon {
         stages: (0..5).map(stage).collect(),
         at_work,
-        most: given.max(levels[3].triangles),
+        most: given.triangles.max(levels[3].triangles),
     }
 }
 

@@ -88,6 +88,11 @@ fn images_of(ends: Ends) -> Vec<Shape> {
     }
 }
 
+/// Images of the ends as they were given, and where the clipper has cut.
+const DIVIDED: [&str; 2] = ["P₁ / w", "P₂ / w"];
+const CUT: [&str; 2] = ["P₁′", "P₂′"];
+const CUT_DIVIDED: [&str; 2] = ["P₁′ / w", "P₂′ / w"];
+
 struct WLens<'a> {
     shown: &'a ShownLine<'a, 4, ClipSpace>,
     camera: &'a Camera,
@@ -146,7 +151,7 @@ impl<'a> WLens<'a> {
                 .labelled(Value::Term("w-lens-eye")),
             Mark3::new(Role::Ink, Shape3::Label(at(2.4, 1.0)))
                 .labelled(Value::Term("w-lens-screen")),
-            Mark3::new(Role::Soft, Shape3::Label(at(2.4, 0.0))).labelled(name("w = 0")),
+            Mark3::new(Role::Soft, Shape3::Label(at(2.4, -0.22))).labelled(name("w = 0")),
         ];
         let equations = ["x = −w", "x = w"].into_iter().zip([-0.7, 0.7]);
         marks.extend(equations.map(|(equation, part)| {
@@ -225,9 +230,14 @@ impl<'a> WLens<'a> {
     }
 
     /// An image with its name; of what lies behind the eye also where it is.
-    fn point(&self, end: End, at: [f64; 2], role: Role, shape: fn([f64; 2]) -> Shape) -> Mark {
+    fn point(
+        &self,
+        (end, symbol): (End, &'static str),
+        at: [f64; 2],
+        role: Role,
+        shape: fn([f64; 2]) -> Shape,
+    ) -> Mark {
         let mark = Mark::new(role, shape(at)).linked(end_link(end));
-        let symbol = ["P₁′", "P₂′"][end.idx()];
         if self.is_behind(end) && role == Role::Signal {
             let place = Formula::default().sym(symbol).sym(" ").point(at);
             mark.labelled(place)
@@ -251,11 +261,18 @@ impl<'a> WLens<'a> {
                 let left = ends.map(|[x, y, ..]| [x, y]);
                 let is_left =
                     !self.shown.interval.is_rejected && !self.shown.interval.is_crossed_over();
-                marks.extend(is_left.then(|| Mark::new(role, Shape::Segment(left))));
+                if is_left {
+                    marks.push(Mark::new(role, Shape::Segment(left)));
+                    for (end, at) in End::BOTH.into_iter().zip(left) {
+                        let cut = Mark::new(role, Shape::Dot(at)).labelled(name(CUT[end.idx()]));
+                        marks.extend((at != joined[end.idx()]).then_some(cut));
+                    }
+                }
             }
             for (end, at) in End::BOTH.into_iter().zip(joined) {
                 let role = if self.is_behind(end) { role } else { Role::Ink };
-                marks.push(self.point(end, at, role, Shape::Ring));
+                let named = (end, DIVIDED[end.idx()]);
+                marks.push(self.point(named, at, role, Shape::Ring));
             }
             if is_wrong && let Some([Some(from), Some(to)]) = self.right.map(|ends| ends.map(image))
             {
@@ -309,7 +326,10 @@ impl<'a> WLens<'a> {
                 marks.extend(seen.map(|shape| Mark::new(role, shape).linked("segment")));
                 for (end, at) in End::BOTH.into_iter().zip([from, to]) {
                     let place = image(at).filter(|_| at[3] > 0.0);
-                    marks.extend(place.map(|place| self.point(end, place, role, Shape::Dot)));
+                    let is_given = at == given[end.idx()];
+                    let symbol = if is_given { DIVIDED } else { CUT_DIVIDED }[end.idx()];
+                    let point = |place| self.point((end, symbol), place, role, Shape::Dot);
+                    marks.extend(place.map(point));
                 }
             }
         }

@@ -2,7 +2,7 @@
 
 use crate::{
     algo::{
-        surface::{BspEvent as Event, BspInput, BspPiece, BspSide, BspState as State},
+        surface::{BspEvent as Event, BspInput, BspNode, BspPiece, BspSide, BspState as State},
         volume::signed_distance,
     },
     figure::Caption,
@@ -38,18 +38,27 @@ fn name_of_piece(input: &Input, state: &State, number: u32) -> Value {
     })
 }
 
+/// The piece that it was chosen for.
+fn name_of_node(input: &Input, state: &State, node: &BspNode) -> Value {
+    let chosen = node.on.first();
+    chosen.map_or_else(
+        || name_of(input, node.id),
+        |&piece| name_of_piece(input, state, piece),
+    )
+}
+
 pub fn caption(event: &Event, before: &State, input: &Input) -> Caption {
     match *event {
-        Event::Node { id, parent, .. } => {
+        Event::Node { piece, parent, .. } => {
             let above = parent.and_then(|(node, _)| before.nodes.get(node as usize));
             let key = match parent {
                 None => "bsp-node-root",
                 Some((_, BspSide::Back)) => "bsp-node-back",
                 Some((_, BspSide::Front | BspSide::On | BspSide::Cut)) => "bsp-node-front",
             };
-            let message = Message::new(key).with("triangle", name_of(input, id));
+            let message = Message::new(key).with("triangle", name_of_piece(input, before, piece));
             Caption::new(match above {
-                Some(above) => message.with("parent", name_of(input, above.id)),
+                Some(above) => message.with("parent", name_of_node(input, before, above)),
                 None => message,
             })
         }
@@ -72,11 +81,12 @@ pub fn caption(event: &Event, before: &State, input: &Input) -> Caption {
                 BspSide::Back => "bsp-visit-back",
                 BspSide::On | BspSide::Cut => "bsp-visit-on",
             };
-            let id = before.nodes.get(node as usize).map(|node| node.id);
-            let caption = Caption::new(
-                Message::new(key).with("triangle", name_of(input, id.unwrap_or_default())),
-            );
-            match id.and_then(|id| plane_of(input, id)) {
+            let Some(node) = before.nodes.get(node as usize) else {
+                return Caption::new(Message::new("bsp-node-root").with("triangle", 0_usize));
+            };
+            let triangle = name_of_node(input, before, node);
+            let caption = Caption::new(Message::new(key).with("triangle", triangle));
+            match plane_of(input, node.id) {
                 Some(plane) if input.own.surfaces().eye()[3] == 1.0 => {
                     let d: f64 = signed_distance(&plane, [0.0; 3]);
                     caption.so(Formula::decimals().sym("d = ").num(d))
@@ -120,7 +130,9 @@ fn ask(
         BspSide::On => "bsp-ask-on",
         BspSide::Cut => "bsp-ask-cut",
     };
-    let id = state.nodes.get(node as usize).map_or(0, |node| node.id);
+    let Some(node) = state.nodes.get(node as usize) else {
+        return Caption::new(Message::new("bsp-node-root").with("triangle", 0_usize));
+    };
     let name = name_of_piece(input, state, number);
     let part = |sign: char| match &name {
         Value::Name(name) => Value::Name(format!("{name}{sign}")),
@@ -129,13 +141,13 @@ fn ask(
     };
     let message = Message::new(key)
         .with("piece", name.clone())
-        .with("triangle", name_of(input, id));
+        .with("triangle", name_of_node(input, state, node));
     let message = match parts {
         Some(_) => message.with("first", part('+')).with("second", part('−')),
         None => message,
     };
     let caption = Caption::new(message);
-    let (Some(plane), Some(piece)) = (plane_of(input, id), state.piece(number)) else {
+    let (Some(plane), Some(piece)) = (plane_of(input, node.id), state.piece(number)) else {
         return caption;
     };
     let distance = |&at: &[f64; 3]| signed_distance::<f64>(&plane, at);

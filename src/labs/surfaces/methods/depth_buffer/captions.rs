@@ -3,14 +3,21 @@
 use crate::{
     algo::surface::{
         DepthBufferEvent as Event, DepthBufferInput, DepthBufferState as State, DepthSteps,
-        Fragment, FragmentTally,
+        Fragment, FragmentTally, Rays,
     },
     figure::Caption,
-    labs::{space::OnSceneInput, surfaces::methods::on_raster::name_of, words::pixel_formula},
+    labs::{
+        space::{OnSceneInput, Tones},
+        surfaces::methods::on_raster::name_of,
+        words::pixel_formula,
+    },
     text::{Formula, Message, Value},
 };
 
-use super::numbers::{comparison, depth};
+use super::{
+    numbers::{comparison, depth, t_of},
+    variant::Variant,
+};
 
 pub type Input = OnSceneInput<DepthBufferInput>;
 
@@ -27,7 +34,7 @@ pub fn opening(input: &Input) -> Caption {
     Caption::new(message)
 }
 
-pub fn caption(event: &Event, before: &State, input: &Input) -> Caption {
+pub fn caption<L: Variant>(event: &Event, before: &State, input: &Input) -> Caption {
     let own = &input.own;
     let named = |key, id| Message::new(key).with("triangle", name_of(input, id));
     match *event {
@@ -65,7 +72,9 @@ pub fn caption(event: &Event, before: &State, input: &Input) -> Caption {
             Caption::new(since(message, before.so_far.tally, tally))
         }
         Event::Fragment { fragment, .. } => fragment_caption(&fragment, input),
-        Event::Done => done(before.so_far.tally),
+        Event::Done => {
+            in_shades::<L>(&before.so_far.depth, input).unwrap_or_else(|| done(before.so_far.tally))
+        }
     }
 }
 
@@ -94,6 +103,32 @@ fn fragment_caption(fragment: &Fragment, input: &Input) -> Caption {
         )
         .with("at", pixel_formula(fragment.pixel));
     Caption::new(message).so(comparison(&input.own.format, fragment))
+}
+
+/// Of a buffer that is shown in shades: which part of their scale it needs. None where it is not, or nothing was drawn.
+fn in_shades<L: Variant>(stored: &[f64], input: &Input) -> Option<Caption> {
+    let own = &input.own;
+    let rays = Rays::of(&own.surfaces);
+    let distance = |stored| rays.distance(t_of::<L>(&rays, own.format.turned(stored)));
+    let finite = stored.iter().copied().filter(|stored| stored.is_finite());
+    let stored = |value| depth(Formula::decimals(), &own.format, value);
+    let plain = |value| Formula::decimals().num(value);
+    let (key, values, said): (_, Vec<f64>, &dyn Fn(f64) -> Formula) =
+        match input.scenery.as_deref()?.scene().raster.tones {
+            Tones::Triangles => return None,
+            Tones::Stored => ("depth-done-stored", finite.collect(), &stored),
+            Tones::Distance => (
+                "depth-done-distance",
+                finite.map(distance).collect(),
+                &plain,
+            ),
+        };
+    let least = values.iter().copied().reduce(f64::min)?;
+    let most = values.iter().copied().reduce(f64::max)?;
+    let message = Message::new(key).with("pixels", values.len());
+    Some(Caption::new(
+        message.with("least", said(least)).with("most", said(most)),
+    ))
 }
 
 fn done(tally: FragmentTally) -> Caption {

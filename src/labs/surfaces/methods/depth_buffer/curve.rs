@@ -6,8 +6,8 @@ use crate::{
     text::{Formula, Message, Value},
 };
 
-/// As wide as high is too narrow for a curve.
-const WIDTH: f64 = 2.4;
+/// A row of two has far more room to the side than upwards.
+const WIDTH: f64 = 6.0;
 /// Points of the curve.
 const POINTS: usize = 64;
 /// Of so many steps each is drawn, of more every so-manieth.
@@ -33,10 +33,12 @@ pub fn curves(rays: &Rays, format: &DepthFormat, depth: Option<f64>) -> Multiple
         } else {
             "curve-forward"
         };
-        let step = depth.and_then(|depth| step_in_view(rays, &format, depth));
-        let note = step.map(|step| {
-            let step = Formula::decimals().num(step);
-            Value::Message(Message::new("curve-step").with("step", step))
+        let decimals = |number| Formula::decimals().num(number);
+        let note = depth.and_then(|depth| {
+            let step = decimals(step_in_view(rays, &format, depth)?);
+            let distance = decimals(rays.distance(rays.t_at(depth)));
+            let message = Message::new("curve-step").with("step", step);
+            Some(Value::Message(message.with("distance", distance)))
         });
         SmallDrawing {
             title: Value::Term(key),
@@ -55,17 +57,13 @@ pub fn curves(rays: &Rays, format: &DepthFormat, depth: Option<f64>) -> Multiple
 
 /// Distance to the right, what is stored upwards.
 fn marks(rays: &Rays, format: &DepthFormat, depth: Option<f64>) -> Vec<Mark> {
-    let [near, far] = [rays.distance(1.0), rays.distance(rays.far())];
-    let turned = |depth: f64| {
-        if format.is_reversed {
-            1.0 - depth
-        } else {
-            depth
-        }
-    };
+    let [near, far] = rays.ends();
     let place = |depth: f64| {
         let distance = rays.distance(rays.t_at(depth));
-        [WIDTH * (distance - near) / (far - near), turned(depth)]
+        [
+            WIDTH * (distance - near) / (far - near),
+            format.turned(depth),
+        ]
     };
     let line = |points| Weight {
         points,

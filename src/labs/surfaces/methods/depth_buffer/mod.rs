@@ -117,7 +117,7 @@ impl<L: Variant> Demo for Shown<L> {
     }
 
     fn caption(event: &Event, before: &State, input: &Input) -> Caption {
-        captions::caption(event, before, input)
+        captions::caption::<L>(event, before, input)
     }
 
     fn opening(input: &Input) -> Caption {

@@ -1,16 +1,18 @@
 //! Depths as they are stored, in words and in pixels.
 
 use crate::{
-    algo::surface::{DepthFormat, DepthNumber, Fragment, Rays},
-    text::{Formula, Value},
+    algo::surface::{DepthFormat, DepthNumber, Fragment, Rays, Surfaces},
+    text::{Formula, Message, Value},
 };
 
 use super::variant::Variant;
 
+const THOUSANDTH: f64 = 0.001;
+
 /// Along a pixel's ray, t where the depth is this by these rules.
 pub fn t_of<L: Variant>(rays: &Rays, depth: f64) -> f64 {
     if L::STRAIGHT_DISTANCE {
-        let [near, far] = [1.0, rays.far()].map(|t| rays.distance(t));
+        let [near, far] = rays.ends();
         rays.t_of(near + depth * (far - near))
     } else {
         rays.t_at(depth)
@@ -62,12 +64,68 @@ pub fn value(format: &DepthFormat, stored: f64) -> Value {
     Value::Formula(depth(Formula::decimals(), format, stored))
 }
 
-/// In a pixel, where there is room for three digits: thousandths, or the number of the step.
-pub fn in_pixel(format: &DepthFormat, stored: f64) -> Option<Value> {
-    let scale = match format.number {
-        DepthNumber::Double | DepthNumber::Single => 1000.0,
-        DepthNumber::Fixed(_) => 1.0,
-    };
-    let is_written = stored.is_finite();
-    is_written.then(|| Value::Count((shown(format, stored) * scale).round().max(0.0) as usize))
+/// Depths in pixels, where there is room for three digits.
+pub struct InPixels<'a> {
+    format: &'a DepthFormat,
+    /// What one is, where that is not the step of a format.
+    unit: Option<f64>,
+}
+
+impl<'a> InPixels<'a> {
+    /// Steps where they have numbers; else thousandths, or finer parts where a reversed buffer keeps all of this scene near 0.
+    pub fn of(surfaces: &Surfaces, format: &'a DepthFormat) -> Self {
+        let unit = match format.number {
+            DepthNumber::Fixed(_) => None,
+            DepthNumber::Double | DepthNumber::Single if format.is_reversed => {
+                Some(THOUSANDTH.min(unit_of(largest(surfaces, format))))
+            }
+            DepthNumber::Double | DepthNumber::Single => Some(THOUSANDTH),
+        };
+        Self { format, unit }
+    }
+
+    /// ∞ where nothing has been written.
+    pub fn value(&self, stored: f64) -> Value {
+        if !stored.is_finite() {
+            let infinite = depth(Formula::default(), self.format, stored);
+            return Value::Formula(infinite);
+        }
+        let n_units = shown(self.format, stored) / self.unit.unwrap_or(1.0);
+        Value::Count(n_units.round().max(0.0) as usize)
+    }
+
+    /// What the numbers count.
+    pub fn title(&self) -> Value {
+        match (self.format.number, self.unit) {
+            (DepthNumber::Fixed(bits), _) => {
+                let message = Message::new("raster-depth-steps").with("bits", bits.get() as usize);
+                Value::Message(message.with("last", bits.largest() as usize))
+            }
+            (_, Some(unit)) if unit < THOUSANDTH => {
+                let unit = Formula::decimals().num(unit);
+                Value::Message(Message::new("raster-depth-unit").with("unit", unit))
+            }
+            (DepthNumber::Double | DepthNumber::Single, _) => Value::Term("raster-depth"),
+        }
+    }
+}
+
+/// The largest depth that is stored for a corner between the near and the far plane.
+fn largest(surfaces: &Surfaces, format: &DepthFormat) -> f64 {
+    let rays = Rays::of(surfaces);
+    let corners = surfaces.triangles().iter().flatten();
+    let stored = corners.map(|[.., z]| {
+        let depth = rays.depth(rays.t_of(-z).clamp(1.0, rays.far()));
+        format.stored(depth)
+    });
+    stored.fold(0.0, f64::max)
+}
+
+/// A power of ten that fits into this at least a hundred and fewer than a thousand times.
+fn unit_of(largest: f64) -> f64 {
+    if largest > 0.0 {
+        libm::pow(10.0, libm::log10(largest).floor() - 2.0)
+    } else {
+        THOUSANDTH
+    }
 }

@@ -2,14 +2,14 @@
 //! stands for.
 
 use crate::{
-    algo::surface::{DepthFormat, DepthNumber, Rays},
+    algo::surface::{DepthFormat, Rays},
     figure::{Pixel, Role},
     labs::space::Tones,
     text::{Formula, Message, Value},
 };
 
 use super::{
-    numbers::{in_pixel, t_of},
+    numbers::{InPixels, t_of},
     variant::Variant,
 };
 
@@ -17,18 +17,19 @@ use super::{
 pub struct Shades<'a> {
     pub rays: Rays,
     pub format: &'a DepthFormat,
+    pub numbers: &'a InPixels<'a>,
     pub tones: Tones,
 }
 
 impl Shades<'_> {
     /// What is stored at a pixel, as it looks and as it is said; none where the pixel looks like its triangle.
     pub fn pixel<L: Variant>(&self, stored: f64) -> Option<Pixel> {
-        let depth = self.format.forward(stored);
-        let [near, far] = self.ends();
+        let depth = self.format.turned(stored);
+        let [near, far] = self.rays.ends();
         let (part, value) = match self.tones {
             Tones::Triangles => return None,
             _ if !depth.is_finite() => return Some(Pixel::EMPTY),
-            Tones::Stored => (depth, in_pixel(self.format, stored)),
+            Tones::Stored => (depth, Some(self.numbers.value(stored))),
             Tones::Distance => {
                 let distance = self.rays.distance(t_of::<L>(&self.rays, depth));
                 ((distance - near) / (far - near), Some(short(distance)))
@@ -41,32 +42,23 @@ impl Shades<'_> {
         })
     }
 
-    /// Distances of the near and the far plane.
-    fn ends(&self) -> [f64; 2] {
-        [1.0, self.rays.far()].map(|t| self.rays.distance(t))
-    }
-
     /// What the darkest and the palest shade stand for.
     pub fn scale(&self) -> Option<[Value; 2]> {
         let nearest = self.format.nearest();
         let values = match self.tones {
             Tones::Triangles => return None,
-            Tones::Stored => [nearest, 1.0 - nearest].map(|depth| in_pixel(self.format, depth)),
-            Tones::Distance => self.ends().map(|distance| Some(short(distance))),
+            Tones::Stored => [nearest, 1.0 - nearest].map(|depth| self.numbers.value(depth)),
+            Tones::Distance => self.rays.ends().map(short),
         };
         let [near, far] = values;
         let end = |key, value| Value::Message(Message::new(key).with("value", value));
-        Some([end("scale-near", near?), end("scale-far", far?)])
+        Some([end("scale-near", near), end("scale-far", far)])
     }
 
     pub fn title(&self) -> Value {
-        match (self.tones, self.format.number) {
-            (Tones::Distance, _) => Value::Term("raster-distance"),
-            (_, DepthNumber::Fixed(bits)) => {
-                let message = Message::new("raster-depth-steps").with("bits", bits.get() as usize);
-                Value::Message(message.with("last", bits.largest() as usize))
-            }
-            (_, DepthNumber::Double | DepthNumber::Single) => Value::Term("raster-depth"),
+        match self.tones {
+            Tones::Distance => Value::Term("raster-distance"),
+            Tones::Triangles | Tones::Stored => self.numbers.title(),
         }
     }
 }

@@ -20,7 +20,7 @@ use crate::{
 use super::{
     Shown,
     curve::curves,
-    numbers::{in_pixel, t_of},
+    numbers::{InPixels, t_of},
     shades::Shades,
     story::story,
     variant::Variant,
@@ -72,7 +72,7 @@ fn marks<L: Variant>(step: &Step<'_, Shown<L>>, scenery: &Scenery) -> Vec<Mark3>
         let far = |pixel| sight(surfaces, camera, pixel, rays.far());
         return pixel_of(step).map(far).unwrap_or_default();
     };
-    let stored = step.input.own.format.forward(fragment.stored);
+    let stored = step.input.own.format.turned(fragment.stored);
     let ray = rays.through(fragment.pixel);
     let t_of = |depth: f64| t_of::<L>(&rays, depth);
     let at = |depth: f64| camera.world_from_view(ray.at(t_of(depth)));
@@ -117,17 +117,18 @@ fn raster<L: Variant>(step: &Step<'_, Shown<L>>, scene: &Scene) -> Raster {
     let so_far = whole.as_ref().unwrap_or(&step.state.so_far);
     let current = step.state.triangle.map(|(id, _)| id);
     let is_narrow = scene.beside.len() > 1;
-    let named = lettered(&so_far.picture, |id| name_of(step.input, id));
-    let said = |place: usize| {
-        if is_narrow {
-            named(place)
-        } else {
-            in_pixel(&own.format, *so_far.depth.get(place)?)
-        }
+    let named = is_narrow.then(|| lettered(&so_far.picture, |id| name_of(step.input, id)));
+    let numbers = InPixels::of(&own.surfaces, &own.format);
+    let said = |place: usize| match &named {
+        Some(named) => named(place),
+        // It has not been cleared yet.
+        None if step.event.is_none() => None,
+        None => Some(numbers.value(*so_far.depth.get(place)?)),
     };
     let shades = Shades {
         rays: Rays::of(&own.surfaces),
         format: &own.format,
+        numbers: &numbers,
         tones: scene.raster.tones,
     };
     let shaded = so_far.depth.iter();

@@ -45,8 +45,15 @@ pub fn caption(event: &Event, before: &State, input: &Input) -> Caption {
         Event::Cycle { id } => match before.cycle.last() {
             None => Caption::new(named("painter-cycle-first", id)),
             Some(&last) => {
-                let message = named("painter-cycle-next", id);
-                Caption::new(message.with("before", name_of(input, last)))
+                let first = before.cycle[0];
+                let is_closed = before.constraints.contains(&[id, first]);
+                let key = if is_closed {
+                    "painter-cycle-closes"
+                } else {
+                    "painter-cycle-next"
+                };
+                let message = named(key, id).with("before", name_of(input, last));
+                Caption::new(message.with("first", name_of(input, first)))
             }
         },
         Event::Paint { id } => {
