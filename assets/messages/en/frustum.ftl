@@ -106,7 +106,10 @@ watch-object = object
 
 box-opening = A box around all vertices answers for the object: { $planes } planes, eight corners each.
 box-inside = All eight corners are inside the { $plane } plane ({ $outside } outside).
-box-straddles = { $outside } of 8 corners are outside the { $plane } plane: it straddles.
+box-straddles = { $outside ->
+        [one] { $outside } of 8 corners is
+       *[other] { $outside } of 8 corners are
+    } outside the { $plane } plane: it straddles.
 box-outside = All { $outside } corners are outside the { $plane } plane: culled whole.
 box-meets = It straddles { $cut ->
         [one] { $cut } plane
@@ -156,10 +159,12 @@ level-spheres = after the spheres
 level-vertices = after the vertices
 level-cuts = after the cuts
 level-facing = facing the camera
-level-counts =
-    { $objects ->
-        [one] { $triangles } triangles · { $objects } object
-       *[other] { $triangles } triangles · { $objects } objects
+level-counts = { $triangles ->
+        [one] { $triangles } triangle
+       *[other] { $triangles } triangles
+    } · { $objects ->
+        [one] { $objects } object
+       *[other] { $objects } objects
     }
 funnel-opening = { $objects ->
         [one] { $objects } object

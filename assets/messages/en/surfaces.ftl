@@ -67,6 +67,7 @@ depth-done = Done: { $fragments ->
 
 raster-depth = Depth in thousandths
 raster-depth-unit = Depth in units of { $unit }
+raster-straight = Distance from near to far, in thousandths
 raster-depth-steps = Depth in { $bits } bits: 0 to { $last }
 raster-distance = Distance from the camera
 scale-near = near { $value }
@@ -279,7 +280,7 @@ words-occlusion-draw = Else draw it.
 occlusion-opening = { $objects ->
     [one] One object
    *[other] { $objects } objects
-  } on { $columns } × { $rows } pixels. Of those in the picture, the one third that covers the most pixels may hide the others and is drawn first: { $occluders }.
+  } on { $columns } × { $rows } pixels. Of those in the picture, the one third, rounded up, that covers the most pixels may hide the others and is drawn first: { $occluders }.
 occlusion-none = none
 occlusion-occluder = { $object } is an occluder, drawn unasked: { $triangles ->
     [one] one triangle,

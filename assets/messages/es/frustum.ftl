@@ -15,8 +15,8 @@ view-observer = Observador
 view-camera = Cámara
 gauge-outside = fuera
 gauge-inside = dentro
-gauge-away = mira a otro lado
-gauge-faces-camera = mira a la cámara
+gauge-away = de espaldas
+gauge-faces-camera = de frente
 gauge-drawn = se dibuja
 gauge-culled = se descarta
 gauges-sphere = Una esfera, { $planes } planos
@@ -63,7 +63,10 @@ point-inside = P está por dentro del plano { $plane }.
 point-on = P está en el plano { $plane }, lo que cuenta como dentro.
 point-outside = P está por fuera del plano { $plane }.
 point-done-inside = Ninguno de los { $planes } planos deja P fuera: está en el volumen.
-point-done-outside = { $outside } de { $planes } planos dejan P fuera: no está en el volumen.
+point-done-outside = { $outside ->
+        [one] { $outside } de { $planes } planos deja
+       *[other] { $outside } de { $planes } planos dejan
+    } P fuera: no está en el volumen.
 code-plane-each = para cada plano (n, D):
 code-point-distance = d ← n·P + D
 code-point-outside = si d < 0: fuera
@@ -106,7 +109,10 @@ watch-object = objeto
 
 box-opening = Una caja alrededor de todos los vértices responde por el objeto: { $planes } planos, ocho vértices cada uno.
 box-inside = Los ocho vértices están por dentro del plano { $plane } ({ $outside } por fuera).
-box-straddles = { $outside } de 8 vértices están por fuera del plano { $plane }: la caja lo cruza.
+box-straddles = { $outside ->
+        [one] { $outside } de 8 vértices está
+       *[other] { $outside } de 8 vértices están
+    } por fuera del plano { $plane }: la caja lo cruza.
 box-outside = Los { $outside } vértices están por fuera del plano { $plane }: se descarta entera.
 box-meets = Cruza { $cut ->
         [one] { $cut } plano
@@ -136,8 +142,8 @@ face-normal = Vista desde fuera, la cara { $face } se recorre en sentido antihor
 face-to-eye = Desde V₀ de la cara { $face } hasta la cámara: e = ojo − V₀.
 face-to-direction = Paralela: para la cara { $face }, como para todas, e vuelve por la línea de visión.
 face-products = Cara { $face }: el producto escalar y, como determinante, el mismo número.
-face-front = La cara { $face } mira a la cámara: se dibuja.
-face-back = La cara { $face } mira a otro lado: se descarta.
+face-front = La cara { $face } está de frente a la cámara: se dibuja.
+face-back = La cara { $face } está de espaldas a la cámara: se descarta.
 face-edge-on = La cara { $face } está de canto: no se ve nada de ella, se descarta.
 code-face-normal = n ← (V₁ − V₀) × (V₂ − V₀)
 code-face-viewer = e ← ojo − V₀
@@ -156,10 +162,12 @@ level-spheres = tras las esferas
 level-vertices = tras los vértices
 level-cuts = tras los cortes
 level-facing = de cara a la cámara
-level-counts =
-    { $objects ->
-        [one] { $triangles } triángulos · { $objects } objeto
-       *[other] { $triangles } triángulos · { $objects } objetos
+level-counts = { $triangles ->
+        [one] { $triangles } triángulo
+       *[other] { $triangles } triángulos
+    } · { $objects ->
+        [one] { $objects } objeto
+       *[other] { $objects } objetos
     }
 funnel-opening = { $objects ->
         [one] { $objects } objeto
@@ -189,8 +197,8 @@ funnel-triangle-across = Triángulo { $triangle }: { $inside ->
        *[other] { $pieces } triángulos
     }.
 funnel-triangle-nothing = Triángulo { $triangle }: { $inside } vértices dentro, y el recorte deja { $pieces } trozos.
-funnel-face-front = El triángulo { $triangle } del objeto { $object } mira a la cámara: se dibuja.
-funnel-face-back = El triángulo { $triangle } del objeto { $object } mira a otro lado: se descarta.
+funnel-face-front = El triángulo { $triangle } del objeto { $object } está de frente a la cámara: se dibuja.
+funnel-face-back = El triángulo { $triangle } del objeto { $object } está de espaldas a la cámara: se descarta.
 funnel-face-edge-on = El triángulo { $triangle } del objeto { $object } se ve de canto: se descarta.
 funnel-done = Quedan por dibujar { $facing ->
         [one] { $facing } triángulo
@@ -216,7 +224,7 @@ words-funnel-plane = Pregunta a los seis planos la distancia del centro.
 words-funnel-cull = Más afuera que el radio: deja fuera el objeto.
 words-funnel-straddles = Solo lo que cruza baja de nivel.
 words-funnel-triangle = Vértices más allá de un mismo lado: descartar; ninguno fuera: conservar; si no, recortar.
-words-funnel-face = Lo que mira a otro lado queda tapado por lo que mira a la cámara.
+words-funnel-face = Lo que está de espaldas a la cámara queda tapado por lo que está de frente a la cámara.
 words-funnel-draw = Cada nivel ha quitado lo que el anterior podía decidir.
 
 ## Mistakes

@@ -15,7 +15,7 @@ space-world-title = Espacio del mundo
 space-view-title = Espacio de vista: la cámara es el origen
 space-clip-title = Espacio de recorte, sobre x, y y w
 space-clip-parallel-title = Espacio de recorte, sobre x, y y z
-space-ndc-title = NDC: dividido por w
+space-ndc-title = NDC: dividido entre w
 space-screen-title = Pantalla, en píxeles
 object-vertex = Vértice
 pipeline-note-world = tamaño, giro y lugar del objeto
@@ -57,7 +57,7 @@ pipeline-clip-w = La fila 4 copia la profundidad en w: { $value }, por la que se
 pipeline-clip-w-parallel = La fila 4 deja w en 1: con líneas de visión paralelas no hay nada que dividir.
 pipeline-inside = Dentro: x, y y z están entre −w y w.
 pipeline-outside = Fuera: el recorte quita P.
-pipeline-divide = Dividir por w = { $w }: lo que está dentro queda entre −1 y 1.
+pipeline-divide = Dividir entre w = { $w }: lo que está dentro queda entre −1 y 1.
 pipeline-screen = De −1 … 1 a { $columns } × { $rows } píxeles, con las filas contadas desde arriba.
 pipeline-behind = P no está delante del ojo: no hay por qué dividir, ni lugar en la pantalla.
 
@@ -95,7 +95,7 @@ code-drawn-diagonal = si e > 0: uno de través; e ← e − 2a
 code-drawn-straight = uno a lo largo; e ← e + 2b
 words-drawn-project = Proyectar: ambos extremos van al espacio de recorte, nada se divide aún.
 words-drawn-clip = Recortar: se quita lo que la cámara no puede ver.
-words-drawn-divide = Dividir por w, y contar en píxeles.
+words-drawn-divide = Dividir entre w, y contar en píxeles.
 words-drawn-begin = Cada extremo va a su píxel; e dice de qué lado del primer punto medio corre la línea.
 words-drawn-put = Píxel por píxel a lo largo del eje mayor.
 words-drawn-diagonal = La línea corre más allá del punto medio: también uno por el eje menor.
@@ -106,7 +106,7 @@ drawn-line-project-behind = { $end } va al espacio de recorte. No está delante 
 drawn-line-clip-whole = Toda está dentro: no se corta nada.
 drawn-line-clip-cut = Recortada antes de dividir: lo que queda tiene w > 0.
 drawn-line-reject = Nada de ella está dentro: ningún píxel.
-drawn-line-divide = Divididos por w y escalados, ambos extremos son lugares de la pantalla.
+drawn-line-divide = Divididos entre w y escalados, ambos extremos son lugares de la pantalla.
 drawn-line-round = Cada extremo va al píxel en que está; la línea corre ahora de centro a centro.
 drawn-line-first = { $at } es el primer píxel. e dice de qué lado del siguiente punto medio corre la línea.
 drawn-line-straight = e = { $e } < 0: la línea no llega al punto medio. Uno recto, a { $at }.

@@ -6,13 +6,13 @@ alg-plane-at-a-time = Plano a plano
 alg-intersection-polygon = Un solo polígono, en abanico al final
 alg-textured-triangle = Un solo polígono con textura
 alg-homogeneous-triangle = Triángulo antes de la división
-alg-faulty-missed-edge = Mal: con d₀ = 0 el triángulo queda entero
-alg-faulty-on-plane = Mal: sobre el plano es fuera
-alg-faulty-kept-uv = Mal: (u, v) no se mezcla
-alg-undivided-texture = Mal: una textura sin la división
-alg-faulty-edge-by-edge = Mal: tres aristas recortadas
-alg-faulty-all-sides = Mal: los seis lados en fila
-alg-faulty-divided-triangle = Mal: el triángulo se divide primero
+alg-faulty-missed-edge = Erróneo: con d₀ = 0 el triángulo queda entero
+alg-faulty-on-plane = Erróneo: estar en el plano cuenta como fuera
+alg-faulty-kept-uv = Erróneo: (u, v) no se interpola
+alg-undivided-texture = Erróneo: una textura sin la división
+alg-faulty-edge-by-edge = Erróneo: tres aristas recortadas
+alg-faulty-all-sides = Erróneo: los seis lados en fila
+alg-faulty-divided-triangle = Erróneo: el triángulo se divide primero
 
 ## Vistas
 
@@ -38,8 +38,8 @@ ip-opening = Un polígono contra { $planes ->
        *[other] { $n } vértices
     } del triángulo.
 ip-plane = El plano { $plane } recibe una lista de { $n } vértices.
-ip-first-inside = { $vertex } está dentro del plano { $plane }: sale.
-ip-first-outside = { $vertex } está fuera del plano { $plane }: no sale.
+ip-first-inside = { $vertex } está dentro del plano { $plane }: se emite.
+ip-first-outside = { $vertex } está fuera del plano { $plane }: no se emite.
 ip-touch = { $from } → { $to }: { $rule }. El extremo sobre el plano es el propio corte.
 ip-in-out = { $from } → { $to }: dentro → fuera. Se emite la intersección { $cut }.
 ip-out-in = { $from } → { $to }: fuera → dentro. Se emiten la intersección { $cut } y después { $to }.
@@ -51,7 +51,7 @@ ip-pass-drops = El plano { $plane } quita { $dropped }: { $before } → { $after
 ip-pass-same = El plano { $plane } no corta nada: { $before } → { $after }.
 ip-pass-empty = El plano { $plane } no deja nada: { $before } → { $after }.
 ip-fan = Triángulo { $n } de { $total } del abanico: { $corners }.
-ip-done = Fin: { $vertices ->
+ip-done = Terminado: { $vertices ->
         [one] { $vertices } vértice
        *[other] { $vertices } vértices
     }, un abanico de { $n ->
@@ -61,17 +61,17 @@ ip-done = Fin: { $vertices ->
         [one] { $crossings } corte
        *[other] { $crossings } cortes
     }.
-ip-done-empty = Fin: { $n } triángulos. No queda nada con área ({ $vertices } vértices, { $crossings } cortes).
+ip-done-empty = Terminado: { $n } triángulos. No queda nada con área ({ $vertices } vértices, { $crossings } cortes).
 code-ip-each = para cada plano (n, D):
 code-ip-distance = d ← n·V + D de cada vértice
-code-ip-inside = si d ≥ 0: sale V
-code-ip-cross = donde d cambia de signo: sale C
+code-ip-inside = si d ≥ 0: emitir V
+code-ip-cross = donde d cambia de signo: emitir C
 code-ip-pass = lista ← lo que ha salido
 code-ip-fan = triángulos ← abanico de la lista
 words-ip-each = Pregunta a cada plano por turno; su normal apunta hacia dentro.
 words-ip-distance = La distancia con signo de cada vértice de la lista.
-words-ip-inside = Lo que está dentro sale; sobre el plano es dentro.
-words-ip-cross = Donde una arista cambia de lado sale su corte: t = d₁ / (d₁ − d₂).
+words-ip-inside = Lo que está dentro se emite; estar en el plano cuenta como dentro.
+words-ip-cross = Donde una arista cambia de lado se emite su corte: t = d₁ / (d₁ − d₂).
 words-ip-pass = Lo que ha salido es la lista del plano siguiente.
 words-ip-fan = Un polígono convexo se divide en triángulos una sola vez, al final.
 
@@ -100,10 +100,10 @@ pat-pass =
 pat-pass-empty = El plano { $plane } recibió { $before } y entrega { $after }: no queda nada.
 pat-done =
     { $n ->
-        [one] Fin: queda { $n } triángulo, tras { $crossings } cortes.
-       *[other] Fin: quedan { $n } triángulos, tras { $crossings } cortes.
+        [one] Terminado: queda { $n } triángulo, tras { $crossings } cortes.
+       *[other] Terminado: quedan { $n } triángulos, tras { $crossings } cortes.
     }
-pat-done-empty = Fin: quedan { $n ->
+pat-done-empty = Terminado: quedan { $n ->
         [one] { $n } triángulo
        *[other] { $n } triángulos
     }, tras { $crossings ->
@@ -152,29 +152,29 @@ ht-done-empty = No queda nada con área: { $n } vértices, { $triangles } trián
 code-ht-codes = seis bits por vértice: w ± x, y, z < 0
 code-ht-decide = OR = 0: conservar; AND ≠ 0: rechazar
 code-ht-each = para cada lado que nombra el OR:
-code-ht-bound = si w ± x ≥ 0: sale V
-code-ht-cross = donde cambia de signo: sale I
-code-ht-fan = abanico, y luego dividir por w
+code-ht-bound = si w ± x ≥ 0: emitir V
+code-ht-cross = donde cambia de signo: emitir I
+code-ht-fan = abanico, y luego dividir entre w
 words-ht-codes = Un bit por cada lado de −w ≤ x, y, z ≤ w que el vértice sobrepasa.
 words-ht-decide = Nada que recortar, o nada que ver.
 words-ht-each = Solo hace falta preguntar por los lados que algún vértice sobrepasa.
 words-ht-bound = La cota es una suma: sin división, y con w de cualquier signo.
-words-ht-cross = Las cuatro coordenadas se mezclan con la misma t.
+words-ht-cross = Las cuatro coordenadas se interpolan con la misma t.
 words-ht-fan = Lo que queda tiene w > 0 y se puede dividir.
 
 ## ¿Qué está mal aquí?
 
-faulty-missed-edge-differs = El paso { $step } es el primero distinto: con d₀ = 0 ningún producto es negativo, y el triángulo quedó entero.
-faulty-on-plane-differs = El paso { $step } es el primero distinto: un vértice sobre el plano se tomó por exterior.
-faulty-kept-uv-differs = El paso { $step } es el primero distinto: el corte conservó el (u, v) del vértice exterior.
-faulty-edge-by-edge-differs = El paso { $step } es el primero distinto: cada arista se recorta por su cuenta, no como anillo.
-faulty-all-sides-differs = El paso { $step } es el primero distinto: se pregunta por un lado que ningún código nombra, y que no corta nada.
-faulty-divided-triangle-differs = El paso { $step } es el primero distinto: vértices con w < 0 se dividieron antes de recortar nada.
+faulty-missed-edge-differs = El paso { $step } es el primero que difiere: con d₀ = 0 ningún producto es negativo, y el triángulo quedó entero.
+faulty-on-plane-differs = El paso { $step } es el primero que difiere: un vértice sobre el plano se tomó por exterior.
+faulty-kept-uv-differs = El paso { $step } es el primero que difiere: el corte conservó el (u, v) del vértice exterior.
+faulty-edge-by-edge-differs = El paso { $step } es el primero que difiere: cada arista se recorta por su cuenta, no como anillo.
+faulty-all-sides-differs = El paso { $step } es el primero que difiere: se pregunta por un lado que ningún código nombra, y que no corta nada.
+faulty-divided-triangle-differs = El paso { $step } es el primero que difiere: vértices con w < 0 se dividieron antes de recortar nada.
 code-faulty-missed-edge = si d₀·d₁ < 0 o d₀·d₂ < 0: cortar
 words-faulty-missed-edge = Se corta donde la primera distancia y otra difieren en signo.
-code-faulty-on-plane = si d > 0: sale V
+code-faulty-on-plane = si d > 0: emitir V
 words-faulty-on-plane = Sale lo que está estrictamente dentro.
-code-faulty-kept-uv = sale C, uv(C) ← uv(V)
+code-faulty-kept-uv = emitir C, uv(C) ← uv(V)
 words-faulty-kept-uv = El corte toma el (u, v) del vértice al que sustituye.
 code-undivided-texture = abanico, rellenar: uv uniforme en la pantalla
 words-undivided-texture = El polígono se divide en abanico; en la pantalla se interpola (u, v) sin 1/w.

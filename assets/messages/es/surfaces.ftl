@@ -8,30 +8,30 @@ alg-faulty-depth-straight = Búfer de profundidad, distancia lineal en pantalla
 
 ## Pseudocode
 
-code-depth-clear = picture ← background, z ← ∞
+code-depth-clear = imagen ← fondo, z ← ∞
 words-depth-clear = Borra la imagen con el fondo y pon cada profundidad a infinito.
-code-depth-clear-reversed = picture ← background, z ← −∞
+code-depth-clear-reversed = imagen ← fondo, z ← −∞
 words-depth-clear-reversed = Borra la imagen con el fondo y pon cada profundidad a menos infinito: nada está más lejos.
-code-depth-triangle = for each triangle T
+code-depth-triangle = para cada triángulo T
 words-depth-triangle = Toma los triángulos, en cualquier orden.
-code-depth-fragment = for each pixel in T: z_T ← depth of T there
+code-depth-fragment = para cada píxel de T: z_T ← profundidad de T ahí
 words-depth-fragment = Para cada píxel cuyo centro cubre el triángulo, halla allí su profundidad.
-code-depth-compare = if z_T < z[pixel]
+code-depth-compare = si z_T < z[píxel]
 words-depth-compare = Compárala con la profundidad guardada.
-code-depth-compare-reversed = if z_T > z[pixel]
-code-depth-write = picture[pixel] ← T, z[pixel] ← z_T
+code-depth-compare-reversed = si z_T > z[píxel]
+code-depth-write = imagen[píxel] ← T, z[píxel] ← z_T
 words-depth-write = Si es menor, escribe el triángulo y su profundidad.
 words-depth-write-reversed = Si es mayor, escribe el triángulo y su profundidad: 1 es cerca.
-code-faulty-depth-clear = picture ← background, z ← 0
+code-faulty-depth-clear = imagen ← fondo, z ← 0
 words-faulty-depth-clear = Pon cada profundidad a 0, la del plano cercano.
-code-faulty-depth-clear-reversed = picture ← background, z ← 1
+code-faulty-depth-clear-reversed = imagen ← fondo, z ← 1
 words-faulty-depth-clear-reversed = Pon cada profundidad a 1, la del plano cercano.
-code-faulty-depth-compare = if z_T > z[pixel]
+code-faulty-depth-compare = si z_T > z[píxel]
 words-faulty-depth-compare = Escribe cuando la nueva profundidad es mayor.
 words-faulty-depth-compare-reversed = Escribe cuando la nueva profundidad es menor, aunque 1 sea cerca.
-code-faulty-depth-always = always
+code-faulty-depth-always = siempre
 words-faulty-depth-always = No compares nada.
-code-faulty-depth-straight = for each pixel in T: z_T ← distance, straight across the screen
+code-faulty-depth-straight = para cada píxel de T: z_T ← distancia, interpolada en la pantalla
 words-faulty-depth-straight = Interpola la distancia en el espacio de vista linealmente en la pantalla, sin la división.
 faulty-depth-clear-differs = El paso { $step } es el primero que difiere: ninguna profundidad es menor que 0, así que no se escribirá nada.
 faulty-depth-compare-differs = El paso { $step } es el primero que difiere: se escribe el más lejano.
@@ -67,6 +67,7 @@ depth-done = Terminado: { $fragments ->
 
 raster-depth = Profundidad en milésimas
 raster-depth-unit = Profundidad en unidades de { $unit }
+raster-straight = Distancia de cercano a lejano, en milésimas
 raster-depth-steps = Profundidad en { $bits } bits: 0 a { $last }
 raster-distance = Distancia a la cámara
 scale-near = cerca { $value }
@@ -105,15 +106,15 @@ watch-pixels = píxeles
 ## Ray casting
 
 alg-ray-casting = Lanzamiento de rayos
-code-ray-pixel = for each pixel: ray o + t · r through its middle
+code-ray-pixel = para cada píxel: rayo o + t · r por su centro
 words-ray-pixel = Para cada píxel toma el rayo desde el ojo por su centro.
-code-ray-triangle = for each triangle T with plane n·p + d = 0
+code-ray-triangle = para cada triángulo T, plano n·p + d = 0
 words-ray-triangle = Pregunta a cada triángulo.
 code-ray-plane = t ← −(n·o + d) / (n·r)
 words-ray-plane = Halla dónde corta el rayo su plano; paralelo o detrás del ojo no cuenta.
-code-ray-inside = if o + t · r in T: hit
+code-ray-inside = si o + t · r está en T: impacto
 words-ray-inside = Si ese punto está en el triángulo, hay impacto.
-code-ray-nearest = picture[pixel] ← T of the smallest t
+code-ray-nearest = imagen[píxel] ← T del menor t
 words-ray-nearest = Se ve el impacto de menor t.
 ray-opening = { $rays ->
     [one] Un rayo
@@ -164,23 +165,23 @@ watch-asked = preguntas
 alg-painter = Algoritmo del pintor
 alg-faulty-painter-nearest = Pintor, ordenado por el vértice más cercano
 alg-faulty-painter-keys = Pintor, ordenado sin preguntar nada más
-code-paint-key = for each triangle T: key ← its farthest z
+code-paint-key = para cada triángulo T: clave ← su z más lejano
 words-paint-key = La clave de un triángulo es la distancia de su vértice más lejano.
-code-paint-sort = sort by key, farthest first
+code-paint-sort = ordenar por clave, el más lejano primero
 words-paint-sort = Ordena los triángulos, primero el más lejano.
-code-paint-ask = for each P in the list: may P come before all Q that are left?
+code-paint-ask = para cada P de la lista: ¿va P antes que todo Q que queda?
 words-paint-ask = Toma el primero que queda y pregunta a los demás si puede ir antes que ellos.
-code-paint-object = if P hides part of Q: Q must come before P
+code-paint-object = si P tapa parte de Q: Q va antes que P
 words-paint-object = Si tapa parte de uno, ese debe ir antes y pregunta a su vez.
-code-paint-cycle = if Q waits for P: cycle
+code-paint-cycle = si Q espera a P: ciclo
 words-paint-cycle = Si ese ya está esperando, no hay orden.
-code-paint-place = else P is next
+code-paint-place = si no, P es el siguiente
 words-paint-place = Si nadie se opone, es el siguiente.
-code-paint-paint = paint all, in that order
+code-paint-paint = pintar todos, en ese orden
 words-paint-paint = Píntalos en ese orden, cada uno sobre lo que hay.
-code-faulty-painter-nearest = for each triangle T: key ← its nearest z
+code-faulty-painter-nearest = para cada triángulo T: clave ← su z más cercano
 words-faulty-painter-nearest = La clave de un triángulo es la distancia de su vértice más cercano.
-code-faulty-painter-keys = for each P in the list: P is next
+code-faulty-painter-keys = para cada P de la lista: P es el siguiente
 words-faulty-painter-keys = Toma la lista tal como está ordenada, sin preguntar.
 faulty-painter-nearest-differs = El paso { $step } es el primero que difiere: la clave es el vértice más cercano, no el más lejano.
 faulty-painter-keys-differs = El paso { $step } es el primero que difiere: a nadie se le pregunta si este puede ser el siguiente.
@@ -191,7 +192,7 @@ painter-opening = { $triangles ->
   } por pintar, primero el más lejano: lo que se pinta después tapa lo que hay.
 painter-key = { $triangle } tiene la clave { $key }. Está entre estas distancias:
 painter-sort = { $triangle } es el número { $place } de la lista, primero el más lejano.
-painter-pair-depths = { $triangle } está más hondo que todo { $other }: puede ir antes.
+painter-pair-depths = { $triangle } está más lejos que todo { $other }: puede ir antes.
 painter-pair-screen = { $triangle } y { $other } están separados en la pantalla: cualquiera puede ir antes.
 painter-pair-behind = { $triangle } está detrás del plano de { $other }: puede ir antes.
 painter-pair-before = { $other } está delante del plano de { $triangle }: { $triangle } puede ir antes.
@@ -222,15 +223,15 @@ watch-overlap = por solapamiento
 ## BSP trees
 
 alg-bsp = Árbol BSP
-code-bsp-node = build(list): node ← plane of the first triangle
+code-bsp-node = construir(lista): nodo ← plano del primer triángulo
 words-bsp-node = El plano del primer triángulo es un nodo.
-code-bsp-ask = for each other T: to front, to back, or in the plane
+code-bsp-ask = para cada otro T: delante, detrás o en el plano
 words-bsp-ask = Cada uno de los demás está delante, detrás o en él.
-code-bsp-cut = T on both sides: cut in two; then build(front), build(back)
+code-bsp-cut = T a ambos lados: cortar en dos; construir(delante), construir(detrás)
 words-bsp-cut = El que está a ambos lados se corta en dos; luego construye lo de delante y lo de detrás.
-code-bsp-visit = walk(node): on which side is the eye?
+code-bsp-visit = recorrer(nodo): ¿de qué lado está el ojo?
 words-bsp-visit = Al recorrer, pregunta en cada nodo de qué lado está el ojo.
-code-bsp-paint = walk(other side); paint node; walk(eye’s side)
+code-bsp-paint = recorrer(otro lado); pintar nodo; recorrer(lado del ojo)
 words-bsp-paint = Primero el otro lado, después el nodo y al final el lado del ojo.
 bsp-opening = { $triangles ->
     [one] Un triángulo se convierte
@@ -263,20 +264,20 @@ watch-painted = pintadas
 ## Occlusion queries
 
 alg-occlusion = Consulta de oclusión
-code-occlusion-occluders = for each occluder: draw it
+code-occlusion-occluders = para cada oclusor: dibujarlo
 words-occlusion-occluders = Dibuja los objetos que tapan mucho.
-code-occlusion-others = for each other object P, if box(P) reaches near: draw P
+code-occlusion-others = para cada otro objeto P, si caja(P) llega al cercano: dibujar P
 words-occlusion-others = Toma los demás uno a uno. Si su caja llega al plano cercano, se dibuja sin consultar.
-code-occlusion-ask = n ← pixels of box(P) where z_box ≤ z[pixel]
+code-occlusion-ask = n ← píxeles de caja(P) con z_caja ≤ z[píxel]
 words-occlusion-ask = Cuenta los píxeles en los que se vería su caja. No se escribe nada.
-code-occlusion-skip = if n = 0: skip P
+code-occlusion-skip = si n = 0: saltar P
 words-occlusion-skip = En ninguno: sáltalo.
-code-occlusion-draw = else draw P
+code-occlusion-draw = si no, dibujar P
 words-occlusion-draw = Si no, dibújalo.
 occlusion-opening = { $objects ->
     [one] Un objeto
    *[other] { $objects } objetos
-  } en { $columns } × { $rows } píxeles. El tercio de los que están en la imagen que cubre más píxeles tapa a los demás y se dibuja primero: { $occluders }.
+  } en { $columns } × { $rows } píxeles. De los que están en la imagen, el tercio (redondeado hacia arriba) que cubre más píxeles puede tapar a los demás y se dibuja primero: { $occluders }.
 occlusion-none = ninguno
 occlusion-occluder = { $object } es un oclusor y se dibuja sin consultar: { $triangles ->
     [one] un triángulo,
@@ -356,7 +357,7 @@ surface-costs-counts = Pares, preguntas, fragmentos
 surface-costs-pairs = Pintor: { $count } pares con { $triangles } triángulos; crecen como n elevado a { $exponent }.
 surface-costs-questions = Lanzamiento de rayos: { $count } preguntas de los rayos a { $triangles } triángulos; como n elevado a { $exponent }.
 surface-costs-fragments = Búfer de profundidad: { $count } fragmentos de { $triangles } triángulos; como n elevado a { $exponent }.
-surface-costs-overdraw = Redibujado: { $fragments } fragmentos para { $pixels } píxeles, cada uno calculado { $overdraw } veces.
+surface-costs-overdraw = Sobredibujado: { $fragments } fragmentos para { $pixels } píxeles, cada uno calculado { $overdraw } veces.
 surface-costs-note = Los exponentes son las pendientes de rectas ajustadas a los logaritmos. Los pares se cuentan hasta 1000 triángulos, y solo donde hay un orden; más allá, la línea termina.
 
 ## The raster's form

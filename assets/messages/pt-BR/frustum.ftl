@@ -16,7 +16,7 @@ view-camera = Câmera
 gauge-outside = fora
 gauge-inside = dentro
 gauge-away = de costas
-gauge-faces-camera = de frente para a câmera
+gauge-faces-camera = de frente
 gauge-drawn = desenhada
 gauge-culled = descartada
 gauges-sphere = Uma esfera, { $planes } planos
@@ -106,7 +106,10 @@ watch-object = objeto
 
 box-opening = Uma caixa em torno de todos os vértices responde pelo objeto: { $planes } planos, oito cantos cada um.
 box-inside = Os oito cantos estão do lado de dentro do plano { $plane } ({ $outside } fora).
-box-straddles = { $outside } de 8 cantos estão do lado de fora do plano { $plane }: a caixa o cruza.
+box-straddles = { $outside ->
+        [1] { $outside } de 8 cantos está
+       *[other] { $outside } de 8 cantos estão
+    } do lado de fora do plano { $plane }: a caixa o cruza.
 box-outside = Os { $outside } cantos estão do lado de fora do plano { $plane }: descartada inteira.
 box-meets = Cruza { $cut ->
         [one] { $cut } plano
@@ -156,10 +159,12 @@ level-spheres = após as esferas
 level-vertices = após os vértices
 level-cuts = após os cortes
 level-facing = de frente para a câmera
-level-counts =
-    { $objects ->
-        [one] { $triangles } triângulos · { $objects } objeto
-       *[other] { $triangles } triângulos · { $objects } objetos
+level-counts = { $triangles ->
+        [1] { $triangles } triângulo
+       *[other] { $triangles } triângulos
+    } · { $objects ->
+        [1] { $objects } objeto
+       *[other] { $objects } objetos
     }
 funnel-opening = { $objects ->
         [one] { $objects } objeto

@@ -8,30 +8,30 @@ alg-faulty-depth-straight = Buffer de profundidade, distância linear na tela
 
 ## Pseudocode
 
-code-depth-clear = picture ← background, z ← ∞
+code-depth-clear = imagem ← fundo, z ← ∞
 words-depth-clear = Limpe a imagem com o fundo e ponha cada profundidade em infinito.
-code-depth-clear-reversed = picture ← background, z ← −∞
+code-depth-clear-reversed = imagem ← fundo, z ← −∞
 words-depth-clear-reversed = Limpe a imagem com o fundo e ponha cada profundidade em menos infinito: nada está mais longe.
-code-depth-triangle = for each triangle T
+code-depth-triangle = para cada triângulo T
 words-depth-triangle = Pegue os triângulos, em qualquer ordem.
-code-depth-fragment = for each pixel in T: z_T ← depth of T there
+code-depth-fragment = para cada pixel de T: z_T ← profundidade de T ali
 words-depth-fragment = Para cada pixel cujo centro o triângulo cobre, ache ali a sua profundidade.
-code-depth-compare = if z_T < z[pixel]
+code-depth-compare = se z_T < z[pixel]
 words-depth-compare = Compare-a com a profundidade guardada.
-code-depth-compare-reversed = if z_T > z[pixel]
-code-depth-write = picture[pixel] ← T, z[pixel] ← z_T
+code-depth-compare-reversed = se z_T > z[pixel]
+code-depth-write = imagem[pixel] ← T, z[pixel] ← z_T
 words-depth-write = Se for menor, escreva o triângulo e a sua profundidade.
 words-depth-write-reversed = Se for maior, escreva o triângulo e a sua profundidade: 1 é perto.
-code-faulty-depth-clear = picture ← background, z ← 0
+code-faulty-depth-clear = imagem ← fundo, z ← 0
 words-faulty-depth-clear = Ponha cada profundidade em 0, a do plano próximo.
-code-faulty-depth-clear-reversed = picture ← background, z ← 1
+code-faulty-depth-clear-reversed = imagem ← fundo, z ← 1
 words-faulty-depth-clear-reversed = Ponha cada profundidade em 1, a do plano próximo.
-code-faulty-depth-compare = if z_T > z[pixel]
+code-faulty-depth-compare = se z_T > z[pixel]
 words-faulty-depth-compare = Escreva quando a nova profundidade é maior.
 words-faulty-depth-compare-reversed = Escreva quando a nova profundidade é menor, embora 1 seja perto.
-code-faulty-depth-always = always
+code-faulty-depth-always = sempre
 words-faulty-depth-always = Não compare nada.
-code-faulty-depth-straight = for each pixel in T: z_T ← distance, straight across the screen
+code-faulty-depth-straight = para cada pixel de T: z_T ← distância, interpolada na tela
 words-faulty-depth-straight = Interpole a distância no espaço da câmera linearmente na tela, sem a divisão.
 faulty-depth-clear-differs = O passo { $step } é o primeiro que difere: nenhuma profundidade é menor que 0, então nada será escrito.
 faulty-depth-compare-differs = O passo { $step } é o primeiro que difere: escreve-se o mais distante.
@@ -67,6 +67,7 @@ depth-done = Pronto: { $fragments ->
 
 raster-depth = Profundidade em milésimos
 raster-depth-unit = Profundidade em unidades de { $unit }
+raster-straight = Distância do próximo ao distante, em milésimos
 raster-depth-steps = Profundidade em { $bits } bits: 0 a { $last }
 raster-distance = Distância até a câmera
 scale-near = perto { $value }
@@ -105,15 +106,15 @@ watch-pixels = pixels
 ## Ray casting
 
 alg-ray-casting = Lançamento de raios
-code-ray-pixel = for each pixel: ray o + t · r through its middle
+code-ray-pixel = para cada pixel: raio o + t · r pelo seu centro
 words-ray-pixel = Para cada pixel, pegue o raio que sai do olho pelo seu centro.
-code-ray-triangle = for each triangle T with plane n·p + d = 0
+code-ray-triangle = para cada triângulo T, plano n·p + d = 0
 words-ray-triangle = Pergunte a cada triângulo.
 code-ray-plane = t ← −(n·o + d) / (n·r)
 words-ray-plane = Ache onde o raio corta o plano; paralelo ou atrás do olho não conta.
-code-ray-inside = if o + t · r in T: hit
+code-ray-inside = se o + t · r está em T: acerto
 words-ray-inside = Se o ponto está no triângulo, o raio o atinge.
-code-ray-nearest = picture[pixel] ← T of the smallest t
+code-ray-nearest = imagem[pixel] ← T do menor t
 words-ray-nearest = Vê-se o ponto atingido de menor t.
 ray-opening = { $rays ->
     [1] Um raio
@@ -164,23 +165,23 @@ watch-asked = perguntas
 alg-painter = Algoritmo do pintor
 alg-faulty-painter-nearest = Pintor, ordenado pelo vértice mais próximo
 alg-faulty-painter-keys = Pintor, ordenado sem perguntar mais nada
-code-paint-key = for each triangle T: key ← its farthest z
+code-paint-key = para cada triângulo T: chave ← seu z mais distante
 words-paint-key = A chave de um triângulo é a distância do seu vértice mais distante.
-code-paint-sort = sort by key, farthest first
+code-paint-sort = ordene pela chave, o mais distante primeiro
 words-paint-sort = Ordene os triângulos, primeiro o mais distante.
-code-paint-ask = for each P in the list: may P come before all Q that are left?
+code-paint-ask = para cada P da lista: P vem antes de todo Q que resta?
 words-paint-ask = Pegue o primeiro que resta e pergunte aos demais se ele pode vir antes deles.
-code-paint-object = if P hides part of Q: Q must come before P
+code-paint-object = se P esconde parte de Q: Q vem antes de P
 words-paint-object = Se ele esconde parte de um, esse deve vir antes e pergunta por sua vez.
-code-paint-cycle = if Q waits for P: cycle
+code-paint-cycle = se Q espera por P: ciclo
 words-paint-cycle = Se esse já está esperando, não há ordem.
-code-paint-place = else P is next
+code-paint-place = senão, P é o próximo
 words-paint-place = Se ninguém se opõe, ele é o próximo.
-code-paint-paint = paint all, in that order
+code-paint-paint = pinte todos, nessa ordem
 words-paint-paint = Pinte-os nessa ordem, cada um sobre o que já está lá.
-code-faulty-painter-nearest = for each triangle T: key ← its nearest z
+code-faulty-painter-nearest = para cada triângulo T: chave ← seu z mais próximo
 words-faulty-painter-nearest = A chave de um triângulo é a distância do seu vértice mais próximo.
-code-faulty-painter-keys = for each P in the list: P is next
+code-faulty-painter-keys = para cada P da lista: P é o próximo
 words-faulty-painter-keys = Pegue a lista como está ordenada, sem perguntar.
 faulty-painter-nearest-differs = O passo { $step } é o primeiro que difere: a chave é o vértice mais próximo, não o mais distante.
 faulty-painter-keys-differs = O passo { $step } é o primeiro que difere: não se pergunta a ninguém se este pode ser o próximo.
@@ -222,15 +223,15 @@ watch-overlap = pela sobreposição
 ## BSP trees
 
 alg-bsp = Árvore BSP
-code-bsp-node = build(list): node ← plane of the first triangle
+code-bsp-node = construa(lista): nó ← plano do primeiro triângulo
 words-bsp-node = O plano do primeiro triângulo é um nó.
-code-bsp-ask = for each other T: to front, to back, or in the plane
+code-bsp-ask = para cada outro T: na frente, atrás ou no plano
 words-bsp-ask = Cada um dos outros está na frente, atrás ou nele.
-code-bsp-cut = T on both sides: cut in two; then build(front), build(back)
+code-bsp-cut = T dos dois lados: corte em dois; construa(frente), construa(atrás)
 words-bsp-cut = O que está dos dois lados é cortado em dois; depois construa o que está na frente e o que está atrás.
-code-bsp-visit = walk(node): on which side is the eye?
+code-bsp-visit = percorra(nó): de que lado está o olho?
 words-bsp-visit = Ao percorrer, pergunte em cada nó de que lado está o olho.
-code-bsp-paint = walk(other side); paint node; walk(eye’s side)
+code-bsp-paint = percorra(outro lado); pinte o nó; percorra(lado do olho)
 words-bsp-paint = Primeiro o outro lado, depois o próprio nó e por fim o lado do olho.
 bsp-opening = { $triangles ->
     [1] Um triângulo vira
@@ -263,20 +264,20 @@ watch-painted = pintadas
 ## Occlusion queries
 
 alg-occlusion = Consulta de oclusão
-code-occlusion-occluders = for each occluder: draw it
+code-occlusion-occluders = para cada oclusor: desenhe-o
 words-occlusion-occluders = Desenhe os objetos que escondem muito.
-code-occlusion-others = for each other object P, if box(P) reaches near: draw P
+code-occlusion-others = para cada outro objeto P, se caixa(P) chega ao próximo: desenhe P
 words-occlusion-others = Tome os demais um a um. Se a caixa chega ao plano próximo, o objeto é desenhado sem consulta.
-code-occlusion-ask = n ← pixels of box(P) where z_box ≤ z[pixel]
+code-occlusion-ask = n ← pixels de caixa(P) com z_caixa ≤ z[pixel]
 words-occlusion-ask = Conte os pixels em que a caixa seria vista. Nada é escrito.
-code-occlusion-skip = if n = 0: skip P
+code-occlusion-skip = se n = 0: pule P
 words-occlusion-skip = Em nenhum: pule-o.
-code-occlusion-draw = else draw P
+code-occlusion-draw = senão, desenhe P
 words-occlusion-draw = Senão, desenhe-o.
 occlusion-opening = { $objects ->
     [1] Um objeto
    *[other] { $objects } objetos
-  } em { $columns } × { $rows } pixels. O terço dos que estão na imagem que cobre mais pixels esconde os demais e é desenhado primeiro: { $occluders }.
+  } em { $columns } × { $rows } pixels. Dos que estão na imagem, o terço (arredondado para cima) que cobre mais pixels pode esconder os demais e é desenhado primeiro: { $occluders }.
 occlusion-none = nenhum
 occlusion-occluder = { $object } é um oclusor e é desenhado sem consulta: { $triangles ->
     [1] um triângulo,

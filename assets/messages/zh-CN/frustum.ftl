@@ -33,7 +33,7 @@ handle-camera = 相机位置
 handle-target = 相机目标点
 handle-near = 近平面
 handle-far = 远平面
-handle-top = 相机张角
+handle-top = 相机视场角
 handle-point = 点 P
 handle-space-end = 端点 P{ $number }
 handle-space-corner = 顶点 V{ $number }
@@ -116,14 +116,14 @@ words-box-done = 平面测试从不拒绝看得见的，但可能保留看不见
 ## A face
 
 face-of-object = { $face }（物体 { $object }）
-face-opening = 第 { $face } 个面是否以正面朝向相机？
-face-normal = 从外面看第 { $face } 个面是逆时针：法向量指向外面。
-face-to-eye = 从第 { $face } 个面的 V₀ 指向相机：e = 视点 − V₀。
-face-to-direction = 平行投影：第 { $face } 个面与所有面一样，e 沿视线往回指。
-face-products = 第 { $face } 个面：点积；写成行列式是同一个数。
-face-front = 第 { $face } 个面朝向相机：绘制。
-face-back = 第 { $face } 个面背向相机：剔除。
-face-edge-on = 第 { $face } 个面正好侧对：看不见，剔除。
+face-opening = 面 { $face } 是否以正面朝向相机？
+face-normal = 从外面看面 { $face } 是逆时针：法向量指向外面。
+face-to-eye = 从面 { $face } 的 V₀ 指向相机：e = 视点 − V₀。
+face-to-direction = 平行投影：面 { $face } 与所有面一样，e 沿视线往回指。
+face-products = 面 { $face }：点积；写成行列式是同一个数。
+face-front = 面 { $face } 朝向相机：绘制。
+face-back = 面 { $face } 背向相机：剔除。
+face-edge-on = 面 { $face } 正好侧对：看不见，剔除。
 code-face-normal = n ← (V₁ − V₀) × (V₂ − V₀)
 code-face-viewer = e ← 视点 − V₀
 code-face-product = n·e = |e, V₁ − V₀, V₂ − V₀|
@@ -175,11 +175,11 @@ words-funnel-draw = 每一层都去掉了上一层能判断的部分。
 
 ## Mistakes
 
-faulty-one-angle-differs = 第 { $step } 步首次出现差别：把上下视场角也当成了左右视场角。
-faulty-turned-sign-differs = 第 { $step } 步首次出现差别：把平面的内侧当成了外侧。
-faulty-around-origin-differs = 第 { $step } 步首次出现差别：包围球以模型原点为心，而不是质心。
-faulty-winding-differs = 第 { $step } 步首次出现差别：把顶点顺序当成顺时针，法向量指向了里面。
-faulty-constant-view-differs = 第 { $step } 步首次出现差别：所有面用了同一个视线方向。
+faulty-one-angle-differs = 第 { $step } 步最先不同：把上下视场角也当成了左右视场角。
+faulty-turned-sign-differs = 第 { $step } 步最先不同：把平面的内侧当成了外侧。
+faulty-around-origin-differs = 第 { $step } 步最先不同：包围球以模型原点为心，而不是质心。
+faulty-winding-differs = 第 { $step } 步最先不同：把顶点顺序当成顺时针，法向量指向了里面。
+faulty-constant-view-differs = 第 { $step } 步最先不同：所有面用了同一个视线方向。
 code-faulty-one-angle = 用同一视场角的平面：d ← n·c + D
 words-faulty-one-angle = 左右平面与上下平面张角相同。
 code-faulty-turned-sign = 若 d > r：剔除物体

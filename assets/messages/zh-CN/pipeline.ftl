@@ -38,7 +38,7 @@ words-pipeline-clip = 投影缩放 x 和 y，并把深度抄进 w。
 words-pipeline-test = 裁剪在做任何除法之前问这一句。
 words-pipeline-divide = 除以深度，远处的东西就变小。
 words-pipeline-screen = 从 −1 … 1 变到像素，从左上角数起。
-words-pipeline-behind = 不在眼睛前方的点没有像。
+words-pipeline-behind = 不在视点前方的点没有像。
 
 ## 步骤
 
@@ -59,7 +59,7 @@ pipeline-inside = 在内部：x、y、z 都在 −w 与 w 之间。
 pipeline-outside = 在外部：P 会被裁掉。
 pipeline-divide = 除以 w = { $w }：内部的点落在 −1 与 1 之间。
 pipeline-screen = 从 −1 … 1 变到 { $columns } × { $rows } 个像素，行从上往下数。
-pipeline-behind = P 不在眼睛前方：没有可除的 w，屏幕上也没有它的位置。
+pipeline-behind = P 不在视点前方：没有可除的 w，屏幕上也没有它的位置。
 
 ## 题目
 
@@ -71,7 +71,7 @@ case-whole-too-large = { $number } 大于任何像素的编号。
 case-picture-side = 画面的一边为 1 到 { $max } 个像素，实为 { $found }。
 case-pipeline-inside = 在内部，屏幕位置为 { $screen }。
 case-pipeline-outside = 在外部；若不裁剪，屏幕位置为 { $screen }。
-case-pipeline-behind = 不在眼睛前方：屏幕上没有位置。
+case-pipeline-behind = 不在视点前方：屏幕上没有位置。
 object-from = 起点
 object-to = 终点
 case-too-many-pixels = 该直线有 { $found } 个像素：最多接受 { $max } 个。
@@ -98,7 +98,7 @@ words-drawn-diagonal = 直线越过中点：沿较短的轴也走一格。
 words-drawn-straight = 沿较长的轴走一格。
 drawn-line-opening = 这条线段有哪些像素？
 drawn-line-project = { $end } 进入裁剪空间：它的深度 { $w } 成为 w。
-drawn-line-project-behind = { $end } 进入裁剪空间。它不在眼睛前方：不可除以 w = { $w }。
+drawn-line-project-behind = { $end } 进入裁剪空间。它不在视点前方：不可除以 w = { $w }。
 drawn-line-clip-whole = 全部在内部：什么也不裁。
 drawn-line-clip-cut = 在除法之前裁剪：留下的部分 w > 0。
 drawn-line-reject = 没有一点在内部：没有像素。

@@ -97,4 +97,4 @@ words-hl-leave = d 减小：直线由此离开。
 words-hl-accept = 剩下的部分 w ≥ 0：现在可以除了。
 code-faulty-divide = P₁ ← P₁ / w₁; P₂ ← P₂ / w₂
 words-faulty-divide = 两端点都除以 w。
-faulty-divide-first-differs = 第 { $step } 步首次出现差别：还没裁剪，两端点就除以了 w。
+faulty-divide-first-differs = 第 { $step } 步最先不同：还没裁剪，两端点就除以了 w。

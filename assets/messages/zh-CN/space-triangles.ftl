@@ -3,7 +3,7 @@
 ## 方法
 
 alg-plane-at-a-time = 逐平面裁剪
-alg-intersection-polygon = 整个多边形，最后成扇
+alg-intersection-polygon = 整个多边形，最后作扇形剖分
 alg-textured-triangle = 带纹理的整个多边形
 alg-homogeneous-triangle = 除法之前的三角形
 alg-faulty-missed-edge = 错误：d₀ = 0 时三角形原样保留
@@ -45,7 +45,7 @@ ip-pass-drops = { $plane }平面去掉 { $dropped }：{ $before } → { $after }
 ip-pass-same = { $plane }平面什么也没切：{ $before } → { $after }。
 ip-pass-empty = { $plane }平面之后什么也不剩：{ $before } → { $after }。
 ip-fan = 扇形的第 { $n } 个三角形，共 { $total } 个：{ $corners }。
-ip-done = 完成：{ $vertices } 个顶点，扇形 { $n } 个三角形，求交 { $crossings } 次。
+ip-done = 完成：{ $vertices } 个顶点，扇形剖分成 { $n } 个三角形，求交 { $crossings } 次。
 ip-done-empty = 完成：{ $n } 个三角形，没有剩下面积（{ $vertices } 个顶点，求交 { $crossings } 次）。
 code-ip-each = 对每个平面 (n, D)：
 code-ip-distance = 每个顶点 d ← n·V + D
@@ -53,8 +53,8 @@ code-ip-inside = 若 d ≥ 0：输出 V
 code-ip-cross = d 变号处：输出 C
 code-ip-pass = 表 ← 输出的顶点
 code-ip-fan = 三角形 ← 表的扇形
-words-ip-each = 依次问每个平面；法线指向内侧。
-words-ip-distance = 表中每个顶点的有向距离。
+words-ip-each = 依次问每个平面；法向量指向内侧。
+words-ip-distance = 表中每个顶点的有符号距离。
 words-ip-inside = 内侧的输出；平面上算内侧。
 words-ip-cross = 边换侧之处输出交点：t = d₁ / (d₁ − d₂)。
 words-ip-pass = 输出的就是下一个平面的表。
@@ -81,7 +81,7 @@ code-pat-two = 2：切，两个三角形
 code-pat-one = 1：切，一个三角形
 code-pat-none = 0：丢弃
 code-pat-pass = 表 ← 保留的三角形
-words-pat-each = 依次问每个平面；法线指向内侧。
+words-pat-each = 依次问每个平面；法向量指向内侧。
 words-pat-triangle = 三角形有几个顶点在内侧？
 words-pat-three = 三个：原样保留。
 words-pat-two = 两个：剩四边形，从它的第一个顶点分开。
@@ -93,37 +93,37 @@ words-pat-pass = 保留的就是下一个平面的表。
 
 ht-opening = 裁剪空间中的 { $n } 个顶点，其中 { $behind } 个 w ≤ 0：还没有做除法。
 ht-divide = { $n } 个顶点都除以各自的 w。
-ht-codes-outside = 所有顶点都越过同一个面：不切就拒绝，编码点名 { $sides } 个面。
-ht-codes-inside = 没有顶点越过任何面：原样保留，编码点名 { $sides } 个面。
-ht-codes-cut = 六个面中只点名 { $sides } 个：只有它们来裁剪。
-ht-side = { $side }面接到 { $n } 个顶点：一个界，不用除法。
+ht-codes-outside = 所有顶点都越过同一个面：不必裁剪，直接舍弃；区域码涉及 { $sides } 个面。
+ht-codes-inside = 没有顶点越过任何面：原样保留，区域码涉及 { $sides } 个面。
+ht-codes-cut = 区域码只涉及六个面中的 { $sides } 个：只用它们裁剪。
+ht-side = { $side }面接到 { $n } 个顶点：只比较一次和，不做除法。
 ht-inside = { $vertex } 在{ $side }面内侧。
 ht-outside = { $vertex } 在{ $side }面外侧。
 ht-cross = { $from } → { $to } 与{ $side }面交于 I。
 ht-pass = { $side }面完成：{ $before } → { $n }。
-ht-done = 剩下 { $n } 个顶点，扇形 { $triangles } 个三角形：现在可以除了。
+ht-done = 剩下 { $n } 个顶点，扇形剖分成 { $triangles } 个三角形：现在可以除了。
 ht-done-empty = 没有剩下面积：{ $n } 个顶点，{ $triangles } 个三角形。
 code-ht-codes = 每个顶点六位：w ± x, y, z < 0
 code-ht-decide = OR = 0：保留；AND ≠ 0：拒绝
-code-ht-each = 对 OR 点名的每个面：
+code-ht-each = 对 OR 涉及的每个面：
 code-ht-bound = 若 w ± x ≥ 0：输出 V
 code-ht-cross = 变号处：输出 I
-code-ht-fan = 成扇，然后除以 w
+code-ht-fan = 扇形剖分，然后除以 w
 words-ht-codes = 对 −w ≤ x, y, z ≤ w 的每个面，越过的记一位。
 words-ht-decide = 无需裁剪，或者什么也看不见。
 words-ht-each = 只需问有顶点越过的面。
-words-ht-bound = 界是一个和：不用除法，w 什么符号都行。
+words-ht-bound = 判据只是一次加法：不用除法，w 正负皆可。
 words-ht-cross = 四个坐标都用同一个 t 插值。
 words-ht-fan = 剩下的部分 w > 0，可以除了。
 
 ## 哪里错了？
 
-faulty-missed-edge-differs = 第 { $step } 步首次不同：d₀ = 0 时两个乘积都不为负，三角形被原样保留。
-faulty-on-plane-differs = 第 { $step } 步首次不同：平面上的顶点被当作外侧。
-faulty-kept-uv-differs = 第 { $step } 步首次不同：交点沿用了外侧顶点的 (u, v)。
-faulty-edge-by-edge-differs = 第 { $step } 步首次不同：三条边各自裁剪，而不是作为一个环。
-faulty-all-sides-differs = 第 { $step } 步首次不同：问了编码没有点名的面，它什么也没切。
-faulty-divided-triangle-differs = 第 { $step } 步首次不同：w < 0 的顶点在裁剪之前就做了除法。
+faulty-missed-edge-differs = 第 { $step } 步最先不同：d₀ = 0 时两个乘积都不为负，三角形被原样保留。
+faulty-on-plane-differs = 第 { $step } 步最先不同：平面上的顶点被当作外侧。
+faulty-kept-uv-differs = 第 { $step } 步最先不同：交点沿用了外侧顶点的 (u, v)。
+faulty-edge-by-edge-differs = 第 { $step } 步最先不同：三条边各自裁剪，而不是作为一个环。
+faulty-all-sides-differs = 第 { $step } 步最先不同：问了区域码没有涉及的面，它什么也没切。
+faulty-divided-triangle-differs = 第 { $step } 步最先不同：w < 0 的顶点在裁剪之前就做了除法。
 code-faulty-missed-edge = 若 d₀·d₁ < 0 或 d₀·d₂ < 0：切
 words-faulty-missed-edge = 第一个距离与另一个异号时才切。
 code-faulty-on-plane = 若 d > 0：输出 V

@@ -13,7 +13,7 @@ enum Kind {
     Crease,
     /// Both its facets are seen; it is there because round solids are made of facets.
     Facet,
-    /// Both its facets are turned away.
+    /// Both its facets are turned away: seen only where the solid is open, or a part of it is left out.
     Behind,
 }
 
@@ -33,7 +33,6 @@ impl Seen {
         if kind == Kind::Behind && !edge.is_crease {
             return Vec::new();
         }
-        let is_behind = kind == Kind::Behind;
         let parted = self.parted(edge.ends, edge.facets);
         let line = |ends: [[f64; 2]; 2], role| Mark::new(role, Shape::Path(ends.to_vec()));
         let mut marks = Vec::new();
@@ -46,14 +45,13 @@ impl Seen {
         }
         for ends in parted.visible {
             let (width, strength) = match (kind, edge.role) {
-                (Kind::Behind, _) => HIDDEN,
                 (Kind::Facet, _) => FACET,
                 (_, Role::Accent | Role::Signal | Role::Accepted) => CUT,
                 (Kind::Silhouette, _) => SILHOUETTE,
-                (Kind::Crease, _) => CREASE,
+                (Kind::Crease | Kind::Behind, _) => CREASE,
             };
             let mark = line(ends, edge.role);
-            let is_dashed = is_behind || (edge.role == Role::Discarded && kind != Kind::Facet);
+            let is_dashed = edge.role == Role::Discarded && kind != Kind::Facet;
             let mark = if is_dashed { mark.dashed() } else { mark };
             marks.push(light(mark, width, strength));
         }

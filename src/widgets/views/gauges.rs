@@ -258,7 +258,9 @@ impl Axes {
         let [left, right] = [left, right].map(|side| set(slate, side, theme.soft));
         slate.put(&left, pos2(self.rect.left(), y), Align2::LEFT_TOP);
         slate.put(&right, pos2(self.rect.right(), y), Align2::RIGHT_TOP);
-        let Some(band) = gauges.band else { return };
+        let Some(band) = gauges.band.filter(|band| *band > 0.0) else {
+            return;
+        };
         for (sign, name) in [(-1.0, "−r"), (1.0, "r")] {
             let style = (Face::Plain, SMALL_PTS, theme.ink);
             let name = slate.words(name, style);

@@ -63,14 +63,14 @@ impl OnSlate for Raster {
         for mark in lines {
             draw_over(slate, (origin.round(), width), mark);
         }
+        if let Some(current) = self.current {
+            ring(slate, square(origin, width, current));
+        }
         self.write(slate, origin, width);
         if let Some(at) = links.pointer
             && let Some(pixel) = self.pixel_at(origin, width, at)
         {
             links.pointed = Some(Link::nth(Self::LINK, pixel[1] * self.size[0] + pixel[0]));
-        }
-        if let Some(current) = self.current {
-            ring(slate, square(origin, width, current));
         }
         if let Some(ends) = &self.scale {
             self.draw_scale(slate, (origin, width), ends);

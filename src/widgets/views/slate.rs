@@ -80,10 +80,14 @@ impl<'a> Slate<'a> {
 
     /// The same where numbers stand beside each other.
     pub fn with_numbers(painter: &'a Painter, look: Look<'a>, notation: Notation) -> Self {
-        let slate = Self::new(painter, look);
+        Self::new(painter, look).writing(notation)
+    }
+
+    /// The same slate where numbers stand beside each other.
+    pub fn writing(self, notation: Notation) -> Self {
         Self {
             notation: Some(notation),
-            ..slate
+            ..self
         }
     }
 

@@ -162,6 +162,7 @@ impl Solids {
     fn cut_face(&mut self, whole: &Facet, planes: &[Plane; 6]) {
         let first = self.facets.len();
         let mut left = whole.corners.clone();
+        let mut cutting = Vec::new();
         for plane in planes {
             let [inside, outside] = split(&left, plane);
             if !outside.is_empty() {
@@ -170,16 +171,17 @@ impl Solids {
                     skin: None,
                     ..whole.part(outside)
                 });
-                for cut in cuts(&inside, plane) {
-                    self.edges.push(Edge3 {
-                        ends: cut,
-                        facets: [Some(first as u32), None],
-                        is_crease: true,
-                        role: Role::Accent,
-                    });
-                }
+                cutting.push(plane);
             }
             left = inside;
+        }
+        for cut in cutting.into_iter().flat_map(|plane| cuts(&left, plane)) {
+            self.edges.push(Edge3 {
+                ends: cut,
+                facets: [Some(first as u32), None],
+                is_crease: true,
+                role: Role::Accent,
+            });
         }
         if !left.is_empty() {
             self.facets.push(whole.part(left));

@@ -24,7 +24,9 @@ use crate::{
     text::Value,
 };
 
-use super::on_raster::{faces, fitting, lettered, name_of, opening, outline, pixels};
+use super::on_raster::{
+    faces, fitting, lettered, name_of, names_in_outlines, opening, outline, pixels,
+};
 use captions::Input;
 
 type Shown = OnScene<Bsp>;
@@ -202,6 +204,9 @@ fn raster(step: &Step<'_, Shown>) -> Raster {
     let others = surfaces
         .ids()
         .filter(|id| !step.state.is_built && Some(*id) != own);
+    let waiting = surfaces.ids().filter(|_| !step.state.is_built);
+    let names = names_in_outlines(surfaces, waiting, |id| name_of(step.input, id));
+    let painted = lettered(picture, |id| name_of(step.input, id));
     let mut over: Vec<_> = others
         .flat_map(|id| outline(surfaces, id, Role::Soft))
         .collect();
@@ -212,11 +217,9 @@ fn raster(step: &Step<'_, Shown>) -> Raster {
     Raster {
         title: Value::Term("raster-so-far"),
         size: [columns, rows],
-        pixels: pixels(
-            picture,
-            own,
-            lettered(picture, |id| name_of(step.input, id)),
-        ),
+        pixels: pixels(picture, own, |place| {
+            painted(place).or_else(|| names.get(&place).cloned())
+        }),
         scale: None,
         current: None,
         over,

@@ -8,7 +8,7 @@ use crate::{
         volume::{ClipSpace, ClipVertex, HomogeneousLine, HomogeneousTriangle, LineInput},
     },
     figure::{Body, Caption, Mark3, Pixel, RasterMark, RasterShape, Role, Shape3, View},
-    geom::Camera,
+    geom::{Camera, Plane},
     labs::{
         Document,
         space::{
@@ -117,10 +117,11 @@ pub fn pixels(
     picture.ids().iter().enumerate().map(pixel).collect()
 }
 
+/// Of more triangles the names only cover the picture.
+const MOST_LETTERS: usize = 26;
+
 /// Triangles have their names where they are seen, each in the pixel that is nearest to the middle of its pixels.
 pub fn lettered(picture: &Picture, name: impl Fn(u32) -> Value) -> impl Fn(usize) -> Option<Value> {
-    /// Of more triangles the names only cover the picture.
-    const MOST: usize = 26;
     let width = picture.size()[0] as usize;
     let mut places: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
     for (place, &id) in picture.ids().iter().enumerate() {
@@ -128,7 +129,7 @@ pub fn lettered(picture: &Picture, name: impl Fn(u32) -> Value) -> impl Fn(usize
             places.entry(id).or_default().push(place);
         }
     }
-    let is_few = places.len() <= MOST;
+    let is_few = places.len() <= MOST_LETTERS;
     let named: HashMap<usize, Value> = places
         .into_iter()
         .filter(|_| is_few)
@@ -166,6 +167,42 @@ pub fn seen_corners(surfaces: &Surfaces, id: u32) -> Vec<[f64; 2]> {
         surfaces.viewport().screen_from_ndc([x / w, y / w])
     };
     seen.vertices().iter().map(place).collect()
+}
+
+/// The middle of what is seen of a triangle: the mean of its corners.
+pub fn middle_of(surfaces: &Surfaces, id: u32) -> Option<[f64; 2]> {
+    let corners = seen_corners(surfaces, id);
+    let n = corners.len() as f64;
+    let mean = |i: usize| corners.iter().map(|at| at[i]).sum::<f64>() / n;
+    (n > 0.0).then(|| [mean(0), mean(1)])
+}
+
+/// Names of triangles of which there are only outlines, in the pixels of their middles.
+pub fn names_in_outlines(
+    surfaces: &Surfaces,
+    ids: impl Iterator<Item = u32>,
+    name: impl Fn(u32) -> Value,
+) -> BTreeMap<usize, Value> {
+    let width = surfaces.size()[0] as usize;
+    let ids: Vec<u32> = ids.take(MOST_LETTERS + 1).collect();
+    let few = ids.into_iter();
+    if few.len() > MOST_LETTERS {
+        return BTreeMap::new();
+    }
+    let named = few.filter_map(|id| {
+        let [column, row] = middle_of(surfaces, id)?.map(|x| x.max(0.0) as usize);
+        Some((row * width + column.min(width - 1), name(id)))
+    });
+    named.collect()
+}
+
+/// The plane of a triangle, inside where it shows its front.
+pub fn plane_of(surfaces: &Surfaces, id: u32) -> Option<Plane> {
+    let triangle = surfaces.triangles().get(id as usize)?;
+    let [a, b, c] = triangle.map(glam::DVec3::from);
+    let normal = (b - a).cross(c - a);
+    let [x, y, z] = normal.to_array();
+    Plane::new([x, y, z, -normal.dot(a)]).ok()
 }
 
 /// The outline of what is seen of a triangle, over the pixels.

@@ -2,7 +2,10 @@
 
 use egui::{Painter, Rect, Vec2, pos2, vec2};
 
-use crate::figure::{ListColumn, ListRow, Lists};
+use crate::{
+    figure::{ListColumn, ListRow, Lists},
+    text::Notation,
+};
 
 use super::super::{
     super::Look,
@@ -223,6 +226,13 @@ pub fn slate<'a>(painter: &'a Painter, look: Look<'a>, room: Vec2, lists: &Lists
         let widths = said.widths(slate, n_details);
         vec2(width(slate, lists, &widths), height)
     })
+    .writing(notation(lists))
+}
+
+/// What is said of names stands under each other, and is compared.
+pub fn notation(lists: &Lists) -> Notation {
+    let entries = lists.lists.iter().flat_map(|list| &list.entries);
+    Notation::of(entries.flat_map(|entry| entry.details.iter().flatten()))
 }
 
 /// The titles, with the headings of the details under them.
@@ -295,12 +305,15 @@ struct Said<'a> {
 
 impl<'a> Said<'a> {
     fn new(look: Look<'_>, lists: &'a Lists) -> Self {
+        let notation = notation(lists);
         let details = lists.lists.iter().map(|list| {
             let n_own = list.entries.iter().map(|entry| entry.details.len()).max();
             let column = |nth: usize| {
                 let entries = list.entries.iter();
                 let details = entries.filter_map(|entry| entry.details.get(nth)?.as_ref());
-                details.map(|detail| look.catalog.value(detail)).collect()
+                details
+                    .map(|detail| look.catalog.value_as(detail, notation))
+                    .collect()
             };
             let n_columns = n_own.unwrap_or(0).max(list.columns.len());
             (0..n_columns).map(column).collect()

@@ -147,11 +147,14 @@ fn triangle_caption(
         .with("triangle", triangle_idx + 1)
         .with("inside", n_inside)
         .with("pieces", n_pieces);
-    let formula = match fate {
-        TriangleFate::Outside => format!("{a} AND {b} AND {c} = {} ≠ 000000", a.and(b).and(c)),
-        TriangleFate::Inside | TriangleFate::Cut => {
-            format!("{a} OR {b} OR {c} = {}", a.or(b).or(c))
-        }
-    };
-    Caption::new(message).so(Formula::default().sym(formula))
+    let formula = |formula: String| Formula::default().sym(formula);
+    let and = format!("{a} AND {b} AND {c} = {}", a.and(b).and(c));
+    let or = format!("{a} OR {b} OR {c} = {}", a.or(b).or(c));
+    let caption = Caption::new(message);
+    match fate {
+        TriangleFate::Outside => caption.so(formula(and + " ≠ 000000")),
+        // What all lie beyond would decide; here it is nothing.
+        TriangleFate::Cut if n_inside == 0 => caption.so(formula(and)).so(formula(or)),
+        TriangleFate::Inside | TriangleFate::Cut => caption.so(formula(or)),
+    }
 }

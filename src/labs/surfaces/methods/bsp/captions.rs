@@ -6,8 +6,10 @@ use crate::{
         volume::signed_distance,
     },
     figure::Caption,
-    geom::Plane,
-    labs::{space::OnSceneInput, surfaces::methods::on_raster::name_of},
+    labs::{
+        space::OnSceneInput,
+        surfaces::methods::on_raster::{name_of, plane_of},
+    },
     text::{Formula, Message, Value},
 };
 
@@ -86,7 +88,7 @@ pub fn caption(event: &Event, before: &State, input: &Input) -> Caption {
             };
             let triangle = name_of_node(input, before, node);
             let caption = Caption::new(Message::new(key).with("triangle", triangle));
-            match plane_of(input, node.id) {
+            match plane_of(input.own.surfaces(), node.id) {
                 Some(plane) if input.own.surfaces().eye()[3] == 1.0 => {
                     let d: f64 = signed_distance(&plane, [0.0; 3]);
                     caption.so(Formula::decimals().sym("d = ").num(d))
@@ -106,15 +108,6 @@ pub fn caption(event: &Event, before: &State, input: &Input) -> Caption {
             Caption::new(message.with("nodes", before.nodes.len()))
         }
     }
-}
-
-/// The plane of a triangle, inside where it shows its front.
-fn plane_of(input: &Input, id: u32) -> Option<Plane> {
-    let triangle = input.own.surfaces().triangles().get(id as usize)?;
-    let [a, b, c] = triangle.map(glam::DVec3::from);
-    let normal = (b - a).cross(c - a);
-    let [x, y, z] = normal.to_array();
-    Plane::new([x, y, z, -normal.dot(a)]).ok()
 }
 
 /// Where a piece lies, with the distances of its vertices.
@@ -147,7 +140,8 @@ fn ask(
         None => message,
     };
     let caption = Caption::new(message);
-    let (Some(plane), Some(piece)) = (plane_of(input, node.id), state.piece(number)) else {
+    let (Some(plane), Some(piece)) = (plane_of(input.own.surfaces(), node.id), state.piece(number))
+    else {
         return caption;
     };
     let distance = |&at: &[f64; 3]| signed_distance::<f64>(&plane, at);

@@ -55,9 +55,12 @@ impl Shades<'_> {
         Some([end("scale-near", near), end("scale-far", far)])
     }
 
-    pub fn title(&self) -> Value {
+    pub fn title<L: Variant>(&self) -> Value {
         match self.tones {
             Tones::Distance => Value::Term("raster-distance"),
+            Tones::Triangles | Tones::Stored if L::STRAIGHT_DISTANCE => {
+                Value::Term("raster-straight")
+            }
             Tones::Triangles | Tones::Stored => self.numbers.title(),
         }
     }

@@ -137,7 +137,7 @@ fn raster<L: Variant>(step: &Step<'_, Shown<L>>, scene: &Scene) -> Raster {
     let mut title = if is_narrow {
         Value::Term("raster-so-far")
     } else {
-        shades.title()
+        shades.title::<L>()
     };
     let mut over = current.map_or_else(Vec::new, |id| outline(&own.surfaces, id, Role::Accent));
     if step.state.is_done {

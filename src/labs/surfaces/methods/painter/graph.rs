@@ -1,24 +1,17 @@
 //! What must come before what, as a graph: each triangle where it is in the picture, an arrow to each that it must precede.
 
 use crate::{
-    algo::surface::{
-        DepthBuffer, DepthBufferInput, DepthSteps, PainterEvent as Event, PainterState as State,
-        Rays, Surfaces,
-    },
+    algo::surface::{PainterEvent as Event, PainterState as State},
     figure::{ArrowKind, Graph, GraphArrow, GraphNode, NodeStage, Places, Role},
     labs::{
         Step,
         space::{Scene, soup::surface_link},
-        surfaces::methods::on_raster::{middle, name_of, seen_corners, tone},
+        surfaces::methods::on_raster::{middle_of, name_of, tone},
     },
     text::{Formula, Value},
-    trace::silent,
 };
 
-use super::{Shown, test_key, variant::Variant};
-
-/// Of more triangles the reasons are not looked for: their names only are seen.
-const MOST_WITH_REASONS: usize = 26;
+use super::{Shown, overlap::overlap, test_key, variant::Variant};
 
 /// The graph; `now` are the triangle that the step is about, and the one that is asked beside it.
 pub fn graph<L: Variant>(step: &Step<'_, Shown<L>>, scene: &Scene, now: [Option<u32>; 2]) -> Graph {
@@ -39,6 +32,8 @@ pub fn graph<L: Variant>(step: &Step<'_, Shown<L>>, scene: &Scene, now: [Option<
         note: None,
         link: surface_link(scene, id),
     });
+    let nowhere = surfaces.size().map(|side| 0.5 * f64::from(side));
+    let place_of = |&id: &u32| middle_of(surfaces, id).unwrap_or(nowhere);
     let arrows = arrows(step, now).into_iter().filter_map(|arrow| {
         let [from, to] = [place(arrow.ends[0])?, place(arrow.ends[1])?];
         Some(GraphArrow {
@@ -53,7 +48,7 @@ pub fn graph<L: Variant>(step: &Step<'_, Shown<L>>, scene: &Scene, now: [Option<
         title: Value::Term("painter-must"),
         nodes: nodes.collect(),
         arrows: arrows.collect(),
-        places: Places::Free(ids.iter().map(|&id| middle_of(surfaces, id)).collect()),
+        places: Places::Free(ids.iter().map(place_of).collect()),
         ring: (!state.cycle.is_empty()).then_some(Value::Term("painter-cycle")),
         focus: now[0].and_then(place),
     }
@@ -72,16 +67,6 @@ fn role_of(state: &State, id: u32, now: [Option<u32>; 2]) -> Role {
 fn number_of(state: &State, id: u32) -> Option<Value> {
     let place = state.placed.iter().position(|&placed| placed == id)?;
     Some(Value::Count(place + 1))
-}
-
-/// The middle of what is seen of a triangle: the mean of its corners.
-fn middle_of(surfaces: &Surfaces, id: u32) -> [f64; 2] {
-    let corners = seen_corners(surfaces, id);
-    if corners.is_empty() {
-        return surfaces.size().map(|side| 0.5 * f64::from(side));
-    }
-    let n = corners.len() as f64;
-    [0, 1].map(|i| corners.iter().map(|at| at[i]).sum::<f64>() / n)
 }
 
 /// Between two triangles, by their ids.
@@ -158,40 +143,6 @@ fn is_in_ring(cycle: &[u32], [before, after]: [u32; 2]) -> bool {
     let next = cycle.iter().cycle().skip(1);
     let mut pairs = cycle.iter().zip(next);
     pairs.any(|(&one, &next)| [one, next] == [before, after])
-}
-
-/// A pixel at which a triangle hides another one.
-struct Overlap {
-    /// Its middle.
-    at: [f64; 2],
-    /// How far both are there, the farther first.
-    depths: [f64; 2],
-}
-
-/// Of the pixels at which the first is farther than the second, the one in their middle; none where no pixel shows it.
-fn overlap(surfaces: &Surfaces, ends: [u32; 2]) -> Option<Overlap> {
-    let n = surfaces.triangles().len();
-    if n > MOST_WITH_REASONS {
-        return None;
-    }
-    let depths = ends.map(|id| {
-        let alone = surfaces.part(id as usize..id as usize + 1);
-        silent::<DepthBuffer>(&DepthBufferInput {
-            steps: DepthSteps::Triangles,
-            ..DepthBufferInput::new(alone)
-        })
-        .depth
-    });
-    let pixels = depths[0].iter().zip(&depths[1]).enumerate();
-    let hidden = pixels.filter(|(_, (far, near))| far.is_finite() && far > near);
-    let hidden: Vec<usize> = hidden.map(|(place, _)| place).collect();
-    let width = surfaces.size()[0] as usize;
-    let place = middle(&hidden, width)?;
-    let rays = Rays::of(surfaces);
-    Some(Overlap {
-        at: [place % width, place / width].map(|x| x as f64 + 0.5),
-        depths: depths.map(|depths| rays.distance(rays.t_at(depths[place]))),
-    })
 }
 
 /// Where in the picture this step's arrow has its reason; of a cycle, all of its arrows.

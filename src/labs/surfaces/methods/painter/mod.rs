@@ -2,6 +2,7 @@
 
 mod captions;
 mod graph;
+mod overlap;
 mod variant;
 mod views;
 
