@@ -289,7 +289,7 @@ impl Column<'_> {
     ) -> CanvasShown {
         let look = model.look;
         let space = frame.space();
-        let seen_in = space.map_or(rect, |space| under_title(rect, look, space));
+        let seen_in = space.map_or(rect, |space| under_title(ui, rect, look, space));
         let viewport = state.viewport(drawing, seen_in);
         let lit = state.lit;
         let id = Id::unique(("stage", self.index));

@@ -39,11 +39,13 @@ pub fn picture_viewport(rect: Rect, lens: &Lens) -> Viewport {
 
 /// Where the picture of a space stands: under its title, where that would cover more than a part of it.
 #[must_use]
-pub fn under_title(rect: Rect, look: Look<'_>, shown: &Space) -> Rect {
-    let title = 1.9 * TITLE_PTS * look.theme.text_scale;
-    let stands_over = Lens::from(shown.seer).aspect().is_some() || shown.title.is_none();
-    if !stands_over && title > CROWDED * rect.height() {
-        rect.with_min_y(rect.top() + title)
+pub fn under_title(ui: &Ui, rect: Rect, look: Look<'_>, shown: &Space) -> Rect {
+    let lens = Lens::from(shown.seer);
+    let title = title_ground(ui, look, rect, shown).filter(|_| lens.aspect().is_none());
+    let Some(title) = title else { return rect };
+    let middle = Rect::from_center_size(rect.center(), vec2(ASPECT, 1.0) * rect.height());
+    if title.intersects(middle) && title.bottom() - rect.top() > CROWDED * rect.height() {
+        rect.with_min_y(title.bottom())
     } else {
         rect
     }
@@ -89,7 +91,7 @@ pub fn space(
     let response = ui.interact(rect, id, Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, spoken(look, shown)));
     let lens = shown.seer.into();
-    let viewport = picture_viewport(under_title(rect, look, shown), &lens);
+    let viewport = picture_viewport(under_title(ui, rect, look, shown), &lens);
     let marks = projected(ui.ctx(), id, shown, &lens);
     let painter = ui.painter_at(viewport.rect);
     painter.rect_filled(viewport.rect, 0.0, look.theme.background);
