@@ -211,8 +211,18 @@ pub fn run_in_space() {
     let mut plan = RasterPlan::default().with_rows(120);
     plan.steps = DepthSteps::Fragments;
     for (name, lab, count, method) in [
-        ("a street of 300 boxes in the funnel", "frustum", 300, "funnel"),
-        ("a raster of 120 rows, 1,008 triangles", "surfaces", 84, "depth-buffer"),
+        (
+            "a street of 300 boxes in the funnel",
+            "frustum",
+            300,
+            "funnel",
+        ),
+        (
+            "a raster of 120 rows, 1,008 triangles",
+            "surfaces",
+            84,
+            "depth-buffer",
+        ),
     ] {
         for doing in [Doing::Nothing, Doing::Stepping, Doing::Scrubbing] {
             let mut desk = Desk::at(CUTTING[0], CUTTING[1]);

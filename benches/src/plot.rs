@@ -1,6 +1,6 @@
 //! A plain plot of times against sizes, both logarithmic, as SVG.
 
-use std::fmt::Write as _;
+use std::{fmt::Write as _, fs, path::Path};
 
 /// One plot: the same sizes for every curve.
 pub struct Panel {
@@ -22,7 +22,16 @@ const STYLES: [(&str, &str, char); 4] = [
     ("#3b7d23", "2 3", '▲'),
 ];
 
-pub fn growth(sizes: &[f64], panels: &[Panel]) -> String {
+/// Draws panels side by side into a file beside the benchmarks' manifest.
+pub fn save(name: &str, sizes: &[f64], panels: &[Panel]) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(name);
+    match fs::write(&path, growth(sizes, panels)) {
+        Ok(()) => println!("\nDrawn in `benches/{name}`.\n"),
+        Err(error) => eprintln!("{}: {error}", path.display()),
+    }
+}
+
+fn growth(sizes: &[f64], panels: &[Panel]) -> String {
     let all = || {
         panels
             .iter()

@@ -36,7 +36,6 @@ const FEW: [u32; 2] = [32, 24];
 const MOST_ASKED: usize = 30_000;
 const N_ROUNDS: usize = 9;
 const GROWTH: [usize; 6] = [1_000, 3_000, 10_000, 30_000, 100_000, 300_000];
-const PLOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/rays.svg");
 
 /// A mesh in front of the camera.
 fn surfaces(size: [u32; 2], position: [f64; 3], triangles: &[[[f64; 3]; 3]]) -> Surfaces {
@@ -256,8 +255,5 @@ pub fn growth() {
         of: "triangles",
         curves: names.into_iter().zip(curves).collect(),
     };
-    match std::fs::write(PLOT, plot::growth(&sizes, &[panel])) {
-        Ok(()) => println!("\nDrawn in `benches/rays.svg`.\n"),
-        Err(error) => eprintln!("{PLOT}: {error}"),
-    }
+    plot::save("rays.svg", &sizes, &[panel]);
 }

@@ -70,9 +70,7 @@ impl Painted {
             let rows = 0..self.size[1];
             let target = (&mut depths[..], &mut *pixels);
             shade_rows(&triangles, &viewport, rows, target, 0, |_, uv| {
-                self.texture.at_each(uv).map(|texel| {
-                    0xff00_0000 | texel
-                })
+                self.texture.at_each(uv).map(|texel| 0xff00_0000 | texel)
             });
             black_box(&*pixels);
         }

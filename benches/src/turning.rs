@@ -11,9 +11,15 @@ use clipscope::{
 };
 use egui::{Context, Event, Modifiers, PointerButton, RawInput, Rect, pos2, vec2};
 
-use crate::harness::{Target, median, quantile};
+use crate::{
+    harness::{Target, median, quantile},
+    plot,
+};
 
 const N_FRAMES: usize = 60;
+/// About so many triangles.
+const GROWTH: [usize; 6] = [1_000, 3_000, 10_000, 30_000, MANY, 300_000];
+const MANY: usize = 100_000;
 /// Milliseconds: what a screen with 60 pictures a second leaves.
 const TARGET: Target = Target::AtMost(16.0);
 /// Of five solids, as a lesson has them.
@@ -31,20 +37,25 @@ pub fn run() {
     );
     println!("| triangles | edges | median | 95 % | target | |\n|--:|--:|--:|--:|--:|---|");
     row(&five(), LESSON_TARGET);
-    for (n, target) in [
-        (1_000, Target::None),
-        (3_000, Target::None),
-        (10_000, Target::None),
-        (30_000, Target::None),
-        (100_000, TARGET),
-        (300_000, Target::None),
-    ] {
-        row(&rings(n), target);
+    let (mut sizes, mut curves) = (Vec::new(), [Vec::new(), Vec::new()]);
+    for n in GROWTH {
+        let target = if n == MANY { TARGET } else { Target::None };
+        let facets = rings(n);
+        sizes.push(facets.len() as f64);
+        for (curve, millis) in curves.iter_mut().zip(row(&facets, target)) {
+            curve.push(1e3 * millis);
+        }
     }
-    println!();
+    let panel = plot::Panel {
+        title: "A frame while the eye goes round",
+        of: "triangles",
+        curves: ["median", "95 % under"].into_iter().zip(curves).collect(),
+    };
+    plot::save("turning.svg", &sizes, &[panel]);
 }
 
-fn row(facets: &[Facet], target: Target) {
+/// The median and what 95 % are under, in milliseconds.
+fn row(facets: &[Facet], target: Target) -> [f64; 2] {
     let edges = Edge3::of(facets);
     let n = (facets.len(), edges.len());
     let millis = frames(facets.into(), edges.into());
@@ -55,6 +66,7 @@ fn row(facets: &[Facet], target: Target) {
         n.1,
         target.cells(half)
     );
+    [half, most]
 }
 
 /// Milliseconds of each frame, the pointer being down.

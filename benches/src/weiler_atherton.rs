@@ -25,7 +25,6 @@ const GROWTH: [usize; 5] = [100, 300, 1000, 3000, 10_000];
 const N_ROUNDS: usize = 21;
 
 /// Beside this file's folder, for BENCHMARKS.md.
-const PLOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/weiler_atherton.svg");
 
 const OURS: &str = "Weiler–Atherton, silent";
 const CHECKED: &str = "both outlines checked to be simple, then the same";
@@ -131,10 +130,7 @@ fn growth() {
         });
     }
     let xs = GROWTH.map(|n| n as f64);
-    match std::fs::write(PLOT, plot::growth(&xs, &panels)) {
-        Ok(()) => println!("\nDrawn in `benches/weiler_atherton.svg`.\n"),
-        Err(error) => eprintln!("{PLOT}: {error}"),
-    }
+    plot::save("weiler_atherton.svg", &xs, &panels);
 }
 
 fn measure(outlines: &[Outline; 2], n_rounds: usize, names: &[&'static str]) -> Results {

@@ -22,6 +22,7 @@ gauge-culled = culled
 gauges-sphere = One sphere, { $planes } planes
 gauges-faces = Faces: { $faces }
 planes-from-matrix = Taken from the rows of the matrix they are the same, to { $decimals } decimals.
+plane-from-matrix = Rows of the matrix: { $sum }. Divided by the length of its normal, { $length }, it is the { $plane } plane, to { $decimals } decimals.
 column-plane = plane
 column-outside = out
 column-least = least

@@ -22,6 +22,7 @@ gauge-culled = se descarta
 gauges-sphere = Una esfera, { $planes } planos
 gauges-faces = Caras: { $faces }
 planes-from-matrix = Tomados de las filas de la matriz son los mismos, con { $decimals } decimales.
+plane-from-matrix = De las filas de la matriz: { $sum }. Dividido por la longitud de su normal, { $length }, es el plano { $plane }, con { $decimals } decimales.
 column-plane = plano
 column-outside = fuera
 column-least = mínimo

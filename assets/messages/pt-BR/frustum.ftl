@@ -22,6 +22,7 @@ gauge-culled = descartada
 gauges-sphere = Uma esfera, { $planes } planos
 gauges-faces = Faces: { $faces }
 planes-from-matrix = Tirados das linhas da matriz, são os mesmos, com { $decimals } casas decimais.
+plane-from-matrix = Das linhas da matriz: { $sum }. Dividido pelo comprimento da normal, { $length }, é o plano { $plane }, com { $decimals } casas decimais.
 column-plane = plano
 column-outside = fora
 column-least = mínimo

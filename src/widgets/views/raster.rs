@@ -35,6 +35,10 @@ const DIGITS: usize = 3;
 /// The darkest that a shade may be under ink, and where there is none.
 const DARKEST: f32 = 0.45;
 const DARKEST_BARE: f32 = 0.9;
+/// Half a cross in points; of one aside from what is written, its place from the pixel's middle and half of it, in pixels.
+const ARM: f32 = 4.5;
+const ASIDE: [f64; 2] = [0.34, -0.34];
+const ASIDE_ARM: f32 = 0.1;
 
 impl OnSlate for Raster {
     fn slate<'a>(&self, painter: &'a Painter, look: Look<'a>, _rect: Rect) -> Slate<'a> {
@@ -61,7 +65,7 @@ impl OnSlate for Raster {
             .iter()
             .partition::<Vec<_>, _>(|mark| mark.is_line());
         for mark in lines {
-            draw_over(slate, (origin.round(), width), mark);
+            draw_over(slate, (origin.round(), width), mark, slate.pts(ARM));
         }
         if let Some(current) = self.current {
             ring(slate, square(origin, width, current));
@@ -76,7 +80,15 @@ impl OnSlate for Raster {
             self.draw_scale(slate, (origin, width), ends);
         }
         for mark in points {
-            draw_over(slate, (origin.round(), width), mark);
+            match mark.shape {
+                RasterShape::Cross(at) if self.is_written(slate, width, at) => {
+                    let corner = [at[0] + ASIDE[0], at[1] + ASIDE[1]];
+                    let shape = RasterShape::Cross(corner);
+                    let mark = RasterMark { shape, ..*mark };
+                    draw_over(slate, (origin.round(), width), &mark, ASIDE_ARM * width);
+                }
+                _ => draw_over(slate, (origin.round(), width), mark, slate.pts(ARM)),
+            }
         }
     }
 
@@ -177,6 +189,13 @@ impl Raster {
         }
     }
 
+    /// Is there something to read at a place in pixels?
+    fn is_written(&self, slate: &Slate<'_>, width: f32, at: [f64; 2]) -> bool {
+        let pixel = self.at(at.map(|x| x as usize));
+        let value = pixel.and_then(|pixel| pixel.value.as_ref());
+        value.is_some_and(|value| value_pts(slate, width, value) >= SMALLEST)
+    }
+
     /// The pixel at a place on the screen.
     fn pixel_at(&self, origin: Pos2, width: f32, at: Pos2) -> Option<[usize; 2]> {
         let place = (at - origin.round()) / width;
@@ -203,11 +222,7 @@ fn square(origin: Pos2, width: f32, [column, row]: [usize; 2]) -> Rect {
 
 /// What is stored at a pixel, if it can be read.
 fn write(slate: &mut Slate<'_>, place: Rect, (value, ink): (&Value, Color32)) {
-    let n_characters = match value {
-        Value::Name(name) => name.chars().count(),
-        _ => DIGITS,
-    };
-    let pts = number_pts(slate, place.width(), n_characters);
+    let pts = value_pts(slate, place.width(), value);
     if pts < SMALLEST {
         return;
     }
@@ -215,6 +230,15 @@ fn write(slate: &mut Slate<'_>, place: Rect, (value, ink): (&Value, Color32)) {
     if text.size().x <= place.width() {
         slate.put(&text, place.center(), Align2::CENTER_CENTER);
     }
+}
+
+/// The size of what is stored in a pixel of this width.
+fn value_pts(slate: &Slate<'_>, width: f32, value: &Value) -> f32 {
+    let n_characters = match value {
+        Value::Name(name) => name.chars().count(),
+        _ => DIGITS,
+    };
+    number_pts(slate, width, n_characters)
 }
 
 /// The size of so many characters in a pixel of this width.
@@ -239,8 +263,8 @@ fn shaded(theme: &Theme, role: Role, shade: f64, darkest: f32) -> Color32 {
     colour.gamma_multiply(strength)
 }
 
-/// Over the pixels, with a casing that is seen on any tone.
-fn draw_over(slate: &Slate<'_>, (origin, width): (Pos2, f32), mark: &RasterMark) {
+/// Over the pixels, with a casing that is seen on any tone; `arm` is half a cross.
+fn draw_over(slate: &Slate<'_>, (origin, width): (Pos2, f32), mark: &RasterMark, arm: f32) {
     let theme = slate.theme();
     let ink = colour(theme, mark.role);
     let place = |[x, y]: [f64; 2]| origin + vec2(x as f32, y as f32) * width;
@@ -260,7 +284,6 @@ fn draw_over(slate: &Slate<'_>, (origin, width): (Pos2, f32), mark: &RasterMark)
         }
         RasterShape::Cross(at) => {
             let at = place(at);
-            let arm = slate.pts(4.5);
             for diagonal in [vec2(arm, arm), vec2(arm, -arm)] {
                 line([at - diagonal, at + diagonal], 2.0);
             }

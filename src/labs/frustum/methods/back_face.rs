@@ -12,8 +12,8 @@ use crate::{
         ring::Right,
     },
     figure::{
-        Body, Caption, Gauge, Gauges, Mark3, Role, Shape3, Tick, View, Watch, WatchRow,
-        WatchSection,
+        Body, Caption, Cell, Gauge, Gauges, Mark3, Role, Shape3, Table, TableRow, Tick, View, Watch,
+        WatchRow, WatchSection,
     },
     geom::Camera,
     labs::{Answer, CodeLine, Demo, Step, code_line, words::name},
@@ -34,6 +34,7 @@ type Input = OnSceneInput<BackFaceInput>;
 type Shown = OnScene<BackFace>;
 
 const FACES_VIEW: &str = "faces";
+const COLUMNS_VIEW: &str = "columns";
 /// Of a solid with more faces only the one in hand is measured beside it.
 const MOST_FACES: usize = 24;
 
@@ -119,7 +120,9 @@ impl Demo for Shown {
                 let e = before.to_viewer.unwrap_or_default();
                 say("face-products")
                     .so(dot_formula(n, e, dot))
-                    .so(Formula::default().sym("det").equals(det))
+                    .so(Formula::default()
+                        .sym("det = |e, V₁ − V₀, V₂ − V₀|")
+                        .equals(det))
             }
             Event::Done { front } => {
                 let [dot, _] = before.products.unwrap_or_default();
@@ -173,6 +176,7 @@ impl Demo for Shown {
             scenery.observer_with(fate, role, marks(step)),
             scenery.camera(fate, role, corners),
             View::new(FACES_VIEW, Body::Gauges(face_gauges(step, scene))),
+            View::new(COLUMNS_VIEW, Body::Table(columns(step))),
         ]
     }
 
@@ -290,6 +294,31 @@ fn marks(step: &Step<'_, Shown>) -> Vec<Mark3> {
         }
     }
     marks
+}
+
+/// What the determinant is of: the way to the viewer and the two edges, as columns.
+fn columns(step: &Step<'_, Shown>) -> Table {
+    let symbols = ["det", "e", "V₁ − V₀", "V₂ − V₀"];
+    let State {
+        normal, to_viewer, ..
+    } = *step.state;
+    let edges = normal.map(|(edges, _)| edges);
+    let columns = [to_viewer, edges.map(|[p, _]| p), edges.map(|[_, q]| q)];
+    let is_asked = matches!(step.event, Some(Event::Products { .. }));
+    let role = if is_asked { Role::Signal } else { Role::Ink };
+    let row = |(axis, symbol): (usize, &'static str)| TableRow {
+        name: name(symbol),
+        cells: columns
+            .map(|column| Cell::new(role, column.map(|at| at[axis])))
+            .into(),
+        is_current: false,
+        link: None,
+    };
+    Table {
+        header: symbols.map(|name| Formula::default().sym(name)).into(),
+        rows: ["x", "y", "z"].into_iter().enumerate().map(row).collect(),
+        notes: Vec::new(),
+    }
 }
 
 /// n·e of all faces, the one in hand once its run has come so far.

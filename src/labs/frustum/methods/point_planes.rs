@@ -218,9 +218,9 @@ fn plane_table(step: &Step<'_, Shown>) -> Table {
             link: Some(plane_link(plane_idx)),
         }
     };
-    let decimals = scenery.and_then(decimals_of_matrix);
-    let note = decimals.map(|decimals| TableNote {
-        text: Message::new("planes-from-matrix").with("decimals", decimals),
+    let text = scenery.and_then(|scenery| from_matrix(scenery, current));
+    let note = text.map(|text| TableNote {
+        text,
         applies: true,
     });
     Table {
@@ -230,8 +230,8 @@ fn plane_table(step: &Step<'_, Shown>) -> Table {
     }
 }
 
-/// To how many decimals the planes that the angles give and those that the rows of the matrix give agree.
-fn decimals_of_matrix(scenery: &Scenery) -> Option<usize> {
+/// What the rows of the matrix say of the plane at work, and to how many decimals they agree with what the angles give.
+fn from_matrix(scenery: &Scenery, current: Option<usize>) -> Option<Message> {
     let camera = scenery.scene().culler();
     let from_matrix = planes_from_matrix(&camera.clip_from_world()).ok()?;
     let apart = from_matrix.iter().zip(scenery.planes()).map(|(a, b)| {
@@ -240,5 +240,17 @@ fn decimals_of_matrix(scenery: &Scenery) -> Option<usize> {
         apart.fold(0.0, f64::max)
     });
     let apart = apart.fold(f64::EPSILON, f64::max);
-    Some((-libm::log10(apart)).floor().max(0.0) as usize)
+    let decimals = (-libm::log10(apart)).floor().max(0.0) as usize;
+    let Some(plane_idx) = current else {
+        return Some(Message::new("planes-from-matrix").with("decimals", decimals));
+    };
+    let (plane, side) = (&from_matrix[plane_idx], VolumeSide::ALL[plane_idx]);
+    let sign = if side.is_high() { '−' } else { '+' };
+    let row = ["x", "y", "z"][side.axis()];
+    let sum = Formula::default().sym(format!("w {sign} {row} = ("));
+    let message = Message::new("plane-from-matrix")
+        .with("sum", Value::Formula(sum.list(&plane.to_array()).sym(")")))
+        .with("length", plane.length())
+        .with("plane", plane_name(Some(scenery), plane_idx));
+    Some(message.with("decimals", decimals))
 }

@@ -183,7 +183,8 @@ fn asked(step: &Step<'_, Shown>, scenery: &Scenery) -> Table {
     }
 }
 
-/// The ray's own axis: the eye at 0, the raster at 1, what is hit, and as far as the ray is followed.
+/// The ray's own axis: the eye at 0, the raster at 1, what is hit, the plane that is met beside its triangle or behind the eye
+/// at this step, and as far as the ray is followed.
 fn axis(step: &Step<'_, Shown>, scenery: &Scenery) -> NumberLine {
     let far = Rays::of(&step.input.own.surfaces).far();
     let state = step.state;
@@ -191,14 +192,21 @@ fn axis(step: &Step<'_, Shown>, scenery: &Scenery) -> NumberLine {
     let nearest = state.nearest.filter(|_| is_cast);
     let until = nearest.map_or(far, |hit| hit.t);
     let hits = state.hits.iter().filter(|_| is_cast);
-    let ticks = hits.map(|hit| LineTick {
-        u: hit.t,
-        value: Formula::decimals().num(hit.t),
+    let missed = match step.event {
+        Some(Event::Ask { id, found, .. }) if found.meeting != Meeting::Hit => {
+            found.t.map(|t| (id, t))
+        }
+        Some(_) | None => None,
+    };
+    let ticks = hits.map(|hit| (hit.id, hit.t)).chain(missed);
+    let ticks = ticks.map(|(id, t)| LineTick {
+        u: t,
+        value: Formula::decimals().num(t),
         side: Side::Leaving,
-        holds: nearest.is_some_and(|nearest| nearest.id == hit.id),
-        current: now(step) == Some(hit.id),
-        name: name_of(step.input, hit.id),
-        link: surface_link(scenery.scene(), hit.id),
+        holds: nearest.is_some_and(|nearest| nearest.id == id),
+        current: now(step) == Some(id),
+        name: name_of(step.input, id),
+        link: surface_link(scenery.scene(), id),
     });
     NumberLine {
         symbol: "t",
