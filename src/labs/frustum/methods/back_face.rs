@@ -37,6 +37,8 @@ const FACES_VIEW: &str = "faces";
 const COLUMNS_VIEW: &str = "columns";
 /// Of a solid with more faces only the one in hand is measured beside it.
 const MOST_FACES: usize = 24;
+/// Under more than so many the determinant's columns would have no room.
+const MOST_BESIDE_COLUMNS: usize = 12;
 
 /// The normal as it is drawn, as a part of the longer edge at V₀.
 const NORMAL_PART: f64 = 0.75;
@@ -172,12 +174,15 @@ impl Demo for Shown {
             }
         };
         let corners = corner_marks(&step.input.own.triangle);
-        vec![
+        let gauges = face_gauges(step, scene);
+        let columns = (gauges.rows.len() <= MOST_BESIDE_COLUMNS).then(|| columns(step));
+        let mut views = vec![
             scenery.observer_with(fate, role, marks(step)),
             scenery.camera(fate, role, corners),
-            View::new(FACES_VIEW, Body::Gauges(face_gauges(step, scene))),
-            View::new(COLUMNS_VIEW, Body::Table(columns(step))),
-        ]
+            View::new(FACES_VIEW, Body::Gauges(gauges)),
+        ];
+        views.extend(columns.map(|columns| View::new(COLUMNS_VIEW, Body::Table(columns))));
+        views
     }
 
     fn watch(step: &Step<'_, Self>) -> Watch {
