@@ -220,6 +220,20 @@ impl<'a> SolidPicture<'a> {
         }
     }
 
+    /// Nothing is seen in others than these rows.
+    #[must_use]
+    pub fn rows(&self) -> Range<u32> {
+        fn of<const N: usize>(triangles: &[ScreenTriangle<N>]) -> Range<u32> {
+            let rows = triangles.iter().map(ScreenTriangle::rows);
+            let all = rows.reduce(|all, rows| all.start.min(rows.start)..all.end.max(rows.end));
+            all.unwrap_or_default()
+        }
+        match &self.triangles {
+            Drawable::Plain(triangles) => of(triangles),
+            Drawable::Skinned(triangles) => of(triangles),
+        }
+    }
+
     /// Is anything on it painted with a texture?
     #[must_use]
     pub const fn has_skin(&self) -> bool {

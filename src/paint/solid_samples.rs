@@ -37,9 +37,15 @@ pub struct Samples<'a> {
 }
 
 impl Samples<'_> {
-    /// Draws all rows: each thread takes the next few, so that none waits for one that is late.
+    /// Draws the rows in which something is seen, on pixels that are clear: each thread takes the next few, so that none waits
+    /// for one that is late.
     pub fn draw(&self, pixels: &mut [Color32]) {
         let [width, height] = self.size;
+        let seen = self.picture.rows();
+        // An outline reaches a sample further.
+        let first = (seen.start.saturating_sub(1) / self.fine).min(height);
+        let end = (seen.end + 1).div_ceil(self.fine).clamp(first, height);
+        let height = end - first;
         let n_samples = (width * self.fine) as usize * (height * self.fine) as usize;
         let n_threads = thread::available_parallelism().map_or(1, usize::from);
         let n_threads = if n_samples < FEW { 1 } else { n_threads }.min(MOST_THREADS);
@@ -48,8 +54,9 @@ impl Samples<'_> {
         } else {
             height.div_ceil(n_threads as u32).max(1)
         };
-        let starts = (0..height).step_by(n_at_once as usize);
-        let rows = starts.map(|start| start..(start + n_at_once).min(height));
+        let starts = (first..end).step_by(n_at_once as usize);
+        let rows = starts.map(|start| start..(start + n_at_once).min(end));
+        let pixels = &mut pixels[(first * width) as usize..(end * width) as usize];
         let bands = rows.zip(pixels.chunks_mut((n_at_once * width).max(1) as usize));
         let bands = Mutex::new(bands);
         thread::scope(|scope| {

@@ -95,6 +95,12 @@ impl Catalog {
     #[must_use]
     pub fn message_pieces(&self, message: &Message) -> Vec<Piece> {
         let notation = Notation::of(message.args.iter().map(|(_, value)| value));
+        self.message_pieces_as(message, notation)
+    }
+
+    /// The same with its numbers written in this way.
+    #[must_use]
+    pub fn message_pieces_as(&self, message: &Message, notation: Notation) -> Vec<Piece> {
         let text = self.resolve(message.key, &message.args);
         let mut pieces = Vec::new();
         let mut rest = &text[..];

@@ -1,5 +1,7 @@
 //! A triangle on the screen, ready to be filled.
 
+use std::ops::Range;
+
 use crate::trace::Real;
 
 use super::Viewport;
@@ -51,6 +53,12 @@ pub(super) fn double_area(corners: [[i32; 2]; 3]) -> i64 {
 }
 
 impl<const N: usize> ScreenTriangle<N> {
+    /// The rows whose middles it may cover.
+    #[must_use]
+    pub const fn rows(&self) -> Range<u32> {
+        self.rows[0]..self.rows[2]
+    }
+
     /// From corners in any order; `None` without area.
     #[inline]
     pub(super) fn new(id: u32, corners: &[Corner<N>; 3], viewport: &Viewport) -> Option<Self> {

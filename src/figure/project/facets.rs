@@ -26,14 +26,16 @@ use super::{
 /// as rounding lets them.
 const BEHIND: f64 = 1e-7;
 
-/// A facet in the axes of what sees it.
+/// A facet that may hide something, in the axes of what sees it.
 #[derive(Clone, Debug)]
 struct InView {
+    /// Which of the space's.
+    idx: u32,
+    faces_eye: bool,
     /// Of the part that is not too near.
-    corners: Range<usize>,
+    corners: Range<u32>,
     /// Away from the solid; not normalised.
     normal: DVec3,
-    faces_eye: bool,
     /// The depth of its nearest corner.
     nearest: f64,
 }
@@ -43,9 +45,12 @@ struct InView {
 pub struct FacetsInView {
     optics: Optics,
     is_closed: bool,
+    /// Does it show its outer side? Of every facet of the space.
+    faces_eye: Vec<bool>,
     corners: Vec<DVec3>,
+    /// Those that hide something.
     facets: Vec<InView>,
-    /// On the picture.
+    /// Of these, on the picture.
     bounds: Vec<Bounds>,
     grid: Grid,
     found: Found,
@@ -58,9 +63,10 @@ impl FacetsInView {
         let mut seen = Self {
             optics,
             is_closed,
-            corners: Vec::with_capacity(4 * facets.len()),
-            facets: Vec::with_capacity(facets.len()),
-            bounds: Vec::with_capacity(facets.len()),
+            faces_eye: Vec::with_capacity(facets.len()),
+            corners: Vec::with_capacity(2 * facets.len()),
+            facets: Vec::with_capacity(facets.len() / 2),
+            bounds: Vec::with_capacity(facets.len() / 2),
             grid: Grid::new(&[]),
             found: Found::default(),
         };
@@ -76,18 +82,18 @@ impl FacetsInView {
     }
 
     fn push(&mut self, corners: &[DVec3]) {
+        let idx = self.faces_eye.len() as u32;
         let Some(&first) = corners.first() else {
-            self.bounds.push(Bounds::NOWHERE);
-            return self.facets.push(InView::nothing());
+            return self.faces_eye.push(false);
         };
         let fan = corners.windows(2).skip(1);
         let normal: DVec3 = fan
             .map(|pair| (pair[0] - first).cross(pair[1] - first))
             .sum();
         let faces_eye = normal.dot(self.optics.toward_eye(first)) > 0.0;
+        self.faces_eye.push(faces_eye);
         if self.is_closed && !faces_eye {
-            self.bounds.push(Bounds::NOWHERE);
-            return self.facets.push(InView::nothing());
+            return;
         }
         let start = self.corners.len();
         if corners.iter().all(|at| at.z <= -self.optics.near) {
@@ -95,21 +101,21 @@ impl FacetsInView {
         } else {
             self.corners.extend(cut_at(corners, -self.optics.near));
         }
-        let seen = start..self.corners.len();
-        let shown = &self.corners[seen.clone()];
+        let shown = &self.corners[start..];
         let places = shown.iter().map(|&at| self.optics.picture_from_view(at));
         self.bounds.push(Bounds::around(places));
         self.facets.push(InView {
-            normal,
+            idx,
             faces_eye,
             nearest: shown.iter().fold(f64::NEG_INFINITY, |z, at| z.max(at.z)),
-            corners: seen,
+            corners: start as u32..self.corners.len() as u32,
+            normal,
         });
     }
 
     /// Does a facet show its outer side?
     pub fn faces_eye(&self, facet: u32) -> Option<bool> {
-        self.facets.get(facet as usize).map(|it| it.faces_eye)
+        self.faces_eye.get(facet as usize).copied()
     }
 
     /// The hidden parts of a segment between two points in view, none of which is too near, as intervals of its
@@ -119,14 +125,15 @@ impl FacetsInView {
         let bounds = Bounds::around(places);
         let farthest = ends[0].z.min(ends[1].z);
         let mut hidden = Vec::new();
-        for &idx in self.grid.near(places, &mut self.found) {
-            let facet = &self.facets[idx as usize];
-            let its_bounds = &self.bounds[idx as usize];
+        for &nth in self.grid.near(places, &mut self.found) {
+            let facet = &self.facets[nth as usize];
+            let its_bounds = &self.bounds[nth as usize];
             let is_before = farthest < facet.nearest
                 && bounds.meets(its_bounds)
                 && its_bounds.meets_line(places);
-            if is_before && !but.contains(&Some(idx)) {
-                let corners = &self.corners[facet.corners.clone()];
+            if is_before && !but.contains(&Some(facet.idx)) {
+                let corners =
+                    &self.corners[facet.corners.start as usize..facet.corners.end as usize];
                 hidden.extend(inside(ends, shadow(&self.optics, facet, corners)));
             }
         }
@@ -153,18 +160,6 @@ fn shadow<'a>(
         back.dot(first) + BEHIND * back.length() * first.length()
     });
     std::iter::once((back, depth)).chain(through_eye)
-}
-
-impl InView {
-    /// Of a facet without corners.
-    const fn nothing() -> Self {
-        Self {
-            corners: 0..0,
-            normal: DVec3::ZERO,
-            faces_eye: false,
-            nearest: f64::NEG_INFINITY,
-        }
-    }
 }
 
 /// The part of a convex polygon whose z is at most `most`.

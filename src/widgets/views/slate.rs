@@ -155,12 +155,7 @@ impl<'a> Slate<'a> {
     }
 
     fn set(&self, pieces: Vec<Piece>, font: FontId, colour: Color32) -> Typeset {
-        let span = Span {
-            pieces,
-            font,
-            colour,
-            italics: false,
-        };
+        let span = upright(pieces, font, colour);
         Typeset::line(self.painter, &[span])
     }
 
@@ -183,8 +178,12 @@ impl<'a> Slate<'a> {
     /// A sentence, on as many lines as it takes.
     pub fn sentence(&self, message: &Message, width: f32, (face, size, colour): Style) -> Typeset {
         let font = self.font(face, size);
-        let span = Span::message(self.look.catalog, message, font, colour);
-        Typeset::wrapped(self.painter, &[span], width)
+        let catalog = self.look.catalog;
+        let pieces = match self.notation {
+            Some(notation) => catalog.message_pieces_as(message, notation),
+            None => catalog.message_pieces(message),
+        };
+        Typeset::wrapped(self.painter, &[upright(pieces, font, colour)], width)
     }
 
     /// Paints it with this corner, edge or middle of its box at `at`; the box.
@@ -309,5 +308,15 @@ pub fn wash(theme: &Theme, role: Role) -> Color32 {
         Role::Accepted => tint(theme.accepted),
         Role::Ink | Role::Soft | Role::Faint => theme.panel,
         Role::Discarded => theme.background,
+    }
+}
+
+/// What is set, but for where.
+const fn upright(pieces: Vec<Piece>, font: FontId, colour: Color32) -> Span {
+    Span {
+        pieces,
+        font,
+        colour,
+        italics: false,
     }
 }

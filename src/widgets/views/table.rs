@@ -6,7 +6,7 @@ use egui::{Align2, Painter, Rect, Stroke, pos2, vec2};
 
 use crate::{
     figure::{Cell, Role, Table, TableRow},
-    text::{Formula, Message, Notation, Token, Value},
+    text::{Formula, Message, Notation, Piece, Token, Value},
 };
 
 use super::{
@@ -36,7 +36,9 @@ const FOLD_BELOW: f32 = 0.8;
 /// Numbers in a column, and in its neighbours, are compared: all of them are fractions, or all decimals.
 fn notation(table: &Table) -> Notation {
     let cells = table.rows.iter().flat_map(|row| &row.cells);
-    Notation::of(cells.filter_map(|cell| cell.value.as_ref()))
+    let notes = table.notes.iter().flat_map(|note| &note.text.args);
+    let cells = cells.filter_map(|cell| cell.value.as_ref());
+    Notation::of(cells.chain(notes.map(|(_, value)| value)))
 }
 
 /// A column: its width at a slate's scale, and to which side things stand in it.
@@ -315,7 +317,8 @@ fn spoken(look: Look<'_>, table: &Table) -> String {
         format!("{arrow}{} {}", said(&row.name), cells.join(", "))
     };
     let notes = table.notes.iter().filter(|note| note.applies);
-    let notes = notes.map(|note| look.catalog.message(&note.text));
+    let notes =
+        notes.map(|note| Piece::plain(&look.catalog.message_pieces_as(&note.text, notation)));
     let parts: Vec<String> = table.rows.iter().map(row).chain(notes).collect();
     parts.join("; ")
 }

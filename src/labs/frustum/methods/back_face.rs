@@ -12,8 +12,8 @@ use crate::{
         ring::Right,
     },
     figure::{
-        Body, Caption, Cell, Gauge, Gauges, Mark3, Role, Shape3, Table, TableRow, Tick, View, Watch,
-        WatchRow, WatchSection,
+        Body, Caption, Cell, Gauge, Gauges, Mark3, Role, Shape3, Table, TableRow, Tick, View,
+        Watch, WatchRow, WatchSection,
     },
     geom::Camera,
     labs::{Answer, CodeLine, Demo, Step, code_line, words::name},

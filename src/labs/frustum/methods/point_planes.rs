@@ -247,10 +247,10 @@ fn from_matrix(scenery: &Scenery, current: Option<usize>) -> Option<Message> {
     let (plane, side) = (&from_matrix[plane_idx], VolumeSide::ALL[plane_idx]);
     let sign = if side.is_high() { '−' } else { '+' };
     let row = ["x", "y", "z"][side.axis()];
-    let sum = Formula::decimals().sym(format!("w {sign} {row} = ("));
+    let sum = Formula::default().sym(format!("w {sign} {row} = ("));
     let message = Message::new("plane-from-matrix")
         .with("sum", Value::Formula(sum.list(&plane.to_array()).sym(")")))
-        .with("length", Value::Formula(Formula::decimals().num(plane.length())))
+        .with("length", plane.length())
         .with("plane", plane_name(Some(scenery), plane_idx));
     Some(message.with("decimals", decimals))
 }
