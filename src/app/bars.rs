@@ -20,6 +20,11 @@ use super::{
     room::{COURSE, CoursePart, Room, transport_has_room},
 };
 
+/// From tab to tab.
+const BETWEEN_TABS: f32 = 12.0;
+/// The program's name and a method's, before any scale.
+const BESIDE_TABS: f32 = 270.0;
+
 /// Name, labs and methods at the left; menus at the right.
 pub fn top(
     model: &Model<'_>,
@@ -27,7 +32,6 @@ pub fn top(
     panels: &mut [Box<dyn LabPanel>],
     commands: &mut Vec<Command>,
 ) {
-    let look = model.look;
     let bar = ui.max_rect();
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
@@ -47,26 +51,45 @@ pub fn top(
         ui.scope_builder(UiBuilder::new().max_rect(left).layout(layout), |ui| {
             ui.shrink_clip_rect(left);
             if !model.is_narrow {
-                ui.label(
-                    RichText::new(look.say("app-title"))
-                        .heading()
-                        .size(15.0 * look.theme.text_scale),
-                );
-                let tabs = bar.left() + COURSE + 8.0 - ui.cursor().left();
-                ui.add_space(if model.course == CoursePart::Whole {
-                    tabs.max(16.0)
-                } else {
-                    24.0
-                });
+                title(model, ui, bar, panels);
                 for panel in &*panels {
                     tab(model, ui, panel.lab(), bar, commands);
-                    ui.add_space(12.0);
+                    ui.add_space(BETWEEN_TABS);
                 }
                 ui.add_space(4.0);
             }
             pickers(model, ui, commands);
         });
     });
+}
+
+/// The program's name, and the gap up to the tabs; where it would leave no room for the method's name, it is left out.
+fn title(model: &Model<'_>, ui: &mut Ui, bar: Rect, panels: &[Box<dyn LabPanel>]) {
+    let (look, scale) = (model.look, model.look.theme.text_scale);
+    let has_room = tabs_width(ui, look, panels) + BESIDE_TABS * scale < ui.available_width();
+    if has_room {
+        let title = RichText::new(look.say("app-title")).heading();
+        ui.label(title.size(15.0 * scale));
+    }
+    let tabs = bar.left() + COURSE + 8.0 - ui.cursor().left();
+    ui.add_space(match model.course {
+        CoursePart::Whole => tabs.max(16.0),
+        CoursePart::Hidden | CoursePart::Strip if has_room => 24.0,
+        CoursePart::Hidden | CoursePart::Strip => 0.0,
+    });
+}
+
+/// Of all labs' names and what is between them.
+fn tabs_width(ui: &Ui, look: Look<'_>, panels: &[Box<dyn LabPanel>]) -> f32 {
+    let font = theme::strong().resolve(ui.style());
+    let width = |name: String| {
+        let galley = ui
+            .painter()
+            .layout_no_wrap(name, font.clone(), look.theme.ink);
+        galley.size().x + BETWEEN_TABS
+    };
+    let names = panels.iter().map(|panel| look.say(panel.lab().name_key()));
+    names.map(width).sum()
 }
 
 /// A lab; underlined where it is open.

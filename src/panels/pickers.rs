@@ -30,6 +30,7 @@ pub fn method_picker(ui: &mut Ui, look: Look<'_>, scene: &Scene, asks: bool) -> 
         .icon(chevron)
         .popup_style(StyleModifier::new(menu_style))
         .selected_text(shown)
+        .truncate()
         .show_ui(ui, |ui| {
             for card in scene.document().lab().methods() {
                 if card.is_faulty {
