@@ -24,8 +24,6 @@ const GROWTH: [usize; 5] = [100, 300, 1000, 3000, 10_000];
 
 const N_ROUNDS: usize = 21;
 
-/// Beside this file's folder, for BENCHMARKS.md.
-
 const OURS: &str = "Weiler–Atherton, silent";
 const CHECKED: &str = "both outlines checked to be simple, then the same";
 const RECORDED: &str = "recorded, as for the screen";

@@ -108,7 +108,9 @@ impl Catalog {
         while let Some((at, c, i)) = rest.char_indices().find_map(value_at) {
             pieces.extend(Piece::words(&rest[..at]));
             match message.args.get(i) {
-                Some((_, Value::Message(inner))) => pieces.extend(self.message_pieces(inner)),
+                Some((_, Value::Message(inner))) => {
+                    pieces.extend(self.message_pieces_as(inner, notation));
+                }
                 Some((_, value)) => {
                     pieces.push(Piece::Kept(self.value_pieces_as(value, notation)));
                 }

@@ -23,7 +23,7 @@ impl Catalog {
             Value::Point(p) => writer.point(*p),
             Value::Name(name) => Piece::words(name),
             Value::Term(key) => Piece::words(&self.term(key)),
-            Value::Message(message) => self.message_pieces(message),
+            Value::Message(message) => self.message_pieces_as(message, notation),
             Value::Formula(formula) => writer.formula(formula),
         }
     }
@@ -94,20 +94,30 @@ impl Catalog {
 }
 
 impl Notation {
-    /// How the numbers of all these values are written beside each other: of points and formulas too.
+    /// How the numbers of all these values are written beside each other: of points, formulas and sentences too.
     #[must_use]
     pub fn of<'a>(values: impl IntoIterator<Item = &'a Value>) -> Self {
         let mut numbers = Vec::new();
         for value in values {
-            match value {
-                Value::Number(x) => numbers.push(Quantity::Number(*x)),
-                Value::Ratio { num, den } => numbers.push(Quantity::Ratio(*num, *den)),
-                Value::Point(p) => numbers.extend(p.map(Quantity::Number)),
-                Value::Formula(formula) => collect(formula, &mut numbers),
-                Value::Count(_) | Value::Name(_) | Value::Term(_) | Value::Message(_) => {}
-            }
+            collect_value(value, &mut numbers);
         }
         Self::of_quantities(&numbers)
+    }
+}
+
+/// All the numbers of a value, also of a sentence within it.
+fn collect_value(value: &Value, numbers: &mut Vec<Quantity>) {
+    match value {
+        Value::Number(x) => numbers.push(Quantity::Number(*x)),
+        Value::Ratio { num, den } => numbers.push(Quantity::Ratio(*num, *den)),
+        Value::Point(p) => numbers.extend(p.map(Quantity::Number)),
+        Value::Formula(formula) => collect(formula, numbers),
+        Value::Message(message) => {
+            for (_, value) in &message.args {
+                collect_value(value, numbers);
+            }
+        }
+        Value::Count(_) | Value::Name(_) | Value::Term(_) => {}
     }
 }
 

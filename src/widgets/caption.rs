@@ -94,12 +94,8 @@ impl CaptionLayout {
                 font(theme::caption_strong(), part),
                 look.theme.ink,
             );
-            let arithmetic = Span {
-                pieces: in_a_row(formulas),
-                font: font(theme::caption(), part),
-                colour: look.theme.soft,
-                italics: false,
-            };
+            let face = font(theme::caption(), part);
+            let arithmetic = Span::upright(in_a_row(formulas), face, look.theme.soft);
             Typeset::wrapped(painter, &[decision, arithmetic], room.x)
         };
         let [.., smallest] = SMALLER;

@@ -17,10 +17,7 @@ pub(super) fn for_each_band<const N: usize>(
 ) {
     let [width, _] = viewport.size();
     let few = (PIXELS_AT_ONCE / width).max(1);
-    let reaches = triangles.iter().map(|triangle| {
-        let [first, _, end] = triangle.rows;
-        [first, end]
-    });
+    let reaches = triangles.iter().map(ScreenTriangle::rows);
     let sorted = Sorted::new(reaches, rows, few);
     let place = |row: u32| ((row - rows.start) * width) as usize;
     for (nth, start) in rows.clone().step_by(few as usize).enumerate() {
@@ -39,11 +36,12 @@ struct Sorted {
 
 impl Sorted {
     /// By counting; each from its first row to the one after its last.
-    fn new(reaches: impl Iterator<Item = [u32; 2]> + Clone, rows: &Range<u32>, few: u32) -> Self {
+    fn new(reaches: impl Iterator<Item = Range<u32>> + Clone, rows: &Range<u32>, few: u32) -> Self {
         let n_rows = rows.end.saturating_sub(rows.start);
         let n_bands = n_rows.div_ceil(few) as usize;
-        let bands = |reach: [u32; 2]| {
-            let [first, end] = reach.map(|row| row.saturating_sub(rows.start).min(n_rows));
+        let bands = |reach: Range<u32>| {
+            let within = |row: u32| row.saturating_sub(rows.start).min(n_rows);
+            let [first, end] = [reach.start, reach.end].map(within);
             let bands = first / few..end.div_ceil(few);
             if first < end { bands } else { 0..0 }
         };
@@ -84,23 +82,23 @@ mod tests {
     #[test]
     fn each_stands_in_every_band_that_it_reaches_into_in_its_order() {
         let rows = 3..20;
-        let reaches: Vec<[u32; 2]> = (0..24)
-            .flat_map(|first| (0..24).map(move |end| [first, end]))
+        let reaches: Vec<Range<u32>> = (0..24)
+            .flat_map(|first| (0..24).map(move |end| first..end))
             .collect();
         for few in 1..20 {
-            let sorted = Sorted::new(reaches.iter().copied(), &rows, few);
+            let sorted = Sorted::new(reaches.iter().cloned(), &rows, few);
             let bands = rows.clone().step_by(few as usize).enumerate();
             for (nth, start) in bands {
                 let band = start..(start + few).min(rows.end);
-                let meets = |[first, end]: [u32; 2]| (first..end).any(|row| band.contains(&row));
-                let here = (0..).zip(&reaches).filter(|(_, reach)| meets(**reach));
+                let meets = |reach: &Range<u32>| reach.clone().any(|row| band.contains(&row));
+                let here = (0..).zip(&reaches).filter(|(_, reach)| meets(reach));
                 let here: Vec<u32> = here.map(|(nth, _)| nth).collect();
                 assert_eq!(sorted.of(nth), here, "{few} rows, band {nth}");
             }
         }
         assert!(Sorted::new([].into_iter(), &rows, 5).of(0).is_empty());
         #[expect(clippy::reversed_empty_ranges, reason = "that is what is asked")]
-        let none = Sorted::new([[0, 9]].into_iter(), &(7..2), 5);
+        let none = Sorted::new(std::iter::once(0..9), &(7..2), 5);
         assert!(none.triangles.is_empty(), "no rows, no bands");
     }
 }

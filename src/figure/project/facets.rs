@@ -31,9 +31,8 @@ const BEHIND: f64 = 1e-7;
 struct InView {
     /// Which of the space's.
     idx: u32,
-    faces_eye: bool,
     /// Of the part that is not too near.
-    corners: Range<u32>,
+    corners: Range<usize>,
     /// Away from the solid; not normalised.
     normal: DVec3,
     /// The depth of its nearest corner.
@@ -101,14 +100,14 @@ impl FacetsInView {
         } else {
             self.corners.extend(cut_at(corners, -self.optics.near));
         }
-        let shown = &self.corners[start..];
+        let seen = start..self.corners.len();
+        let shown = &self.corners[seen.clone()];
         let places = shown.iter().map(|&at| self.optics.picture_from_view(at));
         self.bounds.push(Bounds::around(places));
         self.facets.push(InView {
             idx,
-            faces_eye,
             nearest: shown.iter().fold(f64::NEG_INFINITY, |z, at| z.max(at.z)),
-            corners: start as u32..self.corners.len() as u32,
+            corners: seen,
             normal,
         });
     }
@@ -132,9 +131,10 @@ impl FacetsInView {
                 && bounds.meets(its_bounds)
                 && its_bounds.meets_line(places);
             if is_before && !but.contains(&Some(facet.idx)) {
-                let corners =
-                    &self.corners[facet.corners.start as usize..facet.corners.end as usize];
-                hidden.extend(inside(ends, shadow(&self.optics, facet, corners)));
+                let corners = &self.corners[facet.corners.clone()];
+                let faces_eye = self.faces_eye[facet.idx as usize];
+                let shadow = shadow(&self.optics, (facet.normal, faces_eye), corners);
+                hidden.extend(inside(ends, shadow));
             }
         }
         union(hidden)
@@ -145,17 +145,17 @@ impl FacetsInView {
 /// a normal that points inwards, and a distance: n·p − d ≥ 0 is inside.
 fn shadow<'a>(
     optics: &'a Optics,
-    facet: &'a InView,
+    (normal, faces_eye): (DVec3, bool),
     corners: &'a [DVec3],
 ) -> impl Iterator<Item = (DVec3, f64)> + 'a {
-    let turn = if facet.faces_eye { 1.0 } else { -1.0 };
+    let turn = if faces_eye { 1.0 } else { -1.0 };
     let n = corners.len();
     let through_eye = (0..n).map(move |i| {
         let [a, b] = [corners[i], corners[(i + 1) % n]];
         let normal = optics.toward_eye(a).cross(b - a) * turn;
         (normal, normal.dot(a))
     });
-    let back = -facet.normal * turn;
+    let back = -normal * turn;
     let depth = corners.first().map_or(f64::INFINITY, |&first| {
         back.dot(first) + BEHIND * back.length() * first.length()
     });

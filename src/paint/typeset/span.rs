@@ -25,51 +25,42 @@ impl Span {
         self
     }
 
-    /// A value as it stands alone.
+    /// Pieces as they stand.
     #[must_use]
-    pub fn value(catalog: &Catalog, value: &Value, font: FontId, colour: Color32) -> Self {
-        let pieces = catalog.value_pieces(value);
+    pub const fn upright(pieces: Vec<Piece>, font: FontId, colour: Color32) -> Self {
         Self {
             pieces,
             font,
             colour,
             italics: false,
         }
+    }
+
+    /// A value as it stands alone.
+    #[must_use]
+    pub fn value(catalog: &Catalog, value: &Value, font: FontId, colour: Color32) -> Self {
+        let pieces = catalog.value_pieces(value);
+        Self::upright(pieces, font, colour)
     }
 
     /// A formula.
     #[must_use]
     pub fn formula(catalog: &Catalog, formula: &Formula, font: FontId, colour: Color32) -> Self {
         let pieces = catalog.formula_pieces(formula);
-        Self {
-            pieces,
-            font,
-            colour,
-            italics: false,
-        }
+        Self::upright(pieces, font, colour)
     }
 
     /// A sentence.
     #[must_use]
     pub fn message(catalog: &Catalog, message: &Message, font: FontId, colour: Color32) -> Self {
         let pieces = catalog.message_pieces(message);
-        Self {
-            pieces,
-            font,
-            colour,
-            italics: false,
-        }
+        Self::upright(pieces, font, colour)
     }
 
     /// Words.
     #[must_use]
     pub fn text(text: &str, font: FontId, colour: Color32) -> Self {
         let pieces = Piece::words(text);
-        Self {
-            pieces,
-            font,
-            colour,
-            italics: false,
-        }
+        Self::upright(pieces, font, colour)
     }
 }

@@ -65,7 +65,7 @@ impl OnSlate for Raster {
             .iter()
             .partition::<Vec<_>, _>(|mark| mark.is_line());
         for mark in lines {
-            draw_over(slate, (origin.round(), width), mark, slate.pts(ARM));
+            draw_over(slate, (origin.round(), width), mark);
         }
         if let Some(current) = self.current {
             ring(slate, square(origin, width, current));
@@ -82,12 +82,18 @@ impl OnSlate for Raster {
         for mark in points {
             match mark.shape {
                 RasterShape::Cross(at) if self.is_written(slate, width, at) => {
-                    let corner = [at[0] + ASIDE[0], at[1] + ASIDE[1]];
-                    let shape = RasterShape::Cross(corner);
-                    let mark = RasterMark { shape, ..*mark };
-                    draw_over(slate, (origin.round(), width), &mark, ASIDE_ARM * width);
+                    let middle = vec2((at[0] + ASIDE[0]) as f32, (at[1] + ASIDE[1]) as f32);
+                    let ink = colour(slate.theme(), mark.role);
+                    cross(
+                        slate,
+                        origin.round() + middle * width,
+                        ASIDE_ARM * width,
+                        ink,
+                    );
                 }
-                _ => draw_over(slate, (origin.round(), width), mark, slate.pts(ARM)),
+                RasterShape::Cross(_) | RasterShape::Dot(_) | RasterShape::Line(_) => {
+                    draw_over(slate, (origin.round(), width), mark);
+                }
             }
         }
     }
@@ -263,31 +269,35 @@ fn shaded(theme: &Theme, role: Role, shade: f64, darkest: f32) -> Color32 {
     colour.gamma_multiply(strength)
 }
 
-/// Over the pixels, with a casing that is seen on any tone; `arm` is half a cross.
-fn draw_over(slate: &Slate<'_>, (origin, width): (Pos2, f32), mark: &RasterMark, arm: f32) {
+/// A line with a casing that is seen on any tone.
+fn cased(slate: &Slate<'_>, ends: [Pos2; 2], wide: f32, ink: Color32) {
+    let theme = slate.theme();
+    let casing = theme.stroke(wide + 2.0, theme.background);
+    slate.painter.line_segment(ends, casing);
+    slate.painter.line_segment(ends, theme.stroke(wide, ink));
+}
+
+fn cross(slate: &Slate<'_>, at: Pos2, arm: f32, ink: Color32) {
+    for diagonal in [vec2(arm, arm), vec2(arm, -arm)] {
+        cased(slate, [at - diagonal, at + diagonal], 2.0, ink);
+    }
+}
+
+/// Over the pixels.
+fn draw_over(slate: &Slate<'_>, (origin, width): (Pos2, f32), mark: &RasterMark) {
     let theme = slate.theme();
     let ink = colour(theme, mark.role);
     let place = |[x, y]: [f64; 2]| origin + vec2(x as f32, y as f32) * width;
-    let line = |ends: [Pos2; 2], wide: f32| {
-        let casing = theme.stroke(wide + 2.0, theme.background);
-        slate.painter.line_segment(ends, casing);
-        slate.painter.line_segment(ends, theme.stroke(wide, ink));
-    };
     match mark.shape {
         RasterShape::Line(ends) => {
             let wide = if mark.role == Role::Soft { 1.25 } else { 2.0 };
-            line(ends.map(place), wide);
+            cased(slate, ends.map(place), wide, ink);
         }
         RasterShape::Dot(at) => {
             let rim = theme.stroke(1.5, theme.background);
             slate.painter.circle(place(at), slate.pts(4.0), ink, rim);
         }
-        RasterShape::Cross(at) => {
-            let at = place(at);
-            for diagonal in [vec2(arm, arm), vec2(arm, -arm)] {
-                line([at - diagonal, at + diagonal], 2.0);
-            }
-        }
+        RasterShape::Cross(at) => cross(slate, place(at), slate.pts(ARM), ink),
     }
 }
 

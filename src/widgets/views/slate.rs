@@ -155,7 +155,7 @@ impl<'a> Slate<'a> {
     }
 
     fn set(&self, pieces: Vec<Piece>, font: FontId, colour: Color32) -> Typeset {
-        let span = upright(pieces, font, colour);
+        let span = Span::upright(pieces, font, colour);
         Typeset::line(self.painter, &[span])
     }
 
@@ -183,7 +183,7 @@ impl<'a> Slate<'a> {
             Some(notation) => catalog.message_pieces_as(message, notation),
             None => catalog.message_pieces(message),
         };
-        Typeset::wrapped(self.painter, &[upright(pieces, font, colour)], width)
+        Typeset::wrapped(self.painter, &[Span::upright(pieces, font, colour)], width)
     }
 
     /// Paints it with this corner, edge or middle of its box at `at`; the box.
@@ -308,15 +308,5 @@ pub fn wash(theme: &Theme, role: Role) -> Color32 {
         Role::Accepted => tint(theme.accepted),
         Role::Ink | Role::Soft | Role::Faint => theme.panel,
         Role::Discarded => theme.background,
-    }
-}
-
-/// What is set, but for where.
-const fn upright(pieces: Vec<Piece>, font: FontId, colour: Color32) -> Span {
-    Span {
-        pieces,
-        font,
-        colour,
-        italics: false,
     }
 }

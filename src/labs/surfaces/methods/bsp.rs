@@ -24,9 +24,7 @@ use crate::{
     text::Value,
 };
 
-use super::on_raster::{
-    faces, fitting, lettered, name_of, names_in_outlines, opening, outline, pixels,
-};
+use super::on_raster::{faces, fitting, lettered_or_outlined, name_of, opening, outline, pixels};
 use captions::Input;
 
 type Shown = OnScene<Bsp>;
@@ -204,9 +202,9 @@ fn raster(step: &Step<'_, Shown>) -> Raster {
     let others = surfaces
         .ids()
         .filter(|id| !step.state.is_built && Some(*id) != own);
-    let waiting = surfaces.ids().filter(|_| !step.state.is_built);
-    let names = names_in_outlines(surfaces, waiting, |id| name_of(step.input, id));
-    let painted = lettered(picture, |id| name_of(step.input, id));
+    let letters = lettered_or_outlined(surfaces, picture, !step.state.is_built, |id| {
+        name_of(step.input, id)
+    });
     let mut over: Vec<_> = others
         .flat_map(|id| outline(surfaces, id, Role::Soft))
         .collect();
@@ -217,9 +215,7 @@ fn raster(step: &Step<'_, Shown>) -> Raster {
     Raster {
         title: Value::Term("raster-so-far"),
         size: [columns, rows],
-        pixels: pixels(picture, own, |place| {
-            painted(place).or_else(|| names.get(&place).cloned())
-        }),
+        pixels: pixels(picture, own, letters),
         scale: None,
         current: None,
         over,

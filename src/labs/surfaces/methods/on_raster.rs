@@ -177,19 +177,28 @@ pub fn middle_of(surfaces: &Surfaces, id: u32) -> Option<[f64; 2]> {
     (n > 0.0).then(|| [mean(0), mean(1)])
 }
 
-/// Names of triangles of which there are only outlines, in the pixels of their middles.
-pub fn names_in_outlines(
+/// The same; while nothing is painted yet, triangles have their names in the middles of their outlines.
+pub fn lettered_or_outlined(
     surfaces: &Surfaces,
-    ids: impl Iterator<Item = u32>,
+    picture: &Picture,
+    is_waiting: bool,
     name: impl Fn(u32) -> Value,
-) -> BTreeMap<usize, Value> {
-    let width = surfaces.size()[0] as usize;
-    let ids: Vec<u32> = ids.take(MOST_LETTERS + 1).collect();
-    let few = ids.into_iter();
-    if few.len() > MOST_LETTERS {
+) -> impl Fn(usize) -> Option<Value> {
+    let outlined = if is_waiting {
+        names_in_outlines(surfaces, &name)
+    } else {
+        BTreeMap::new()
+    };
+    let painted = lettered(picture, name);
+    move |place| painted(place).or_else(|| outlined.get(&place).cloned())
+}
+
+fn names_in_outlines(surfaces: &Surfaces, name: impl Fn(u32) -> Value) -> BTreeMap<usize, Value> {
+    if surfaces.triangles().len() > MOST_LETTERS {
         return BTreeMap::new();
     }
-    let named = few.filter_map(|id| {
+    let width = surfaces.size()[0] as usize;
+    let named = surfaces.ids().filter_map(|id| {
         let [column, row] = middle_of(surfaces, id)?.map(|x| x.max(0.0) as usize);
         Some((row * width + column.min(width - 1), name(id)))
     });

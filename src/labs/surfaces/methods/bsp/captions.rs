@@ -83,9 +83,7 @@ pub fn caption(event: &Event, before: &State, input: &Input) -> Caption {
                 BspSide::Back => "bsp-visit-back",
                 BspSide::On | BspSide::Cut => "bsp-visit-on",
             };
-            let Some(node) = before.nodes.get(node as usize) else {
-                return Caption::new(Message::new("bsp-node-root").with("triangle", 0_usize));
-            };
+            let node = &before.nodes[node as usize];
             let triangle = name_of_node(input, before, node);
             let caption = Caption::new(Message::new(key).with("triangle", triangle));
             match plane_of(input.own.surfaces(), node.id) {
@@ -123,9 +121,7 @@ fn ask(
         BspSide::On => "bsp-ask-on",
         BspSide::Cut => "bsp-ask-cut",
     };
-    let Some(node) = state.nodes.get(node as usize) else {
-        return Caption::new(Message::new("bsp-node-root").with("triangle", 0_usize));
-    };
+    let node = &state.nodes[node as usize];
     let name = name_of_piece(input, state, number);
     let part = |sign: char| match &name {
         Value::Name(name) => Value::Name(format!("{name}{sign}")),

@@ -7,8 +7,7 @@ use crate::{
         Step,
         space::{Scene, soup::surface_link, stage::Fate},
         surfaces::methods::on_raster::{
-            faces, fitting, lettered, name_of, names_in_outlines, outline, pixels, titled,
-            wrong_pixels,
+            faces, fitting, lettered_or_outlined, name_of, outline, pixels, titled, wrong_pixels,
         },
     },
     text::{Formula, Value},
@@ -85,10 +84,7 @@ fn raster<L: Variant>(step: &Step<'_, Shown<L>>) -> Raster {
         .all(|&id| id == Picture::BACKGROUND);
     let (picture, cycle) = (&step.state.picture, &step.state.cycle);
     let is_waiting = is_empty && (!step.state.is_done || !cycle.is_empty());
-    let name = |id: u32| name_of(step.input, id);
-    let waiting = surfaces.ids().filter(|_| is_waiting);
-    let names = names_in_outlines(surfaces, waiting, name);
-    let painted = lettered(picture, name);
+    let letters = lettered_or_outlined(surfaces, picture, is_waiting, |id| name_of(step.input, id));
     let mut over: Vec<_> = surfaces
         .ids()
         .filter(|id| is_waiting && Some(*id) != own && Some(*id) != other)
@@ -125,9 +121,7 @@ fn raster<L: Variant>(step: &Step<'_, Shown<L>>) -> Raster {
     Raster {
         title,
         size: [columns, rows],
-        pixels: pixels(picture, own, |place| {
-            painted(place).or_else(|| names.get(&place).cloned())
-        }),
+        pixels: pixels(picture, own, letters),
         scale: None,
         current: None,
         over,
