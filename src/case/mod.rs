@@ -54,7 +54,7 @@ pub use raw::{Id, Node};
 pub use read::{Case, Refused, read};
 pub use refusal::{Code, Refusal};
 pub use report::Refusing;
-pub use solver::{Solvable, Solve, Solver, Solvers, Told};
+pub use solver::{Solvable, Solve, SolveTold, Solver, Solvers, Told};
 pub use stream::{Tally, TraceError, trace};
 pub use style::{Detail, Format, Style};
 

@@ -4,15 +4,33 @@ use serde_json::Value as Json;
 
 use crate::{
     figure::Run,
-    labs::{Answer, Demo, MethodCard, record},
+    labs::{
+        Answer, Demo, MethodCard, record,
+        telling::{Recorded, Telling},
+    },
     text::Message,
-    trace::{Counted, Counts, silent},
+    trace::{Counted, Counts, silent, told},
 };
 
 use super::{Field, Fields, Given, Refusal};
 
 /// An algorithm that a case can name: what it reads, and how its answer is told.
 pub trait Solve: Demo {
+    /// What a case gives besides `id` and `algorithm`, in the order in which it is checked.
+    const FIELDS: &'static [Field];
+
+    /// Its input from checked fields, and what is told of them.
+    ///
+    /// # Errors
+    /// The first field whose value is refused.
+    fn read(fields: &Fields<'_>) -> Result<(Self::Input, Told), Refusal>;
+
+    /// Its answer in one sentence.
+    fn verdict(output: &Self::Output) -> Message;
+}
+
+/// The same of a method that is told by a table.
+pub trait SolveTold: Telling {
     /// What a case gives besides `id` and `algorithm`, in the order in which it is checked.
     const FIELDS: &'static [Field];
 
@@ -46,6 +64,16 @@ impl Solver {
             card: MethodCard::of::<A>(),
             fields: A::FIELDS,
             read: read_problem::<A>,
+        }
+    }
+
+    /// By this method.
+    #[must_use]
+    pub const fn told<M: SolveTold>() -> Self {
+        Self {
+            card: MethodCard::told::<M>(),
+            fields: M::FIELDS,
+            read: read_told::<M>,
         }
     }
 
@@ -155,5 +183,39 @@ impl<A: Solve> Solvable for SolvableOf<A> {
 
     fn verdict(&self) -> Message {
         A::verdict(&silent::<A>(&self.input))
+    }
+}
+
+/// The problem that fields describe for this method.
+pub(super) fn read_told<M: SolveTold>(fields: &Fields<'_>) -> Result<Box<dyn Solvable>, Refusal> {
+    let (input, told) = M::read(fields)?;
+    Ok(Box::new(SolvableBy::<M> { input, told }))
+}
+
+struct SolvableBy<M: SolveTold> {
+    input: M::Input,
+    told: Told,
+}
+
+impl<M: SolveTold> Solvable for SolvableBy<M> {
+    fn given(&self) -> Vec<Given> {
+        (self.told)()
+    }
+
+    fn output(&self) -> Json {
+        told::silent::<M>(&self.input).json()
+    }
+
+    fn cost(&self) -> (Json, Counts) {
+        let (held, counts) = Counts::of(|| told::held_after::<M, Counted>(&self.input));
+        (M::output(held).json(), counts)
+    }
+
+    fn run(&self) -> Box<dyn Run> {
+        Box::new(Recorded::<M>::new(self.input.clone(), None))
+    }
+
+    fn verdict(&self) -> Message {
+        M::verdict(&told::silent::<M>(&self.input))
     }
 }

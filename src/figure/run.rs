@@ -1,11 +1,13 @@
 //! A recorded run with its type erased: what the timeline, a lesson and the command line need of any
 //! algorithm, whichever lab it belongs to.
 
+use std::ops::ControlFlow;
+
 use serde_json::Value as Json;
 
 use crate::trace::Counts;
 
-use super::{Caption, Frame, Moment, Watch, Words};
+use super::{Caption, Frame, Link, Moment, Shown, Watch, Words, watch::mark_changes};
 
 /// Runs longer than this are not searched event by event when the scene is changed: a drag has no time for it.
 const LONG: usize = 4096;
@@ -43,16 +45,16 @@ pub trait Run {
     fn read_words(&self, step: usize, words: &mut Words);
     /// Cost up to and including that event.
     fn counts_at(&self, step: usize) -> Counts;
-    /// What the step shows.
-    fn frame(&self, step: usize) -> Frame;
-    /// The sentence of the step alone.
-    fn caption(&self, step: usize) -> Caption {
-        self.frame(step).caption
-    }
-    /// The values that are alive at the step, alone: none is marked as changed.
-    fn watch(&self, step: usize) -> Watch {
-        self.frame(step).watch
-    }
+    /// The line of pseudocode that the event belongs to; none before the first.
+    fn code_line(&self, step: usize) -> Option<usize>;
+
+    /// Shows steps `from..=to`, one after the other, in one run, until `look` breaks off.
+    fn visit(
+        &self,
+        from_to: [usize; 2],
+        look: &mut dyn FnMut(usize, &dyn Shown) -> ControlFlow<()>,
+    );
+
     /// The answer as JSON: the fields of `output` in `interfaces.md`.
     fn output_json(&self) -> Json;
 
@@ -116,6 +118,68 @@ pub trait Run {
     /// step 1; none where it never does, and of any other run.
     fn differs_at(&self) -> Option<usize> {
         None
+    }
+}
+
+impl dyn Run + '_ {
+    /// What the step shows: values that differ from the step before are marked.
+    #[must_use]
+    pub fn frame(&self, step: usize) -> Frame {
+        let (mut before, mut frame) = (None, None);
+        self.visit([step.saturating_sub(1), step], &mut |n, shown| {
+            let mut watch = shown.watch();
+            if n < step {
+                before = Some(watch);
+                return ControlFlow::Continue(());
+            }
+            if let Some(before) = &before {
+                mark_changes(&mut watch, before);
+            }
+            frame = Some(Frame {
+                views: shown.views(),
+                caption: shown.caption(),
+                code_line: self.code_line(step),
+                watch,
+                counts: self.counts_at(step),
+            });
+            ControlFlow::Break(())
+        });
+        frame.expect("a run comes past each of its steps")
+    }
+
+    /// The sentence of the step alone.
+    #[must_use]
+    pub fn caption(&self, step: usize) -> Caption {
+        self.shown(step, |shown| shown.caption())
+    }
+
+    /// The values that are alive at the step, alone: none is marked as changed.
+    #[must_use]
+    pub fn watch(&self, step: usize) -> Watch {
+        self.shown(step, |shown| shown.watch())
+    }
+
+    /// What one step shows, or a part of that.
+    pub fn shown<T>(&self, step: usize, look: impl FnOnce(&dyn Shown) -> T) -> T {
+        let (mut look, mut seen) = (Some(look), None);
+        self.visit([step, step], &mut |_, shown| {
+            seen = look.take().map(|look| look(shown));
+            ControlFlow::Break(())
+        });
+        seen.expect("a run comes past each of its steps")
+    }
+
+    /// The last step that decides about a thing; none where no step does.
+    #[must_use]
+    pub fn why(&self, thing: Link) -> Option<usize> {
+        let mut found = None;
+        self.visit([1, self.n_steps()], &mut |step, shown| {
+            if shown.decision().is_some_and(|(_, about)| about == thing) {
+                found = Some(step);
+            }
+            ControlFlow::Continue(())
+        });
+        found
     }
 }
 

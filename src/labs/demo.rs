@@ -1,10 +1,12 @@
 //! How an algorithm is shown: its events' sentences, marks and watched values.
 
+use std::ops::ControlFlow;
+
 use serde::Serialize;
 use serde_json::Value as Json;
 
 use crate::{
-    figure::{Caption, Frame, Run, Tick, View, Watch, Words, mark_changes},
+    figure::{Caption, Run, Shown, Tick, View, Watch, Words},
     text::Message,
     trace::{Algorithm, Counts, Trace},
 };
@@ -104,6 +106,45 @@ impl<A: Demo> Recorded<A> {
     }
 }
 
+/// A step of a run, as it is told.
+struct ShownStep<'a, A: Demo> {
+    run: &'a Recorded<A>,
+    step: usize,
+    state: A::State,
+}
+
+impl<A: Demo> ShownStep<'_, A> {
+    fn demo_step(&self) -> Step<'_, A> {
+        let trace = &self.run.trace;
+        Step {
+            input: trace.input(),
+            state: &self.state,
+            event: trace.event_at(self.step),
+        }
+    }
+}
+
+impl<A: Demo> Shown for ShownStep<'_, A> {
+    fn caption(&self) -> Caption {
+        let trace = &self.run.trace;
+        trace.event_at(self.step).map_or_else(
+            || A::opening(trace.input()),
+            |event| {
+                let before = trace.state_at(self.step - 1);
+                self.run.sentence(self.step, &event, &before)
+            },
+        )
+    }
+
+    fn watch(&self) -> Watch {
+        A::watch(&self.demo_step())
+    }
+
+    fn views(&self) -> Vec<View> {
+        A::views(&self.demo_step())
+    }
+}
+
 impl<A: Demo> Run for Recorded<A> {
     fn n_steps(&self) -> usize {
         self.trace.events().len()
@@ -132,51 +173,31 @@ impl<A: Demo> Run for Recorded<A> {
         self.trace.counts_at(step)
     }
 
-    fn frame(&self, step: usize) -> Frame {
-        let trace = &self.trace;
-        let (input, state) = (trace.input(), trace.state_at(step));
-        let event = trace.event_at(step);
-        let shown = Step::<A> {
-            input,
-            state: &state,
-            event,
-        };
-        let mut watch = A::watch(&shown);
-        let (mut caption, mut code_line) = (A::opening(input), None);
-        if let Some(event) = event {
-            let before = trace.state_at(step - 1);
-            let last = Step::<A> {
-                input,
-                state: &before,
-                event: trace.event_at(step - 1),
-            };
-            mark_changes(&mut watch, &A::watch(&last));
-            caption = self.sentence(step, &event, &before);
-            code_line = Some(A::code_line(&event, &before));
-        }
-        Frame {
-            views: A::views(&shown),
-            caption,
-            code_line,
-            watch,
-            counts: trace.counts_at(step),
-        }
+    fn code_line(&self, step: usize) -> Option<usize> {
+        let event = self.trace.event_at(step)?;
+        Some(A::code_line(&event, &self.trace.state_at(step - 1)))
     }
 
-    fn caption(&self, step: usize) -> Caption {
-        let trace = &self.trace;
-        trace.event_at(step).map_or_else(
-            || A::opening(trace.input()),
-            |event| self.sentence(step, &event, &trace.state_at(step - 1)),
-        )
-    }
-
-    fn watch(&self, step: usize) -> Watch {
-        A::watch(&Step {
-            input: self.trace.input(),
-            state: &self.trace.state_at(step),
-            event: self.trace.event_at(step),
-        })
+    fn visit(
+        &self,
+        [from, to]: [usize; 2],
+        look: &mut dyn FnMut(usize, &dyn Shown) -> ControlFlow<()>,
+    ) {
+        for step in from..=to.min(self.n_steps()) {
+            let state = self.trace.state_at(step);
+            if look(
+                step,
+                &ShownStep {
+                    run: self,
+                    step,
+                    state,
+                },
+            )
+            .is_break()
+            {
+                return;
+            }
+        }
     }
 
     fn output_json(&self) -> Json {

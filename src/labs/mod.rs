@@ -18,6 +18,7 @@ mod sketch;
 pub mod space;
 mod split_mix;
 pub mod surfaces;
+pub mod telling;
 mod typed;
 mod window_handles;
 mod words;

@@ -1,7 +1,8 @@
 //! One language's messages, compiled in from `assets/messages`, over Project Fluent.
 
 use std::borrow::Cow;
-use std::sync::OnceLock;
+use std::collections::HashMap;
+use std::sync::{LazyLock, OnceLock};
 
 use fluent_bundle::concurrent::FluentBundle;
 use fluent_bundle::resolver::ResolverError;
@@ -128,6 +129,14 @@ impl Catalog {
         self.resolve(key, &[])
     }
 
+    /// The variables of a message, each once: the same ones in every language, as a test sees to.
+    #[must_use]
+    pub fn variables(key: &str) -> &'static [&'static str] {
+        static KNOWN: LazyLock<HashMap<&'static str, Vec<&'static str>>> =
+            LazyLock::new(|| sources(Lang::En).into_iter().flat_map(variables).collect());
+        KNOWN.get(key).map_or(&[], Vec::as_slice)
+    }
+
     fn parse(lang: Lang) -> Self {
         let locale = lang.id().parse().unwrap_or_default();
         let mut bundle = FluentBundle::new_concurrent(vec![locale]);
@@ -165,6 +174,27 @@ impl Catalog {
 /// What Fluent puts into a sentence for a value that it need not read: one character of the private use area,
 /// so that the value keeps its parts.
 const PLACES: std::ops::Range<u32> = 0xE000..0xE100;
+
+/// Each message of a source with its variables.
+fn variables(source: &'static str) -> Vec<(&'static str, Vec<&'static str>)> {
+    let mut messages: Vec<(&str, Vec<&str>)> = Vec::new();
+    for line in source.lines().filter(|line| !line.starts_with('#')) {
+        if line.starts_with(|c: char| c.is_ascii_lowercase()) {
+            messages.push((line.split(' ').next().unwrap_or_default(), Vec::new()));
+        }
+        let Some((_, names)) = messages.last_mut() else {
+            continue;
+        };
+        for after in line.split('$').skip(1) {
+            let end = after.find(|c: char| !(c.is_ascii_alphanumeric() || c == '-' || c == '_'));
+            let name = &after[..end.unwrap_or(after.len())];
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+    }
+    messages
+}
 
 fn argument(i: usize, value: &Value) -> FluentValue<'static> {
     match value {

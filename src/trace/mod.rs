@@ -10,6 +10,7 @@ mod counts;
 pub mod laws;
 mod log;
 mod recording;
+pub mod told;
 mod transport;
 
 pub use algorithm::{Algorithm, silent};

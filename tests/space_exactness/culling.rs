@@ -8,7 +8,7 @@ use clipscope::{
         SphereCull, SphereCullInput, Viewer,
     },
     geom::{AlignedBox, Plane, Sphere},
-    trace::{laws, silent},
+    trace::{laws, silent, told},
 };
 use proptest::prelude::*;
 
@@ -60,7 +60,7 @@ fn a_sphere_too_far_out_to_be_measured_straddles() {
         (vec![far], Containment::Straddles),
     ] {
         let input = SphereCullInput { planes, sphere };
-        assert_eq!(silent::<SphereCull>(&input).class, expected);
+        assert_eq!(told::silent::<SphereCull>(&input).class, expected);
     }
 }
 
@@ -70,7 +70,7 @@ proptest! {
         let [x, y, z] = center;
         let sphere = Sphere::new(numbers([x, y, z, radius])).expect("a sphere");
         let input = SphereCullInput { planes: planes(&planes_in), sphere };
-        let output = silent::<SphereCull>(&input);
+        let output = told::silent::<SphereCull>(&input);
         let expected = all(&planes_in, |plane| {
             let distance = sum(plane, center);
             if distance < 0 && compare_with_radius(-distance, radius, plane).is_gt() {
@@ -84,7 +84,7 @@ proptest! {
         prop_assert_eq!(output.class, expected);
         let asked_all = output.distances.len() == planes_in.len();
         prop_assert!(asked_all || output.class == Containment::Outside);
-        laws::check::<SphereCull>(&input);
+        told::check::<SphereCull>(&input);
         let point = PointPlanesInput { planes: input.planes.clone(), point: sphere.center() };
         laws::check::<PointPlanes>(&point);
         let answer = silent::<PointPlanes>(&point);

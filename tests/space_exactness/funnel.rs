@@ -9,7 +9,7 @@ use clipscope::{
         surface::{Cull, MeshRef, Viewport, assemble, draw_rows},
     },
     geom::{Camera, Matrix, Mesh, Solid, ViewVolume},
-    trace::{laws, silent},
+    trace::{laws, silent, told},
 };
 use proptest::prelude::*;
 
@@ -88,7 +88,7 @@ proptest! {
         let mesh = solid.mesh();
         let object = FunnelObject::new(&mesh, &world_from_model).expect("finite");
         let planes = camera.planes_in_world().to_vec();
-        let class = silent::<SphereCull>(&SphereCullInput { planes, sphere: object.sphere }).class;
+        let class = told::silent::<SphereCull>(&SphereCullInput { planes, sphere: object.sphere }).class;
         if has_a_pixel(&mesh, &world_from_model, &camera) {
             prop_assert_ne!(class, Containment::Outside);
             let is_whole = is_ahead_of_near(&mesh, &world_from_model, &camera);

@@ -12,7 +12,7 @@ use clipscope::{
         },
     },
     geom::{Camera, Plane, Sphere, ViewVolume},
-    trace::silent,
+    trace::{silent, told},
 };
 use glam::{DQuat, DVec3};
 use proptest::prelude::*;
@@ -23,7 +23,7 @@ fn moved(input: &SphereCullInput, plane_idx: usize, by: f64) -> bool {
         std::array::from_fn(|i| input.sphere.center()[i] + by * plane.normal()[i] / plane.length());
     let sphere = Sphere::new([x, y, z, input.sphere.radius()]).expect("finite");
     let planes = input.planes.clone();
-    silent::<SphereCull>(&SphereCullInput { planes, sphere }).class == Containment::Outside
+    told::silent::<SphereCull>(&SphereCullInput { planes, sphere }).class == Containment::Outside
 }
 
 proptest! {

@@ -72,7 +72,7 @@ mod tests {
             volume::signed_distance,
         },
         geom::{Camera, ViewVolume},
-        trace::silent,
+        trace::told::silent,
     };
 
     #[test]

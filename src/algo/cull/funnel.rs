@@ -34,7 +34,7 @@
 //! # Ok::<(), clipscope::geom::SpaceError>(())
 //! ```
 
-use std::marker::PhantomData;
+use std::{convert::Infallible, marker::PhantomData};
 
 use serde::Serialize;
 
@@ -44,12 +44,15 @@ use crate::{
         volume::{ClipVertex, HomogeneousTriangle, SideCode},
     },
     geom::{Matrix, VolumeSide},
-    trace::{Algorithm, Real, silent},
+    trace::{
+        Algorithm, Real, silent,
+        told::{Listening, Method, Told},
+    },
 };
 
 use super::{
     BackFace, BackFaceInput, BackFaceOutput, Containment, CullRules, SphereCull, SphereCullEvent,
-    SphereCullInput, SphereCullState, Viewer,
+    SphereCullInput, SphereCullOutput, Viewer,
     funnel_input::{FunnelInput, FunnelObject, asked_camera, asked_sphere, asked_viewer},
     funnel_levels::FunnelLevels,
 };
@@ -129,6 +132,15 @@ pub enum FunnelEvent {
     Done,
 }
 
+/// How far an object's sphere has been asked.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct AskedSphere {
+    /// Each asked plane's distance, and what it says.
+    pub asked: Vec<(f64, Containment)>,
+    /// The answer, once known.
+    pub class: Option<Containment>,
+}
+
 /// What the picture of a step needs.
 #[derive(Clone, PartialEq, Debug)]
 pub struct FunnelState {
@@ -137,7 +149,7 @@ pub struct FunnelState {
     /// The object whose turn it is.
     pub object_idx: Option<usize>,
     /// How far its sphere's test has come.
-    pub sphere: SphereCullState,
+    pub sphere: AskedSphere,
     /// What the spheres said of each object so far.
     pub classes: Vec<Containment>,
     /// The triangles of this object so far, with their fates.
@@ -186,7 +198,7 @@ impl<L: CullRules> Algorithm for Funnel<L> {
         FunnelState {
             levels: FunnelLevels::default(),
             object_idx: None,
-            sphere: SphereCullState::default(),
+            sphere: AskedSphere::default(),
             classes: Vec::new(),
             triangles: Vec::new(),
             faces: Vec::new(),
@@ -226,25 +238,31 @@ impl Asking {
     ) {
         self.sphere.sphere = asked_sphere::<L>(object);
         let n_triangles = object.triangles.len();
-        let class = SphereCull::<L>::run::<R>(&self.sphere, |told| match told {
-            SphereCullEvent::Plane {
-                plane_idx,
-                distance,
-                class,
-            } => emit(FunnelEvent::Plane {
-                side: VolumeSide::ALL[plane_idx],
-                distance,
-                class,
-            }),
-            SphereCullEvent::Done { class } => {
-                levels.spheres_done(class, n_triangles);
-                emit(FunnelEvent::Sphere {
+        let mut sphere = SphereCull::<L>::begin(&self.sphere);
+        let mut listening = Listening(|_: &SphereCullOutput, told| {
+            match told {
+                SphereCullEvent::Plane {
+                    plane_idx,
+                    distance,
                     class,
-                    levels: *levels,
-                });
+                } => emit(FunnelEvent::Plane {
+                    side: VolumeSide::ALL[plane_idx],
+                    distance,
+                    class,
+                }),
+                SphereCullEvent::Done { class } => {
+                    levels.spheres_done(class, n_triangles);
+                    emit(FunnelEvent::Sphere {
+                        class,
+                        levels: *levels,
+                    });
+                }
             }
-        })
-        .class;
+            Told::<Infallible>::Continue(())
+        });
+        let Told::Continue(()) =
+            <SphereCull<L> as Method>::run::<R, _>(&self.sphere, &mut sphere, &mut listening);
+        let class = sphere.class;
         if class == Containment::Outside {
             return;
         }
@@ -323,7 +341,7 @@ impl FunnelState {
                 object_idx, levels, ..
             } => {
                 self.object_idx = Some(object_idx);
-                self.sphere = SphereCullState::default();
+                self.sphere = AskedSphere::default();
                 self.triangles.clear();
                 self.faces.clear();
                 self.levels = levels;

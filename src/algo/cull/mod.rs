@@ -22,16 +22,14 @@ pub use back_face::{
 };
 pub use batch::SphereBatch;
 pub use box_cull::{BoxCull, BoxCullEvent, BoxCullInput, BoxCullOutput, BoxCullState};
-pub use funnel::{Funnel, FunnelEvent, FunnelState, TriangleFate};
+pub use funnel::{AskedSphere, Funnel, FunnelEvent, FunnelState, TriangleFate};
 pub use funnel_input::{FunnelInput, FunnelObject, asked_camera, asked_sphere, asked_viewer};
 pub use funnel_levels::{FunnelLevels, Level};
 pub use point_planes::{
     PointPlanes, PointPlanesEvent, PointPlanesInput, PointPlanesOutput, PointPlanesState,
 };
 pub use rules::CullRules;
-pub use sphere_cull::{
-    SphereCull, SphereCullEvent, SphereCullInput, SphereCullOutput, SphereCullState,
-};
+pub use sphere_cull::{SphereCull, SphereCullEvent, SphereCullInput, SphereCullOutput};
 pub use triangle_turn::{FaceTurn, face_turn, triangle_fate, triangle_move};
 pub use verdict::{SphereVerdict, sphere_verdict};
 

@@ -21,7 +21,7 @@
 //! use clipscope::{
 //!     algo::cull::{Containment, SphereCull, SphereCullInput},
 //!     geom::{Sphere, ViewVolume},
-//!     trace::silent,
+//!     trace::told::silent,
 //! };
 //! let planes = ViewVolume::perspective(90.0, 1.0, 1.0, 10.0)?.planes().to_vec();
 //! let sphere = Sphere::new([0.0, 0.0, -11.5, 1.0])?;
@@ -37,7 +37,10 @@ use serde::Serialize;
 use crate::{
     algo::{ring::Right, volume::signed_distance},
     geom::{Plane, Sphere},
-    trace::{Algorithm, Real},
+    trace::{
+        Real,
+        told::{Method, Tell, Told},
+    },
 };
 
 use super::{Containment, CullRules};
@@ -84,25 +87,28 @@ pub struct SphereCullOutput {
     pub distances: Vec<f64>,
 }
 
-/// What the picture of a step needs.
-#[derive(Clone, PartialEq, Debug, Default)]
-pub struct SphereCullState {
-    /// Each asked plane's distance, and what it says.
-    pub asked: Vec<(f64, Containment)>,
-    /// The answer, once known.
-    pub class: Option<Containment>,
-}
-
-impl<L: CullRules> Algorithm for SphereCull<L> {
+impl<L: CullRules> Method for SphereCull<L> {
     type Input = SphereCullInput;
+    type Held = SphereCullOutput;
     type Output = SphereCullOutput;
     type Event = SphereCullEvent;
-    type State = SphereCullState;
 
-    fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Self::Output {
+    #[inline]
+    fn begin(input: &Self::Input) -> Self::Held {
+        SphereCullOutput {
+            class: Containment::Inside,
+            distances: Vec::with_capacity(input.planes.len()),
+        }
+    }
+
+    #[inline]
+    fn run<R: Real, T: Tell<Self>>(
+        input: &Self::Input,
+        held: &mut Self::Held,
+        tell: &mut T,
+    ) -> Told<T::Stop> {
         let SphereCullInput { planes, sphere } = input;
         let radius = R::new(sphere.radius());
-        let mut distances = Vec::with_capacity(planes.len());
         let mut all = Containment::Inside;
         for (plane_idx, plane) in planes.iter().enumerate() {
             let distance = signed_distance::<R>(plane, sphere.center());
@@ -115,42 +121,28 @@ impl<L: CullRules> Algorithm for SphereCull<L> {
                 // Also where sums are larger than any number: a test that cannot tell keeps.
                 Containment::Straddles
             };
-            distances.push(distance.get());
-            emit(SphereCullEvent::Plane {
-                plane_idx,
-                distance: distance.get(),
-                class,
-            });
+            let distance = distance.get();
+            held.distances.push(distance);
             all = all.and(class);
+            held.class = all;
+            tell.tell(
+                held,
+                SphereCullEvent::Plane {
+                    plane_idx,
+                    distance,
+                    class,
+                },
+            )?;
             if class == Containment::Outside {
                 break;
             }
         }
-        emit(SphereCullEvent::Done { class: all });
-        SphereCullOutput {
-            class: all,
-            distances,
-        }
+        tell.tell(held, SphereCullEvent::Done { class: all })
     }
 
-    fn start(_: &Self::Input) -> Self::State {
-        SphereCullState::default()
-    }
-
-    fn apply(state: &mut Self::State, event: Self::Event) {
-        match event {
-            SphereCullEvent::Plane {
-                distance, class, ..
-            } => state.asked.push((distance, class)),
-            SphereCullEvent::Done { class } => state.class = Some(class),
-        }
-    }
-
-    fn finish(state: &Self::State) -> Self::Output {
-        SphereCullOutput {
-            class: state.class.unwrap_or(Containment::Straddles),
-            distances: state.asked.iter().map(|&(distance, _)| distance).collect(),
-        }
+    #[inline]
+    fn output(held: Self::Held) -> Self::Output {
+        held
     }
 
     /// One a plane, and the end.

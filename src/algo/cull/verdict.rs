@@ -14,7 +14,7 @@
 use crate::{
     algo::{parameter::moves_allowed, volume::signed_distance},
     geom::{Plane, Sphere},
-    trace::silent,
+    trace::told::silent,
 };
 
 use super::{Containment, SphereCull, SphereCullInput};

@@ -6,7 +6,7 @@ use crate::{
         PointPlanes, PointPlanesInput, PointPlanesOutput, SphereCull, SphereCullInput,
         SphereCullOutput,
     },
-    case::{Field, Fields, Refusal, Solve, Told},
+    case::{Field, Fields, Refusal, Solve, SolveTold, Told},
     labs::{plane_symbol, space::OnScene},
     text::Message,
 };
@@ -36,7 +36,7 @@ impl Solve for OnScene<PointPlanes> {
     }
 }
 
-impl Solve for OnScene<SphereCull> {
+impl SolveTold for SphereCull {
     const FIELDS: &'static [Field] = &[
         Field::choice("planes"),
         Field::choice("frustum"),
@@ -47,7 +47,7 @@ impl Solve for OnScene<SphereCull> {
         let mut reader = Reader::new(fields);
         let (planes, sphere) = (reader.planes()?, reader.sphere()?);
         let input = SphereCullInput { planes, sphere };
-        Ok((input.into(), reader.told()))
+        Ok((input, reader.told()))
     }
 
     fn verdict(output: &SphereCullOutput) -> Message {

@@ -21,7 +21,8 @@ use crate::{
     labs::{
         Lab,
         space::{
-            MethodInfo, Model, Object, OnScene, Opening, Scene, SpaceDemo, SpaceLab, TaughtCamera,
+            MethodInfo, Model, Object, OnScene, Opening, Scene, SpaceDemo, SpaceLab, SpaceTelling,
+            TaughtCamera,
         },
     },
 };
@@ -50,10 +51,14 @@ const fn info<A: SpaceDemo>() -> MethodInfo<Scene> {
     MethodInfo::of::<A>(&FRUSTUM)
 }
 
+const fn told<M: SpaceTelling>() -> MethodInfo<Scene> {
+    MethodInfo::told::<M>(&FRUSTUM)
+}
+
 /// Every method, in the order in which they are taught; the mistakes last.
 pub static METHODS: [MethodInfo<Scene>; 28] = [
     info::<OnScene<PointPlanes>>(),
-    info::<OnScene<SphereCull>>(),
+    told::<SphereCull>(),
     info::<OnScene<BoxCull>>(),
     info::<OnScene<BackFace>>(),
     info::<OnScene<Funnel>>(),

@@ -1,9 +1,11 @@
 //! A scene that a method cannot take: said and shown on stage, in place of a run.
 
+use std::ops::ControlFlow;
+
 use serde_json::{Value as Json, json};
 
 use crate::{
-    figure::{Caption, Frame, Mark, Role, Run, Shape, Tick, View, Words},
+    figure::{Caption, Mark, Role, Run, Shape, Shown, Tick, View, Watch, Words},
     geom::{ConvexPolygon, GeomError, Polygon},
     labs::words::{name, subscript},
     text::{Message, Value},
@@ -183,17 +185,34 @@ impl Run for UnfitRun {
         Counts::default()
     }
 
-    fn frame(&self, _step: usize) -> Frame {
-        Frame {
-            views: vec![View::plane(self.marks.clone())],
-            caption: self.caption.clone(),
-            code_line: None,
-            watch: Vec::new(),
-            counts: Counts::default(),
-        }
+    fn code_line(&self, _step: usize) -> Option<usize> {
+        None
+    }
+
+    fn visit(
+        &self,
+        _from_to: [usize; 2],
+        look: &mut dyn FnMut(usize, &dyn Shown) -> ControlFlow<()>,
+    ) {
+        // Its only step: there is none after it to go on to.
+        let _ = look(0, self);
     }
 
     fn output_json(&self) -> Json {
         json!({ "refused": self.refusal.error.code() })
+    }
+}
+
+impl Shown for UnfitRun {
+    fn caption(&self) -> Caption {
+        self.caption.clone()
+    }
+
+    fn watch(&self) -> Watch {
+        Watch::new()
+    }
+
+    fn views(&self) -> Vec<View> {
+        vec![View::plane(self.marks.clone())]
     }
 }

@@ -1,11 +1,16 @@
 //! What a method of this lab has beyond any other that can be shown.
 
+use std::sync::Arc;
+
 use crate::{
     figure::{Link, Run},
-    labs::{self, Demo, MethodCard, Verdict},
+    labs::{
+        self, Demo, MethodCard, Verdict,
+        telling::{Recorded, Telling},
+    },
 };
 
-use super::{FaceFate, MethodInfo, Scene, SpaceLab, Subject};
+use super::{FaceFate, MethodInfo, Scene, SpaceLab, Subject, stage::Scenery};
 
 /// A method of this lab.
 pub trait SpaceDemo: Demo {
@@ -39,7 +44,58 @@ pub trait SpaceDemo: Demo {
     }
 }
 
+/// A method of this lab that is told by a table.
+pub trait SpaceTelling: Telling<Scenery = Scenery> {
+    /// What it is about.
+    const SUBJECT: Subject = Subject::Object;
+
+    /// Can it say what became of a face of the object in focus?
+    const TELLS_FACES: bool = false;
+
+    /// Its input, from the scene.
+    fn input(scene: &Scene) -> Self::Input;
+
+    /// Its card, where this scene changes its pseudocode.
+    fn card(_: &Scene) -> Option<&'static MethodCard> {
+        None
+    }
+
+    /// The step that decided the fate of a face of the object in focus, and what was asked there.
+    fn face_fate(_: &Scene, _face_idx: usize) -> Option<FaceFate> {
+        None
+    }
+
+    /// What decided the fate of a part of what it clips, in a run of it.
+    fn verdict(_: &Scene, _about: Link, _run: &dyn Run) -> Option<Verdict> {
+        None
+    }
+
+    /// Records its run.
+    fn record(scene: &Scene) -> Box<dyn Run> {
+        Box::new(Recorded::<Self>::new(Self::input(scene), scenery_of(scene)))
+    }
+}
+
+/// What is drawn around a run on a scene.
+pub fn scenery_of(scene: &Scene) -> Option<Arc<Scenery>> {
+    Some(Arc::new(Scenery::new(scene)))
+}
+
 impl MethodInfo<Scene> {
+    /// Of a method of this lab that is told by a table.
+    pub(in crate::labs) const fn told<M: SpaceTelling>(lab: &'static SpaceLab<Scene>) -> Self {
+        Self {
+            lab,
+            card: MethodCard::told::<M>(),
+            card_on: M::card,
+            subject: M::SUBJECT,
+            tells_faces: M::TELLS_FACES,
+            record: M::record,
+            face_fate: M::face_fate,
+            verdict: M::verdict,
+        }
+    }
+
     /// Of a method of this lab.
     pub(in crate::labs) const fn of<A: SpaceDemo>(lab: &'static SpaceLab<Scene>) -> Self {
         Self {

@@ -5,29 +5,35 @@ use serde_json::{Value as Json, json};
 
 use crate::{
     algo::cull::{
-        Containment, SphereCull, SphereCullEvent as Event, SphereCullInput, SphereCullOutput,
-        SphereCullState as State,
+        Containment::{self, Inside, Outside, Straddles},
+        SphereCull, SphereCullEvent as Event, SphereCullInput, SphereCullOutput,
     },
-    figure::{Body, Caption, Mark3, Role, Shape3, Tick, View, Watch, WatchRow, WatchSection},
+    figure::{
+        Body, Mark3, Role, Shape3,
+        Tick::{self, Accept, Cut, Phase, Reject, Test},
+        View, WatchRow,
+    },
     geom::{Camera, Plane, Sphere, VolumeSide},
-    labs::{Answer, CodeLine, Demo, Step, code_line, words::name},
+    labs::{
+        Answer, CodeLine, code_line,
+        space::SpaceTelling,
+        telling::{At, Named, Row, Telling, Watched, rows},
+        words::name,
+    },
     text::{Formula, Message, Value},
+    trace::told::Step,
 };
 
 use super::{
     super::{
-        OnScene, OnSceneInput, Scene,
-        demo::SpaceDemo,
+        Scene,
         stage::{FaceLook, Fate, Scenery, plane_at_work},
     },
     planes::{
         distance_formula, fate_of, gauges, perpendicular, place, plane_link, plane_name,
-        plane_rows, role_of, triple,
+        plane_rows, role_of,
     },
 };
-
-type Input = OnSceneInput<SphereCullInput>;
-type Shown = OnScene<SphereCull>;
 
 const GAUGES_VIEW: &str = "distances";
 
@@ -37,17 +43,34 @@ impl Answer for SphereCullOutput {
     }
 }
 
-impl SpaceDemo for Shown {
-    fn input(scene: &Scene) -> Input {
-        let own = SphereCullInput {
+impl SpaceTelling for SphereCull {
+    fn input(scene: &Scene) -> SphereCullInput {
+        SphereCullInput {
             planes: scene.culler().planes_in_world().to_vec(),
             sphere: scene.focused().in_funnel().sphere,
-        };
-        OnSceneInput::of(scene, own)
+        }
     }
 }
 
-impl Demo for Shown {
+rows! { |event, step: SphereCull|
+    inside: Event::Plane { class: Inside, .. } =>
+        Row::new(Test, 1, "sphere-inside").so(D).answers("class").keeps("plane");
+    outside: Event::Plane { class: Outside, .. } =>
+        Row::new(Cut, 2, "sphere-outside").so(D).answers("class").drops("plane");
+    straddles: Event::Plane { class: Straddles, .. } =>
+        Row::new(Cut, 3, "sphere-straddles").so(D).answers("class").cuts("plane");
+    none_out: Event::Done { class: Inside } => Row::new(Accept, 4, "sphere-done-inside").so(R);
+    cut: Event::Done { class: Straddles } => Row::new(Accept, 4, "sphere-done-straddles").so(R);
+    culled: Event::Done { class: Outside } =>
+        Row::new(Reject, 4, "planes-done-outside").so(R).picks("plane", "planes");
+}
+
+const D: &[&str] = &["{d = n·c + D}"];
+const R: &[&str] = &["r{=r}"];
+
+impl Telling for SphereCull {
+    type Scenery = Scenery;
+
     const ID: &'static str = "sphere-cull";
     const NAME_KEY: &'static str = "alg-sphere-cull";
     const SOURCE: &'static str = "Clark, 1976";
@@ -58,76 +81,69 @@ impl Demo for Shown {
         code_line(1, "code-sphere-straddles", "words-sphere-straddles"),
         code_line(0, "code-sphere-done", "words-sphere-done"),
     ];
+    const ROWS: &'static [Row] = ROWS;
+    const WATCH: &'static [Watched] = &[
+        Watched::Names(&["c", "r", "n", "D", "class"]),
+        Watched::ListSeen("distances", GAUGES_VIEW),
+    ];
 
-    fn tick(event: &Event) -> Tick {
-        match event {
-            Event::Plane { class, .. } => plane_tick(*class),
-            Event::Done { class } => class_tick(*class),
-        }
+    fn row(step: &Step<'_, Self>) -> &'static Row {
+        row(step)
     }
 
-    fn code_line(event: &Event, _: &State) -> usize {
-        match event {
-            Event::Plane { class, .. } => match class {
-                Containment::Inside => 1,
-                Containment::Outside => 2,
-                Containment::Straddles => 3,
-            },
-            Event::Done { .. } => 4,
-        }
+    fn opening(_: &At<'_, Self>) -> &'static Row {
+        const OPENING: Row = Row::new(Phase, 0, "sphere-opening").so(&["c = {c}", "r{=r}"]);
+        &OPENING
     }
 
-    fn caption(event: &Event, before: &State, input: &Input) -> Caption {
-        match *event {
-            Event::Plane {
-                plane_idx,
-                distance,
-                class,
-            } => {
-                let plane = plane_name(input.scenery.as_deref(), plane_idx);
-                let caption = Caption::new(Message::new(plane_key(class)).with("plane", plane));
-                let Input { own, .. } = input;
-                let Some(plane) = own.planes.get(plane_idx) else {
-                    return caption;
-                };
-                caption.so(sphere_formula(plane, &own.sphere, distance, class))
+    fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
+        let (input, distances) = (at.step.input, &at.step.held.distances);
+        let sphere = &input.sphere;
+        let plane = || input.planes.get(current(at)?);
+        let last = distances.len().checked_sub(1);
+        Some(match name {
+            "c" => place(sphere.center()).into(),
+            "r" => sphere.radius().into(),
+            "n" => place(plane()?.normal()).into(),
+            "D" => plane()?.d().into(),
+            "plane" => Named::from(plane_name(at.scenery, last?)).linked(plane_link(last?)),
+            "planes" if last.is_none() => input.planes.len().into(),
+            "planes" => distances.len().into(),
+            "cut" => asked(at)
+                .filter(|(_, class)| *class == Straddles)
+                .count()
+                .into(),
+            "class" => {
+                let class = Value::Term(class_key(at.class()?));
+                Named::from(class).labelled(Value::Term("watch-class"))
             }
-            Event::Done { class } => {
-                let n_cut = before.asked.iter();
-                let n_cut = n_cut.filter(|(_, class)| *class == Containment::Straddles);
-                let last = before.asked.len().saturating_sub(1);
-                let message = Message::new(match class {
-                    Containment::Inside => "sphere-done-inside",
-                    Containment::Straddles => "sphere-done-straddles",
-                    Containment::Outside => "planes-done-outside",
-                });
-                let message = message
-                    .with("planes", before.asked.len())
-                    .with("cut", n_cut.count())
-                    .with("plane", plane_name(input.scenery.as_deref(), last));
-                Caption::new(message).so(Formula::default()
-                    .sym("r")
-                    .equals(input.own.sphere.radius()))
+            "d = n·c + D" => {
+                let (d, class) = asked(at).last()?;
+                sphere_formula(plane()?, sphere, d, class).into()
             }
+            _ => return None,
+        })
+    }
+
+    fn listed(at: &At<'_, Self>, list: &str) -> Vec<Named> {
+        if list == "planes" {
+            let planes = 0..at.step.input.planes.len();
+            return planes.map(|i| plane_name(at.scenery, i).into()).collect();
         }
+        let distances = at.step.held.distances.iter().enumerate();
+        let named = |(i, &d): (usize, &f64)| {
+            let distance = Named::from(d).labelled(plane_name(at.scenery, i));
+            distance.linked(plane_link(i))
+        };
+        distances.map(named).collect()
     }
 
-    fn opening(input: &Input) -> Caption {
-        let planes = input.own.planes.len();
-        Caption::new(Message::new("sphere-opening").with("planes", planes))
-            .so(triple("c", input.own.sphere.center()))
-            .so(Formula::default()
-                .sym("r")
-                .equals(input.own.sphere.radius()))
-    }
-
-    fn views(step: &Step<'_, Self>) -> Vec<View> {
-        let scenery = step.input.scenery.as_deref();
-        let sphere = &step.input.own.sphere;
+    fn views(at: &At<'_, Self>) -> Vec<View> {
+        let sphere = &at.step.input.sphere;
+        let asked: Vec<(f64, Containment)> = asked(at).collect();
         let mut views = Vec::new();
-        if let Some(scenery) = scenery {
-            let focus = scenery.scene().focus();
-            let class = step.state.class;
+        if let Some(scenery) = at.scenery {
+            let (focus, class) = (scenery.scene().focus(), at.class());
             let fate = |i: usize| {
                 if i == focus {
                     fate_of(class)
@@ -135,47 +151,48 @@ impl Demo for Shown {
                     Fate::ToCome
                 }
             };
-            let asked = current(step).zip(step.state.asked.last());
-            let asked = asked.map(|(plane_idx, &(distance, _))| Asked {
+            let now = current(at).zip(asked.last());
+            let now = now.map(|(plane_idx, &(distance, _))| Asked {
                 camera: *scenery.scene().culler(),
                 plane_idx,
                 distance,
             });
-            views.push(scenery.observer(fate, sphere_marks(sphere, asked.as_ref())));
+            views.push(scenery.observer(fate, sphere_marks(sphere, now.as_ref())));
             views.push(scenery.camera(fate, |_, _| FaceLook::Whole, Vec::new()));
         }
-        let distances = sphere_gauges(
-            scenery,
-            step.input.own.planes.len(),
-            sphere.radius(),
-            &step.state.asked,
-            current(step),
-        );
+        let (n_planes, radius) = (at.step.input.planes.len(), sphere.radius());
+        let distances = sphere_gauges(at.scenery, n_planes, radius, &asked, current(at));
         views.push(View::new(GAUGES_VIEW, Body::Gauges(distances)));
         views
     }
+}
 
-    fn watch(step: &Step<'_, Self>) -> Watch {
-        let Input { own, scenery } = step.input;
-        let plane = current(step).and_then(|i| own.planes.get(i));
-        let mut rows = sphere_rows(&own.sphere, plane);
-        rows.extend(step.state.class.map(class_row));
-        let distances = step.state.asked.iter().enumerate().map(|(i, &(d, _))| {
-            let name = plane_name(scenery.as_deref(), i);
-            WatchRow::new(name, Some(d.into())).linked(plane_link(i))
-        });
-        vec![
-            WatchSection::list(rows),
-            WatchSection::list(distances.collect()).seen_in(GAUGES_VIEW),
-        ]
+impl At<'_, SphereCull> {
+    /// What all planes say, once it is told.
+    fn class(&self) -> Option<Containment> {
+        match self.step.event()? {
+            Event::Done { class } => Some(class),
+            Event::Plane { .. } => None,
+        }
     }
 }
 
-fn current(step: &Step<'_, Shown>) -> Option<usize> {
-    match step.event {
-        Some(Event::Plane { plane_idx, .. }) => Some(plane_idx),
-        Some(Event::Done { .. }) | None => None,
+/// The plane that is asked at this step.
+fn current(at: &At<'_, SphereCull>) -> Option<usize> {
+    match at.step.event()? {
+        Event::Plane { plane_idx, .. } => Some(plane_idx),
+        Event::Done { .. } => None,
     }
+}
+
+/// Of each plane that has been asked how far the centre lies from it, and what it says.
+fn asked(at: &At<'_, SphereCull>) -> impl Iterator<Item = (f64, Containment)> {
+    at.step.past.iter().filter_map(|event| match *event {
+        Event::Plane {
+            distance, class, ..
+        } => Some((distance, class)),
+        Event::Done { .. } => None,
+    })
 }
 
 /// What one plane says.

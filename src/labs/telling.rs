@@ -1,0 +1,289 @@
+//! How a method tells its steps: one table of rows, one resolver of names, and its views.
+//!
+//! A [`Row`] says everything about one kind of step; its sentence and its formulas take their values by name from
+//! [`Telling::named`], and so does the watch table. A step is never told anywhere else.
+
+mod recorded;
+mod row;
+mod template;
+
+use serde::Serialize;
+
+use crate::{
+    figure::{Caption, Choice, Decides, Link, View, Watch, WatchRow, WatchSection},
+    text::{Catalog, Message, Value},
+    trace::told::{Method, Step},
+};
+
+use super::{Answer, CodeLine, MethodCard};
+
+pub use recorded::Recorded;
+pub(in crate::labs) use row::rows;
+pub use row::{Options, Question, Row};
+
+/// A method whose steps can be told and shown.
+pub trait Telling: Method<Output: Answer, Event: Serialize> + 'static {
+    /// What is drawn around a run: the space of a scene; `()` in the plane.
+    type Scenery: 'static;
+
+    /// As JSON spells it.
+    const ID: &'static str;
+    /// Catalogue key of the name.
+    const NAME_KEY: &'static str;
+    /// Author and year.
+    const SOURCE: &'static str;
+    /// Its pseudocode.
+    const CODE: &'static [CodeLine];
+    /// Of a method that is wrong on purpose: what is said at the first step that the right one does not do.
+    const DIFFERS_KEY: Option<&'static str> = None;
+    /// All rows of its table.
+    const ROWS: &'static [Row];
+    /// The watch table, by names.
+    const WATCH: &'static [Watched];
+
+    /// The row of the last event of a step, which is not the first.
+    fn row(step: &Step<'_, Self>) -> &'static Row;
+
+    /// The row of what is said before the first event.
+    fn opening(at: &At<'_, Self>) -> &'static Row;
+
+    /// The line of pseudocode of a row; mistakes may have other lines than the method that they get wrong.
+    #[must_use]
+    fn line(row: &Row) -> usize {
+        row.line
+    }
+
+    /// The value of a name at a step; none where the name is not alive, or no name of this method.
+    fn named(at: &At<'_, Self>, name: &str) -> Option<Named>;
+
+    /// The values of a list at a step.
+    fn listed(_: &At<'_, Self>, _list: &str) -> Vec<Named> {
+        Vec::new()
+    }
+
+    /// The watch table. Only a method with a table of several columns says it in another way.
+    fn watch(at: &At<'_, Self>) -> Watch {
+        Self::WATCH
+            .iter()
+            .map(|watched| at.section(watched))
+            .collect()
+    }
+
+    /// What is shown: first the drawing, without the backdrop, then what the method holds.
+    fn views(at: &At<'_, Self>) -> Vec<View>;
+}
+
+impl MethodCard {
+    /// The card of a method that can be told.
+    #[must_use]
+    pub const fn told<M: Telling>() -> Self {
+        Self {
+            id: M::ID,
+            name_key: M::NAME_KEY,
+            source: M::SOURCE,
+            code: M::CODE,
+            is_faulty: M::DIFFERS_KEY.is_some(),
+        }
+    }
+}
+
+/// A step of a method, with what is drawn around it.
+pub struct At<'a, M: Telling> {
+    /// The step.
+    pub step: Step<'a, M>,
+    /// What is drawn around the run; none where a case gives numbers alone.
+    pub scenery: Option<&'a M::Scenery>,
+}
+
+impl<M: Telling> Clone for At<'_, M> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<M: Telling> Copy for At<'_, M> {}
+
+/// What a name stands for at a step.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Named {
+    /// Its value; none where the watch table has an empty cell.
+    pub value: Option<Value>,
+    /// What the watch table calls it, where not by its name.
+    pub label: Option<Value>,
+    /// The watch table's word on the value: "left", "≠ 0".
+    pub note: Option<Value>,
+    /// What it is about.
+    pub link: Option<Link>,
+}
+
+impl<V: Into<Value>> From<V> for Named {
+    fn from(value: V) -> Self {
+        Self {
+            value: Some(value.into()),
+            ..Self::empty()
+        }
+    }
+}
+
+impl Named {
+    /// A name that is alive and has no value yet: an empty cell.
+    #[must_use]
+    pub const fn empty() -> Self {
+        Self {
+            value: None,
+            label: None,
+            note: None,
+            link: None,
+        }
+    }
+
+    /// A value that may not be known yet.
+    #[must_use]
+    pub fn maybe(value: Option<impl Into<Value>>) -> Self {
+        value.map_or(Self::empty(), Self::from)
+    }
+
+    /// About `link`.
+    #[must_use]
+    pub fn linked(self, link: impl Into<Link>) -> Self {
+        let link = Some(link.into());
+        Self { link, ..self }
+    }
+
+    /// Called `label` in the watch table.
+    #[must_use]
+    pub fn labelled(self, label: impl Into<Value>) -> Self {
+        let label = Some(label.into());
+        Self { label, ..self }
+    }
+
+    /// With a word on the value.
+    #[must_use]
+    pub fn noted(self, note: impl Into<Value>) -> Self {
+        let note = Some(note.into());
+        Self { note, ..self }
+    }
+
+    fn watched(self, name: &str) -> WatchRow {
+        let label = self.label.unwrap_or_else(|| Value::Name(name.to_owned()));
+        WatchRow {
+            note: self.note,
+            link: self.link,
+            ..WatchRow::new(label, self.value)
+        }
+    }
+}
+
+/// Rows of the watch table that belong together.
+#[derive(Clone, Copy, Debug)]
+pub enum Watched {
+    /// One row a name, of those that are alive.
+    Names(&'static [&'static str]),
+    /// The same, and the view of this name shows them too.
+    Seen(&'static [&'static str], &'static str),
+    /// One row an entry of the list.
+    List(&'static str),
+    /// The same, and the view of this name shows them too.
+    ListSeen(&'static str, &'static str),
+}
+
+impl<M: Telling> At<'_, M> {
+    /// The row of this step.
+    #[must_use]
+    pub fn row(&self) -> &'static Row {
+        match self.step.past {
+            [] => M::opening(self),
+            _ => M::row(&self.step),
+        }
+    }
+
+    /// The value of a name.
+    #[must_use]
+    pub fn value(&self, name: &str) -> Option<Value> {
+        M::named(self, name)?.value
+    }
+
+    /// The sentence of a key of the catalogue: its variables are names.
+    #[must_use]
+    pub fn message(&self, key: &'static str) -> Message {
+        let names = Catalog::variables(key).iter();
+        names.fold(Message::new(key), |message, &name| {
+            message.with(name, self.value(name).unwrap_or_else(|| missing(name)))
+        })
+    }
+
+    /// The sentence and the formulas of this step.
+    #[must_use]
+    pub fn caption(&self) -> Caption {
+        let row = self.row();
+        let formulas = row.so.iter().filter_map(|template| self.formula(template));
+        formulas.fold(Caption::new(self.message(row.key)), Caption::so)
+    }
+
+    /// The watch rows of a few names or of a list.
+    #[must_use]
+    pub fn section(&self, watched: &Watched) -> WatchSection {
+        let names = |names: &[&str]| {
+            let alive = names
+                .iter()
+                .filter_map(|&name| Some(M::named(self, name)?.watched(name)));
+            WatchSection::list(alive.collect())
+        };
+        let list = |list: &str| {
+            let entries = M::listed(self, list).into_iter();
+            WatchSection::list(entries.map(|entry| entry.watched(list)).collect())
+        };
+        match *watched {
+            Watched::Names(of) => names(of),
+            Watched::Seen(of, view) => names(of).seen_in(view),
+            Watched::List(of) => list(of),
+            Watched::ListSeen(of, view) => list(of).seen_in(view),
+        }
+    }
+
+    /// What this step is about and what it decides about it, where it does.
+    #[must_use]
+    pub fn decision(&self) -> Option<(Decides, Link)> {
+        let row = self.row();
+        let link = M::named(self, row.about?)?.link?;
+        (row.decides != Decides::Nothing).then_some((row.decides, link))
+    }
+
+    /// What might come at this step, and which of these does; none where the step answers no question.
+    #[must_use]
+    pub fn options(&self) -> Option<Choice> {
+        let row = self.row();
+        let question = row.answers?;
+        let (options, right): (Vec<Value>, Value) = match question.options {
+            Options::Rows => {
+                let rows = M::ROWS.iter();
+                let rows =
+                    rows.filter(|other| other.answers.is_some_and(|it| it.id == question.id));
+                let said = |row: &Row| Value::Message(self.message(row.option.unwrap_or(row.key)));
+                let mut options: Vec<Value> = Vec::new();
+                for option in rows.map(said) {
+                    if !options.contains(&option) {
+                        options.push(option);
+                    }
+                }
+                (options, said(row))
+            }
+            Options::Of { name, list } => {
+                let values = M::listed(self, list).into_iter();
+                let options = values.filter_map(|entry| entry.value).collect();
+                (options, self.value(name)?)
+            }
+        };
+        let right = options.iter().position(|option| *option == right)?;
+        Some(Choice {
+            question: question.id,
+            options,
+            right,
+        })
+    }
+}
+
+/// What stands for a name that is not alive: no sentence may hold it, and a test walks every step for that.
+fn missing(name: &str) -> Value {
+    Value::Name(format!("‹{name}›"))
+}

@@ -1,0 +1,140 @@
+//! A recorded run of a method that can be told, with its type erased.
+
+use std::{ops::ControlFlow, sync::Arc};
+
+use serde_json::Value as Json;
+
+use crate::{
+    figure::{Caption, Choice, Decides, Link, Run, Shown, Tick, View, Watch, Words},
+    labs::Answer,
+    text::Message,
+    trace::{
+        Counts,
+        told::{Method, Recording},
+    },
+};
+
+use super::{At, Row, Telling};
+
+/// A recorded run and the row of each of its events.
+pub struct Recorded<M: Telling> {
+    recording: Recording<M>,
+    /// Kept, so that ticks, lines and decisions need no run: of step 1 the first.
+    rows: Vec<&'static Row>,
+    scenery: Option<Arc<M::Scenery>>,
+    differs_at: Option<usize>,
+}
+
+impl<M: Telling> Recorded<M> {
+    /// Records a run.
+    #[must_use]
+    pub fn new(input: M::Input, scenery: Option<Arc<M::Scenery>>) -> Self {
+        let mut rows = Vec::new();
+        Self {
+            recording: Recording::looking(input, |step| rows.push(M::row(step))),
+            rows,
+            scenery,
+            differs_at: None,
+        }
+    }
+
+    /// The same of a method that may be wrong on purpose: such a run knows where it first differs from the one of `Right`.
+    #[must_use]
+    pub fn beside<Right>(input: M::Input, scenery: Option<Arc<M::Scenery>>) -> Self
+    where
+        Right: Method<Input = M::Input, Event = M::Event>,
+    {
+        let run = Self::new(input, scenery);
+        let differs_at = M::DIFFERS_KEY.and_then(|_| run.recording.first_difference::<Right>());
+        Self { differs_at, ..run }
+    }
+
+    fn row(&self, step: usize) -> Option<&'static Row> {
+        self.rows.get(step.checked_sub(1)?).copied()
+    }
+}
+
+/// A step of a run, as it is told.
+struct ShownStep<'a, M: Telling> {
+    at: At<'a, M>,
+    /// The step's number, where the run differs from the right one here for the first time.
+    differs: Option<usize>,
+}
+
+impl<M: Telling> Shown for ShownStep<'_, M> {
+    fn caption(&self) -> Caption {
+        let mut caption = self.at.caption();
+        if let Some((step, key)) = self.differs.zip(M::DIFFERS_KEY) {
+            caption.decision = Message::new(key).with("step", step);
+        }
+        caption
+    }
+
+    fn watch(&self) -> Watch {
+        M::watch(&self.at)
+    }
+
+    fn views(&self) -> Vec<View> {
+        M::views(&self.at)
+    }
+
+    fn decision(&self) -> Option<(Decides, Link)> {
+        self.at.decision()
+    }
+
+    fn options(&self) -> Option<Choice> {
+        self.at.options()
+    }
+}
+
+impl<M: Telling> Run for Recorded<M> {
+    fn n_steps(&self) -> usize {
+        self.rows.len()
+    }
+
+    fn tick(&self, step: usize) -> Tick {
+        if self.differs_at == Some(step) {
+            return Tick::Reject;
+        }
+        self.row(step).map_or(Tick::Phase, |row| row.tick)
+    }
+
+    fn code_line(&self, step: usize) -> Option<usize> {
+        self.row(step).map(M::line)
+    }
+
+    fn event_json(&self, step: usize) -> Json {
+        let event = self.recording.event_at(step);
+        let json = event.and_then(|event| serde_json::to_value(event).ok());
+        json.unwrap_or(Json::Null)
+    }
+
+    fn read_words(&self, step: usize, words: &mut Words) {
+        words.read(&self.recording.event_at(step));
+    }
+
+    fn counts_at(&self, step: usize) -> Counts {
+        self.recording.counts_at(step)
+    }
+
+    fn visit(
+        &self,
+        from_to: [usize; 2],
+        look: &mut dyn FnMut(usize, &dyn Shown) -> ControlFlow<()>,
+    ) {
+        let scenery = self.scenery.as_deref();
+        self.recording.walk(from_to, |n, &step| {
+            let at = At { step, scenery };
+            let differs = self.differs_at.filter(|&at| at == n);
+            look(n, &ShownStep { at, differs })
+        });
+    }
+
+    fn output_json(&self) -> Json {
+        self.recording.output().json()
+    }
+
+    fn differs_at(&self) -> Option<usize> {
+        self.differs_at
+    }
+}
