@@ -3,7 +3,11 @@
 use crate::{
     figure::Run,
     geom::Point,
-    labs::{self, Demo},
+    labs::{
+        self, Demo,
+        telling::{Recorded, Telling},
+    },
+    trace::told::Step,
 };
 
 use super::{GivenSubject, Scene, UnfitScene};
@@ -57,5 +61,58 @@ pub trait PolygonDemo: Demo {
     /// What in the scene it cannot take.
     fn record(scene: &Scene) -> Result<Box<dyn Run>, UnfitScene> {
         Self::input(scene).map(labs::record::<Self>)
+    }
+}
+
+/// A polygon clipper that is told by a table.
+pub trait PolygonTelling: Telling<Scenery = ()> {
+    /// Does it clip: against the window, or a clip polygon in its place?
+    const CLIPS: bool = true;
+    /// Does it carry texture coordinates along?
+    const CARRIES_TEXTURE: bool = false;
+    /// How the subject is seen while it works.
+    const GIVEN: GivenSubject = GivenSubject::Whole;
+    /// Does it know holes?
+    const KNOWS_HOLES: bool = false;
+    /// What its drawing calls the subject's vertices.
+    const SUBJECT: char = 'V';
+
+    /// Its input.
+    ///
+    /// # Errors
+    /// What in the scene it cannot take.
+    fn input(scene: &Scene) -> Result<Self::Input, UnfitScene>;
+
+    /// The clip edge that an event brings up.
+    #[must_use]
+    fn border(_: &Self::Event) -> Option<usize> {
+        None
+    }
+
+    /// What an event says of a vertex of the subject that lies there: does it stay, as far as it has been asked?
+    #[must_use]
+    fn tells(_: &Self::Event, _at: Point) -> Option<bool> {
+        None
+    }
+
+    /// Where an event finds an intersection.
+    #[must_use]
+    fn crossing(_: &Self::Event) -> Option<Point> {
+        None
+    }
+
+    /// The outline of the piece that a step finishes.
+    #[must_use]
+    fn piece(_: &Step<'_, Self>) -> Option<Vec<Point>> {
+        None
+    }
+
+    /// Runs it on the scene.
+    ///
+    /// # Errors
+    /// What in the scene it cannot take.
+    fn record(scene: &Scene) -> Result<Box<dyn Run>, UnfitScene> {
+        let input = Self::input(scene)?;
+        Ok(Box::new(Recorded::<Self>::new(input, None)))
     }
 }

@@ -16,7 +16,7 @@ mod unfit_scene;
 mod verdict;
 
 pub use change::{OUTLINES, PolygonsChange};
-pub use demo::PolygonDemo;
+pub use demo::{PolygonDemo, PolygonTelling};
 pub use handles::SceneVertex;
 pub use lab::LAB;
 pub use method_info::{GivenSubject, MethodInfo};

@@ -7,9 +7,9 @@ use crate::{
 };
 
 use super::{
-    MethodInfo, PolygonDemo, Scene,
+    MethodInfo, PolygonDemo, PolygonTelling, Scene,
     methods::faulty,
-    verdict::{fate, found},
+    verdict::{fate, fate_told, found, found_told},
 };
 
 const fn info<A: PolygonDemo>() -> MethodInfo<Scene> {
@@ -23,6 +23,20 @@ const fn info<A: PolygonDemo>() -> MethodInfo<Scene> {
         takes: |scene| A::input(scene).is_ok(),
         fate: fate::<A>,
         found: found::<A>,
+    }
+}
+
+const fn told<M: PolygonTelling>() -> MethodInfo<Scene> {
+    MethodInfo {
+        card: MethodCard::told::<M>(),
+        clips: M::CLIPS,
+        carries_texture: M::CARRIES_TEXTURE,
+        given: M::GIVEN,
+        knows_holes: M::KNOWS_HOLES,
+        record: |scene| M::record(scene).unwrap_or_else(|refusal| refusal.run(scene, M::SUBJECT)),
+        takes: |scene| M::input(scene).is_ok(),
+        fate: fate_told::<M>,
+        found: found_told::<M>,
     }
 }
 

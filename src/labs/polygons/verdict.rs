@@ -10,10 +10,11 @@ use crate::{
     geom::{Location, Point, Segment, locate},
     labs::{Click, Verdict, words::vertex_name},
     text::Message,
+    trace::told::Recording,
 };
 
 use super::{
-    PolygonDemo, Scene,
+    PolygonDemo, PolygonTelling, Scene,
     handles::corner_link,
     method_info::{Found, VertexFate},
     methods::{clip_edge_name, region},
@@ -56,6 +57,42 @@ pub fn found<A: PolygonDemo>(scene: &Scene) -> Vec<Found> {
         found.extend(crossing);
         found.extend(piece.map(|outline| Found::Piece { step, outline }));
     });
+    found
+}
+
+/// What becomes of a vertex of the subject that lies there; none where the run never says.
+pub fn fate_told<M: PolygonTelling>(scene: &Scene, at: Point) -> Option<VertexFate> {
+    let run = Recording::<M>::new(M::input(scene).ok()?);
+    let mut border = None;
+    let mut fate: Option<VertexFate> = None;
+    for (i, event) in run.events().iter().enumerate() {
+        border = M::border(event).or(border);
+        // The first test that it does not pass decides; of one that is kept, the last.
+        if let Some(is_kept) = M::tells(event, at)
+            && fate.is_none_or(|fate| fate.is_kept)
+        {
+            let step = i + 1;
+            fate = Some(VertexFate {
+                step,
+                is_kept,
+                border,
+            });
+        }
+    }
+    fate
+}
+
+/// The intersections and the pieces that a run finds, in its order.
+pub fn found_told<M: PolygonTelling>(scene: &Scene) -> Vec<Found> {
+    let mut found = Vec::new();
+    if let Ok(input) = M::input(scene) {
+        Recording::<M>::looking(input, |now| {
+            let step = now.past.len();
+            let crossing = now.event().and_then(|event| M::crossing(&event));
+            found.extend(crossing.map(|at| Found::Crossing { step, at }));
+            found.extend(M::piece(now).map(|outline| Found::Piece { step, outline }));
+        });
+    }
     found
 }
 
