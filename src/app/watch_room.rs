@@ -29,7 +29,9 @@ impl WatchRooms {
         // What a table wants does not depend on the width that it has.
         let room = self.0[column].get(model, ui, 0.0, || {
             let mut room = WatchRoom::default();
-            watches(run).for_each(|watch| room.widen(ui, model.look, &watch));
+            for watch in watches(run) {
+                room.widen(ui, model.look, &watch);
+            }
             room
         });
         room.widen(ui, model.look, now);

@@ -1,6 +1,6 @@
 //! Which lines of a method's pseudocode are about what: as its own run has it, line by line.
 
-use super::{Link, Run, extent::asked};
+use super::{Link, Run, extent::Asked};
 
 /// Of a run's steps so many are asked what they are about.
 const MOST_ASKED: usize = 128;
@@ -20,13 +20,17 @@ impl CodeLinks {
     /// Of a run; of a long one some steps are asked.
     #[must_use]
     pub fn of(run: &dyn Run) -> Self {
-        let visit = |step| {
-            let frame = run.frame(step);
-            let links = frame.focus().collect();
-            let line = frame.code_line?;
-            Some(Visit { step, line, links })
-        };
-        Self(asked(run, MOST_ASKED).filter_map(visit).collect())
+        let asked = Asked::of(run, MOST_ASKED);
+        let mut visits = Vec::new();
+        for from_to in asked.stretches() {
+            let wanted = |step| asked.holds(step);
+            run.frames(from_to, wanted, |step, frame| {
+                let links = frame.focus().collect();
+                let line = frame.code_line;
+                visits.extend(line.map(|line| Visit { step, line, links }));
+            });
+        }
+        Self(visits)
     }
 
     /// What a line was about when it was reached last, or else will be about first: seen from `step`.

@@ -1,6 +1,10 @@
 //! How much room views want, from their data alone: so that it is settled for a whole run before anything is drawn.
 
-use super::{Body, Caption, Graph, Lens, Lists, Places, Run, View, ViewId, Watch, layers, unseen};
+use std::ops::ControlFlow;
+
+use super::{
+    Body, Caption, Graph, Lens, Lists, Places, Run, Shown, View, ViewId, Watch, layers, unseen,
+};
 
 /// Of a run's steps so many are asked what they show, the first and the last among them: a view that comes or grows is
 /// there at one of them, or has had its room from the start.
@@ -179,34 +183,78 @@ fn lists_need(lists: &Lists) -> (Stand, [f32; 2], [f32; 2]) {
 #[must_use]
 pub fn needs(run: &dyn Run) -> Vec<Need> {
     let mut needs: Vec<Need> = Vec::new();
-    for step in asked(run, MOST_ASKED) {
-        for view in &run.frame(step).views {
+    ask(run, MOST_ASKED, |shown| {
+        for view in &shown.views() {
             let more = view.need();
             match needs.iter_mut().find(|need| need.id == more.id) {
                 Some(need) => need.widen(&more),
                 None => needs.push(more),
             }
         }
-    }
+    });
     needs
 }
 
 /// The sentences of a run, of a longer one some: so that each has the room of the highest.
-pub fn sentences(run: &dyn Run) -> impl Iterator<Item = Caption> {
-    asked(run, MOST_SAID).map(|step| run.caption(step))
+#[must_use]
+pub fn sentences(run: &dyn Run) -> Vec<Caption> {
+    let mut said = Vec::new();
+    ask(run, MOST_SAID, |shown| said.push(shown.caption()));
+    said
 }
 
 /// What is watched in a run, of a longer one at some of its steps: so that the table has room for the longest.
-pub fn watches(run: &dyn Run) -> impl Iterator<Item = Watch> {
-    asked(run, MOST_SAID).map(|step| unseen(&run.watch(step)))
+#[must_use]
+pub fn watches(run: &dyn Run) -> Vec<Watch> {
+    let mut watched = Vec::new();
+    ask(run, MOST_SAID, |shown| watched.push(unseen(&shown.watch())));
+    watched
 }
 
-/// The steps of a run that are asked: `most` of them, and the last.
-pub(super) fn asked(run: &dyn Run, most: usize) -> impl Iterator<Item = usize> + use<> {
-    let n_steps = run.n_steps();
-    let n_asked = if n_steps > LONG { 1 } else { most };
-    let stride = n_steps.div_ceil(n_asked).max(1);
-    (0..n_steps).step_by(stride).chain([n_steps])
+/// Shows `most` of a run's steps and the last, in one run.
+fn ask(run: &dyn Run, most: usize, mut look: impl FnMut(&dyn Shown)) {
+    let asked = Asked::of(run, most);
+    for from_to in asked.stretches() {
+        run.visit(from_to, &mut |step, shown| {
+            if asked.holds(step) {
+                look(shown);
+            }
+            ControlFlow::Continue(())
+        });
+    }
+}
+
+/// The steps of a run that are asked: some at equal distances, and the last.
+#[derive(Clone, Copy)]
+pub(super) struct Asked {
+    n_steps: usize,
+    stride: usize,
+}
+
+impl Asked {
+    /// About `most` steps of a run; of a long one its ends.
+    pub(super) fn of(run: &dyn Run, most: usize) -> Self {
+        let n_steps = run.n_steps();
+        let n_asked = if n_steps > LONG { 1 } else { most };
+        let stride = n_steps.div_ceil(n_asked).max(1);
+        Self { n_steps, stride }
+    }
+
+    /// Is this step asked?
+    pub(super) const fn holds(self, step: usize) -> bool {
+        step == self.n_steps || step.is_multiple_of(self.stride)
+    }
+
+    /// The stretches of steps to walk: between the ends of a long run nothing is asked.
+    pub(super) fn stretches(self) -> Vec<[usize; 2]> {
+        if self.stride < self.n_steps {
+            vec![[0, self.n_steps]]
+        } else if self.n_steps == 0 {
+            vec![[0, 0]]
+        } else {
+            vec![[0, 0], [self.n_steps, self.n_steps]]
+        }
+    }
 }
 
 impl Need {

@@ -125,26 +125,45 @@ impl dyn Run + '_ {
     /// What the step shows: values that differ from the step before are marked.
     #[must_use]
     pub fn frame(&self, step: usize) -> Frame {
-        let (mut before, mut frame) = (None, None);
-        self.visit([step.saturating_sub(1), step], &mut |n, shown| {
-            let mut watch = shown.watch();
-            if n < step {
+        let mut seen = None;
+        self.frames([step, step], |_| true, |_, frame| seen = Some(frame));
+        seen.expect("a run comes past each of its steps")
+    }
+
+    /// The frames of those of the steps `from..=to` that are wanted, in one run.
+    pub fn frames(
+        &self,
+        [from, to]: [usize; 2],
+        wanted: impl Fn(usize) -> bool,
+        mut look: impl FnMut(usize, Frame),
+    ) {
+        let mut before = None;
+        self.visit([from.saturating_sub(1), to], &mut |step, shown| {
+            let is_wanted = step >= from && wanted(step);
+            if is_wanted || (step < to && wanted(step + 1)) {
+                let mut watch = shown.watch();
+                if let Some(before) = before.take() {
+                    mark_changes(&mut watch, &before);
+                }
+                if is_wanted {
+                    look(step, self.framed(step, shown, watch.clone()));
+                }
                 before = Some(watch);
-                return ControlFlow::Continue(());
+            } else {
+                before = None;
             }
-            if let Some(before) = &before {
-                mark_changes(&mut watch, before);
-            }
-            frame = Some(Frame {
-                views: shown.views(),
-                caption: shown.caption(),
-                code_line: self.code_line(step),
-                watch,
-                counts: self.counts_at(step),
-            });
-            ControlFlow::Break(())
+            ControlFlow::Continue(())
         });
-        frame.expect("a run comes past each of its steps")
+    }
+
+    fn framed(&self, step: usize, shown: &dyn Shown, watch: Watch) -> Frame {
+        Frame {
+            views: shown.views(),
+            caption: shown.caption(),
+            code_line: self.code_line(step),
+            watch,
+            counts: self.counts_at(step),
+        }
     }
 
     /// The sentence of the step alone.

@@ -61,7 +61,7 @@ fn solved(page: &mut String, number: usize, case: &Case, detail: Detail, catalog
             "report-changed",
         ]
         .map(|key| capitalised(&catalog.term(key)));
-        let rows = step_rows(run.as_ref(), catalog).map(step_cells);
+        let rows = step_rows(run.as_ref(), catalog).into_iter().map(step_cells);
         table(page, &head, ["---:", "---", "---", "---"], rows);
     }
     let verdict = escaped(&catalog.message(&case.problem.verdict()));

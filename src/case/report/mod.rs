@@ -6,8 +6,10 @@ mod markdown;
 mod refusing;
 mod text;
 
+use std::ops::ControlFlow;
+
 use crate::{
-    figure::{Run, WatchRow, WatchSection},
+    figure::{Run, WatchRow, WatchSection, mark_changes},
     text::{Catalog, Message},
     trace::Counts,
 };
@@ -27,21 +29,28 @@ struct StepRow {
 }
 
 /// Every step of a run, the problem's statement at step 0 first.
-fn step_rows<'a>(run: &'a dyn Run, catalog: &'a Catalog) -> impl Iterator<Item = StepRow> + 'a {
-    (0..=run.n_steps()).map(move |step| {
-        let frame = run.frame(step);
-        let changed = frame.watch.iter().flat_map(|section| {
+fn step_rows(run: &dyn Run, catalog: &Catalog) -> Vec<StepRow> {
+    let (mut rows, mut before) = (Vec::new(), None);
+    run.visit([0, run.n_steps()], &mut |step, shown| {
+        let (caption, mut watch) = (shown.caption(), shown.watch());
+        if let Some(before) = &before {
+            mark_changes(&mut watch, before);
+        }
+        let changed = watch.iter().flat_map(|section| {
             let rows = section.rows.iter().filter(|row| row.has_changed());
             rows.map(|row| changed_row(section, row, catalog))
         });
-        let arithmetic = frame.caption.arithmetic.iter();
-        StepRow {
+        let arithmetic = caption.arithmetic.iter();
+        rows.push(StepRow {
             step,
-            decision: catalog.message(&frame.caption.decision),
+            decision: catalog.message(&caption.decision),
             formulas: arithmetic.map(|f| catalog.formula(f)).collect(),
             changed: changed.collect(),
-        }
-    })
+        });
+        before = Some(watch);
+        ControlFlow::Continue(())
+    });
+    rows
 }
 
 /// `code₁ = 0001 (to the left)`, or `left edge: p = −4, q = −1, r = 1/4`.

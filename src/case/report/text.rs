@@ -74,7 +74,7 @@ fn steps(case: &Case, catalog: &Catalog) -> Vec<String> {
     ];
     let mut rows: Vec<[Cell; 4]> = vec![head.map(|key| vec![catalog.term(key)])];
     let run = case.problem.run();
-    rows.extend(step_rows(run.as_ref(), catalog).map(|row| {
+    rows.extend(step_rows(run.as_ref(), catalog).into_iter().map(|row| {
         let step = vec![row.step.to_string()];
         [step, vec![row.decision], row.formulas, row.changed]
     }));
