@@ -5,10 +5,11 @@ use std::cell::Cell;
 use egui::Ui;
 
 use crate::{
-    case::{self, Field, Refusal, Solve, Solver, Told},
+    case::{self, Field, Refusal, SolveTold, Solver, Told},
     figure::{Link, Mark, Run},
     labs::{
-        Click, Document, Edit, Handle, HandleKind, Lab, MethodCard, Motion, Own, Scene, record,
+        Click, Document, Edit, Handle, HandleKind, Lab, MethodCard, Motion, Own, Scene,
+        telling::Recorded,
     },
     lesson::{SceneFormat, Sink, TomlFields, number},
     panels::{LabPanel, PanelAsk},
@@ -49,7 +50,7 @@ impl Lab for Boxes {
     }
 }
 
-static CARD: MethodCard = MethodCard::of::<Corners>();
+static CARD: MethodCard = MethodCard::told::<Corners>();
 
 /// The face at x = half moves along x.
 static FACE: HandleKind = HandleKind {
@@ -91,7 +92,7 @@ impl Document for BoxScene {
     fn record(&self) -> Vec<Box<dyn Run>> {
         N_RECORDED.set(N_RECORDED.get() + 1);
         let &Self { half, c } = self;
-        vec![record::<Corners>(Input { half, c })]
+        vec![Box::new(Recorded::<Corners>::new(Input { half, c }, None))]
     }
 
     fn backdrop(&self, _: usize, _: bool) -> Vec<Mark> {
@@ -191,9 +192,9 @@ impl LabPanel for BoxPanel {
 }
 
 /// How a case gives it: `half`, `c`.
-pub static SOLVERS: [Solver; 1] = [Solver::of::<Corners>()];
+pub static SOLVERS: [Solver; 1] = [Solver::told::<Corners>()];
 
-impl Solve for Corners {
+impl SolveTold for Corners {
     const FIELDS: &'static [Field] = &[Field::required("half"), Field::required("c")];
 
     fn read(fields: &case::Fields<'_>) -> Result<(Input, Told), Refusal> {
