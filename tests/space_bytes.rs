@@ -1,9 +1,8 @@
 //! A rendered space has the same bytes here and on wasm32, where node and the target are at hand.
 
-#[path = "shared/space_bytes.rs"]
-mod space_bytes;
-
 use std::{path::Path, process::Command};
+
+use crate::shared::space_bytes;
 
 /// Runs a module's `main`, and exits with what it returns.
 const RUN: &str = "const fs = require('node:fs');

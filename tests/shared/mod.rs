@@ -1,0 +1,6 @@
+//! What several suites use.
+
+pub mod event_log;
+#[cfg(feature = "gui")]
+pub mod pictures;
+pub mod space_bytes;
