@@ -1,8 +1,4 @@
 //! Every sentence of every step: in all languages, with its own numbers, and with nothing missing.
-#![allow(
-    clippy::unwrap_used,
-    reason = "a test that cannot be set up should stop where it stands"
-)]
 
 use clipscope::{
     algo::surface::{DepthBits, DepthNumber, DepthSteps},

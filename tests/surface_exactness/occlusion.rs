@@ -8,7 +8,7 @@ use clipscope::{
 };
 use proptest::prelude::*;
 
-use crate::soup::{ahead, cases, soup, surfaces, volume};
+use super::soup::{ahead, cases, soup, surfaces, volume};
 
 /// Objects of two triangles each, the first few of them occluders.
 fn in_pairs(surfaces: Surfaces, n_occluders: usize) -> OcclusionInput {
