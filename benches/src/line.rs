@@ -10,7 +10,7 @@ use clipscope::{
         kernel,
     },
     geom::{Point, Segment, Window},
-    trace::silent,
+    trace::told::silent,
 };
 use line_clipping as peer;
 

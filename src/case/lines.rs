@@ -5,23 +5,23 @@ use crate::{
         BitOrder, BruteForce, CohenSutherland, CyrusBeck, LiangBarsky, NichollLeeNicholl, Visible,
     },
     geom::{ConvexPolygon, Edge, Point, Segment, Window},
-    labs::lines::{LineDemo, Method, Scene},
+    labs::lines::{LineTelling, Method, Scene},
     text::{Formula, Message, Value},
 };
 
 use super::{
-    Code, Field, Fields, Given, Node, Path, Refusal, Solve, Solver, Told,
+    Code, Field, Fields, Given, Node, Path, Refusal, SolveTold, Solver, Told,
     fields::missing,
     parts::{given_clip, given_window, read_clip, read_window},
 };
 
 /// The lab's methods.
 pub(super) static SOLVERS: [Solver; 5] = [
-    Solver::of::<BruteForce>(),
-    Solver::of::<CohenSutherland>(),
-    Solver::of::<LiangBarsky>(),
-    Solver::of::<CyrusBeck>(),
-    Solver::of::<NichollLeeNicholl>(),
+    Solver::told::<BruteForce>(),
+    Solver::told::<CohenSutherland>(),
+    Solver::told::<LiangBarsky>(),
+    Solver::told::<CyrusBeck>(),
+    Solver::told::<NichollLeeNicholl>(),
 ];
 
 const WINDOW: [Field; 2] = [Field::required("window"), Field::required("segment")];
@@ -32,7 +32,7 @@ const CONVEX: [Field; 3] = [
     Field::required("segment"),
 ];
 
-impl<A: LineDemo> Solve for A {
+impl<A: LineTelling> SolveTold for A {
     const FIELDS: &'static [Field] = match (A::TAKES_POLYGON, A::WRITES_CODES) {
         (true, _) => &CONVEX,
         (false, true) => &CODED,

@@ -18,8 +18,8 @@ use crate::{
 use super::{Answer, CodeLine, MethodCard};
 
 pub use recorded::Recorded;
-pub(crate) use row::rows;
 pub use row::{Options, Question, Row};
+pub(crate) use row::{rows, table};
 
 /// A method whose steps can be told and shown.
 pub trait Telling: Method<Output: Answer, Event: Serialize> + 'static {

@@ -6,7 +6,7 @@ use clipscope::{
         LiangBarsky, NichollLeeNicholl, WindowInput,
     },
     geom::{ConvexPolygon, Segment, Window},
-    trace::laws::check,
+    trace::told::check,
 };
 use proptest::prelude::*;
 

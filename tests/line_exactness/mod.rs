@@ -23,7 +23,7 @@ use clipscope::{
         kernel,
     },
     geom::{Segment, Window},
-    trace::silent,
+    trace::told::silent,
 };
 
 /// A way to clip against a window, by name.

@@ -10,7 +10,7 @@ use clipscope::{
         faulty::{DividedLine, DividesFirst},
     },
     geom::{AlignedBox, Plane},
-    trace::{laws, silent},
+    trace::told::{check, silent},
 };
 use proptest::prelude::*;
 
@@ -121,7 +121,7 @@ fn bits<const N: usize>(visible: VisibleLine<N>) -> Option<[[u64; N]; 2]> {
 /// The answer for a segment, and for the same walked the other way: swapped, bit for bit.
 fn from_both_ends<const N: usize, B>(bounds: &B, [p1, p2]: [[f64; N]; 2]) -> VisibleLine<N>
 where
-    B: Bounds<N>,
+    B: Bounds<N, Input = LineInput<N, B>, Output = VisibleLine<N>>,
 {
     let clip = |ends| {
         let bounds = bounds.clone();
@@ -155,8 +155,8 @@ proptest! {
         for found in in_box(bounds, ends) {
             prop_assert_eq!(found, expected);
         }
-        laws::check::<CohenSutherland3d>(&CohenSutherland3dInput { bounds, ends });
-        laws::check::<LiangBarsky3d>(&LineInput { bounds, ends });
+        check::<CohenSutherland3d>(&CohenSutherland3dInput { bounds, ends });
+        check::<LiangBarsky3d>(&LineInput { bounds, ends });
     }
 
     #[test]
@@ -190,7 +190,7 @@ proptest! {
             }
             (found, expected) => prop_assert_eq!(found, expected),
         }
-        laws::check::<PlaneLine>(&LineInput { bounds, ends });
+        check::<PlaneLine>(&LineInput { bounds, ends });
     }
 
     #[test]
@@ -207,8 +207,8 @@ proptest! {
             prop_assert_eq!(found, None, "behind the eye");
         }
         let input = LineInput { bounds: ClipSpace, ends: given };
-        laws::check::<HomogeneousLine>(&input);
-        laws::check::<DividedLine>(&input);
+        check::<HomogeneousLine>(&input);
+        check::<DividedLine>(&input);
     }
 
     /// 90°, near 1, far 3: then z_clip = −2z − 3 and w = −z, and every number is whole.
@@ -247,8 +247,8 @@ proptest! {
                 prop_assert_eq!(again, Some(visible), "clipping again changes nothing");
             }
         }
-        laws::check::<CohenSutherland3d>(&CohenSutherland3dInput { bounds, ends });
-        laws::check::<LiangBarsky3d>(&LineInput { bounds, ends });
+        check::<CohenSutherland3d>(&CohenSutherland3dInput { bounds, ends });
+        check::<LiangBarsky3d>(&LineInput { bounds, ends });
     }
 
     #[test]
@@ -264,8 +264,8 @@ proptest! {
             prop_assert_eq!(from_both_ends(&ClipSpace, visible), found, "clipping again changes nothing");
         }
         let input = LineInput { bounds: ClipSpace, ends };
-        laws::check::<HomogeneousLine>(&input);
-        laws::check::<DividedLine>(&input);
+        check::<HomogeneousLine>(&input);
+        check::<DividedLine>(&input);
     }
 
     #[test]
@@ -277,7 +277,7 @@ proptest! {
         prop_assume!(!bounds.is_empty());
         let found = from_both_ends(&bounds, ends);
         prop_assert!(found.iter().flatten().flatten().all(|x| x.is_finite()), "{:?}", found);
-        laws::check::<PlaneLine>(&LineInput { bounds, ends });
+        check::<PlaneLine>(&LineInput { bounds, ends });
     }
 }
 

@@ -125,7 +125,7 @@ fn is_met(planes: &[Plane], corners: &[[f64; 3]]) -> bool {
         [a, .., b] | [a @ b] => {
             let bounds = planes.to_vec();
             let ends = [a, b];
-            silent::<PlaneLine>(&LineInput { bounds, ends }).is_some()
+            told::silent::<PlaneLine>(&LineInput { bounds, ends }).is_some()
         }
         [] => false,
     }

@@ -23,7 +23,7 @@
 
 use crate::{
     geom::{Point, Segment, Window},
-    trace::silent,
+    trace::told::silent,
 };
 
 use super::{

@@ -49,7 +49,7 @@ use crate::{
         volume::{ClipSpace, HomogeneousLine, LineInput},
     },
     geom::Camera,
-    trace::{Algorithm, Log, Real},
+    trace::{Algorithm, Log, Real, told::held_after},
 };
 
 use super::{Bresenham, BresenhamEvent, BresenhamInput, row_times};
@@ -162,7 +162,7 @@ impl DrawnSegment {
             bounds: ClipSpace,
             ends: projected,
         };
-        let left = HomogeneousLine::run::<R>(&input, |_| {});
+        let left = held_after::<HomogeneousLine, R>(&input);
         // What is inside of all sides has w > 0: but for the eye itself, and for rounding.
         let left = left.filter(|ends| ends.iter().all(|end| R::new(end[3]) > R::new(0.0)));
         let Some(ends) = left else {

@@ -5,8 +5,7 @@ use crate::{
         ClipSpace, CohenSutherland3d, CohenSutherland3dInput, HomogeneousLine, LiangBarsky3d,
         LineInput, PlaneLine, VisibleLine,
     },
-    case::{Field, Fields, Refusal, Solve, Told},
-    labs::space::OnScene,
+    case::{Field, Fields, Refusal, SolveTold, Told},
     text::{Formula, Message, Value},
 };
 
@@ -28,14 +27,14 @@ fn visible<const N: usize>(output: &VisibleLine<N>) -> Message {
     }
 }
 
-impl Solve for OnScene<CohenSutherland3d> {
+impl SolveTold for CohenSutherland3d {
     const FIELDS: &'static [Field] = &BOX;
 
     fn read(fields: &Fields<'_>) -> Result<(Self::Input, Told), Refusal> {
         let mut reader = Reader::new(fields);
         let (bounds, ends) = (reader.solid_box()?, reader.segment()?);
         let input = CohenSutherland3dInput { bounds, ends };
-        Ok((input.into(), reader.told()))
+        Ok((input, reader.told()))
     }
 
     fn verdict(output: &VisibleLine<3>) -> Message {
@@ -43,13 +42,13 @@ impl Solve for OnScene<CohenSutherland3d> {
     }
 }
 
-impl Solve for OnScene<LiangBarsky3d> {
+impl SolveTold for LiangBarsky3d {
     const FIELDS: &'static [Field] = &BOX;
 
     fn read(fields: &Fields<'_>) -> Result<(Self::Input, Told), Refusal> {
         let mut reader = Reader::new(fields);
         let (bounds, ends) = (reader.solid_box()?, reader.segment()?);
-        Ok((LineInput { bounds, ends }.into(), reader.told()))
+        Ok((LineInput { bounds, ends }, reader.told()))
     }
 
     fn verdict(output: &VisibleLine<3>) -> Message {
@@ -57,13 +56,13 @@ impl Solve for OnScene<LiangBarsky3d> {
     }
 }
 
-impl Solve for OnScene<PlaneLine> {
+impl SolveTold for PlaneLine {
     const FIELDS: &'static [Field] = &[Field::required("planes"), Field::required("segment")];
 
     fn read(fields: &Fields<'_>) -> Result<(Self::Input, Told), Refusal> {
         let mut reader = Reader::new(fields);
         let (bounds, ends) = (reader.planes()?, reader.segment()?);
-        Ok((LineInput { bounds, ends }.into(), reader.told()))
+        Ok((LineInput { bounds, ends }, reader.told()))
     }
 
     fn verdict(output: &VisibleLine<3>) -> Message {
@@ -71,13 +70,13 @@ impl Solve for OnScene<PlaneLine> {
     }
 }
 
-impl Solve for OnScene<HomogeneousLine> {
+impl SolveTold for HomogeneousLine {
     const FIELDS: &'static [Field] = &[Field::required("segment")];
 
     fn read(fields: &Fields<'_>) -> Result<(Self::Input, Told), Refusal> {
         let mut reader = Reader::new(fields);
         let (bounds, ends) = (ClipSpace, reader.clip_segment()?);
-        Ok((LineInput { bounds, ends }.into(), reader.told()))
+        Ok((LineInput { bounds, ends }, reader.told()))
     }
 
     fn verdict(output: &VisibleLine<4>) -> Message {

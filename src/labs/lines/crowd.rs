@@ -8,7 +8,7 @@ use crate::{
     figure::{Mark, Role, Shape},
     geom::Segment,
     labs::words::{name, subscript},
-    trace::silent,
+    trace::told::silent,
 };
 
 use super::Scene;

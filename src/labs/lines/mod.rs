@@ -15,7 +15,7 @@ mod scene;
 mod verdict;
 
 pub use change::LinesChange;
-pub use demo::LineDemo;
+pub use demo::LineTelling;
 pub use handles::end as end_handle;
 pub use lab::LAB;
 pub use method_info::{MethodInfo, Pass};

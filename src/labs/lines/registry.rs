@@ -1,38 +1,42 @@
-//! The methods of this lab. To add one: a file in `algo::line`, its [`LineDemo`] here beside the
+//! The methods of this lab. To add one: a file in `algo::line`, its [`LineTelling`] here beside the
 //! others, one line below.
 
 use crate::{
     algo::line,
     geom::Segment,
-    labs::{self, Carded, Listed, MethodCard},
-    trace::{Counted, Counts, silent},
+    labs::{Carded, Listed, MethodCard, telling::Recorded},
+    trace::{
+        Counted, Counts,
+        told::{held_after, silent},
+    },
 };
 
-use super::{LineDemo, MethodInfo, Pass, Scene, verdict::decided};
+use super::{LineTelling, MethodInfo, Pass, Scene, verdict::decided};
 
-const fn info<A: LineDemo>() -> MethodInfo<Scene> {
+const fn info<M: LineTelling>() -> MethodInfo<Scene> {
     MethodInfo {
-        card: MethodCard::of::<A>(),
-        takes_polygon: A::TAKES_POLYGON,
-        writes_codes: A::WRITES_CODES,
-        record: |scene, segment| labs::record::<A>(A::input(scene, segment)),
-        clip: |scene, segment| silent::<A>(&A::input(scene, segment)),
+        card: MethodCard::told::<M>(),
+        takes_polygon: M::TAKES_POLYGON,
+        writes_codes: M::WRITES_CODES,
+        record: |scene, segment| Box::new(Recorded::<M>::new(M::input(scene, segment), None)),
+        clip: |scene, segment| silent::<M>(&M::input(scene, segment)),
         cost: |scene, segment| {
-            let input = A::input(scene, segment);
-            Counts::of(|| A::run::<Counted>(&input, |_| {}))
+            let input = M::input(scene, segment);
+            let (held, counts) = Counts::of(|| held_after::<M, Counted>(&input));
+            (M::output(held), counts)
         },
-        decided: decided::<A>,
-        pass: pass::<A>,
+        decided: decided::<M>,
+        pass: pass::<M>,
     }
 }
 
 /// Inputs are made beforehand: only the clipping itself is left to measure.
-fn pass<A: LineDemo>(scene: &Scene, segments: &[Segment]) -> Pass {
-    let inputs: Vec<A::Input> = segments
+fn pass<M: LineTelling>(scene: &Scene, segments: &[Segment]) -> Pass {
+    let inputs: Vec<M::Input> = segments
         .iter()
-        .map(|&segment| A::input(scene, segment))
+        .map(|&segment| M::input(scene, segment))
         .collect();
-    Box::new(move || inputs.iter().filter_map(silent::<A>).count())
+    Box::new(move || inputs.iter().filter_map(silent::<M>).count())
 }
 
 /// Every method, in the order in which they are taught.

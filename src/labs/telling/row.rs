@@ -156,4 +156,25 @@ macro_rules! rows {
     };
 }
 
+/// The same within `impl Telling`, of a method with type parameters: the rows may take their keys from these.
+macro_rules! table {
+    (|$event:ident, $step:ident| $($name:ident: $pattern:pat $(if $guard:expr)? => $row:expr;)+) => {
+        const ROWS: &'static [$crate::labs::telling::Row] = &[$($row),+];
+
+        fn row($step: &$crate::trace::told::Step<'_, Self>) -> &'static $crate::labs::telling::Row {
+            #[derive(Clone, Copy)]
+            #[allow(non_camel_case_types, reason = "the names of rows, which are written once")]
+            enum Which { $($name),+ }
+
+            let Some($event) = $step.event() else {
+                // Only the opening has no event, and nobody asks for its row here.
+                return &Self::ROWS[0];
+            };
+            let which = match $event { $($pattern $(if $guard)? => Which::$name),+ };
+            &Self::ROWS[which as usize]
+        }
+    };
+}
+
 pub(crate) use rows;
+pub(crate) use table;

@@ -18,7 +18,7 @@ use crate::{
         },
     },
     text::{Message, Value},
-    trace::silent,
+    trace::{silent, told},
 };
 
 /// Greys of neighbouring triangles, a clear step apart.
@@ -230,7 +230,7 @@ pub fn outline(surfaces: &Surfaces, id: u32, role: Role) -> Vec<RasterMark> {
 /// Of a segment in view space what is seen of it, over the pixels.
 pub fn segment(surfaces: &Surfaces, ends: [[f64; 3]; 2], role: Role) -> Option<RasterMark> {
     let clip_from_view = surfaces.volume().clip_from_view();
-    let visible = silent::<HomogeneousLine>(&LineInput {
+    let visible = told::silent::<HomogeneousLine>(&LineInput {
         bounds: ClipSpace,
         ends: ends.map(|[x, y, z]| clip_from_view.times([x, y, z, 1.0])),
     })?;
