@@ -1,6 +1,14 @@
 //! How much room views want, from their data alone: so that it is settled for a whole run before anything is drawn.
 
-use super::{Body, Caption, Graph, Lens, Lists, Places, Run, View, ViewId, Watch, layers, unseen};
+use super::{
+    frame::Caption,
+    graph::{Graph, Places, layers},
+    lens::Lens,
+    lists::Lists,
+    run::Run,
+    view::{Body, View, ViewId},
+    watch::{Watch, unseen},
+};
 
 /// Of a run's steps so many are asked what they show, the first and the last among them: a view that comes or grows is
 /// there at one of them, or has had its room from the start.

@@ -7,7 +7,7 @@ use crate::{
     paint::{Span, Theme, Typeset, fonts::semibold},
 };
 
-use super::{Look, caption, column_title, view};
+use super::{caption, headings::column_title, look::Look, views::view};
 
 /// The size of text in points, at scale 1: what a [`Slot`]'s ems are.
 pub const TEXT_PTS: f32 = 13.0;
