@@ -19,9 +19,10 @@ use crate::{
     },
     geom::{Orbit, Solid},
     labs::{
-        Lab,
+        Entry, Lab,
         space::{
             MethodInfo, Model, Object, OnScene, Opening, Scene, SpaceDemo, SpaceLab, TaughtCamera,
+            demo,
         },
     },
 };
@@ -46,12 +47,12 @@ pub static FRUSTUM: SpaceLab<Scene> = SpaceLab {
 /// The same, for whoever knows no lab by name.
 pub static LAB: &dyn Lab = &FRUSTUM;
 
-const fn info<A: SpaceDemo>() -> MethodInfo<Scene> {
-    MethodInfo::of::<A>(&FRUSTUM)
+const fn info<A: SpaceDemo>() -> Entry<MethodInfo> {
+    demo::entry::<A>(&FRUSTUM)
 }
 
 /// Every method, in the order in which they are taught; the mistakes last.
-pub static METHODS: [MethodInfo<Scene>; 28] = [
+pub static METHODS: [Entry<MethodInfo>; 28] = [
     info::<OnScene<PointPlanes>>(),
     info::<OnScene<SphereCull>>(),
     info::<OnScene<BoxCull>>(),

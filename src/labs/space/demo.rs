@@ -2,7 +2,7 @@
 
 use crate::{
     figure::{Link, Run},
-    labs::{self, Demo, MethodCard, Verdict},
+    labs::{self, Demo, Entry, MethodCard, Verdict},
 };
 
 use super::{FaceFate, MethodInfo, Scene, SpaceLab, Subject};
@@ -39,18 +39,19 @@ pub trait SpaceDemo: Demo {
     }
 }
 
-impl MethodInfo<Scene> {
-    /// Of a method of this lab.
-    pub(in crate::labs) const fn of<A: SpaceDemo>(lab: &'static SpaceLab<Scene>) -> Self {
-        Self {
-            lab,
-            card: MethodCard::of::<A>(),
-            card_on: A::card,
-            subject: A::SUBJECT,
-            tells_faces: A::TELLS_FACES,
-            record: A::record,
-            face_fate: A::face_fate,
-            verdict: A::verdict,
-        }
-    }
+/// The line of a method in the table of its lab.
+pub(in crate::labs) const fn entry<A: SpaceDemo>(
+    lab: &'static SpaceLab<Scene>,
+) -> Entry<MethodInfo> {
+    let info = MethodInfo {
+        lab,
+        card_on: A::card,
+        subject: A::SUBJECT,
+        tells_faces: A::TELLS_FACES,
+        record: A::record,
+        face_fate: A::face_fate,
+        verdict: A::verdict,
+    };
+    let card = MethodCard::of::<A>();
+    Entry { card, info }
 }

@@ -43,7 +43,7 @@ impl Subject {
 
     fn pass(self, scene: &Scene, segments: &[Segment]) -> Pass {
         match self {
-            Self::Method(method) => method.info().pass(scene, segments),
+            Self::Method(method) => (method.info().pass)(scene, segments),
             Self::Batch => {
                 let window = scene.window;
                 let segments: Segments = segments.iter().copied().collect();
@@ -152,7 +152,7 @@ impl Costs for Measure {
             && current.n_counted < N_COUNTED.min(self.batch.len())
         {
             let segment = self.batch[current.n_counted];
-            let (_, counts) = method.info().cost(&self.scene, segment);
+            let counts = (method.info().cost)(&self.scene, segment);
             current.counted = current.counted + counts;
             current.n_counted += 1;
         } else {
