@@ -4,21 +4,18 @@
 use std::borrow::Cow;
 
 use egui::{
-    Align2, Button, CursorIcon, Id, InputState, Rect, RichText, Stroke, Ui, UiBuilder, pos2, vec2,
+    Align2, Button, CursorIcon, Id, InputState, Rect, RichText, Stroke, Ui, UiBuilder, vec2,
 };
 
 use crate::{
-    figure::{
-        Body, Caption, ColumnLayout, Frame, Layout, Lens, Mark, Raster, Role, Seer, Sheet, ViewId,
-    },
+    figure::{Body, Caption, ColumnLayout, Frame, Layout, Lens, Mark, Raster, Role, Seer, ViewId},
     labs::{Click, Edit, Handle, Lock, MethodCard, Sketch},
-    paint::{Typeset, Viewport},
+    paint::Viewport,
     panels::{Reach, spots},
     text::Message,
     widgets::{
-        Canvas, CanvasShown, Spot, StepWords, TEXT_PTS, beside_the_drawing, caption_text, covered,
-        gripped, headline, link_at, picture_viewport, projected, rect_of, slot_of, title_ground,
-        title_of_space, under_title,
+        Canvas, CanvasShown, Composition, Spacing, Spot, caption_text, covered, gripped, link_at,
+        picture_viewport, projected, rect_of, title_ground, title_of_space, under_title,
     },
 };
 
@@ -36,40 +33,23 @@ struct Hands<'a> {
 
 /// White space beside words, and around what stands beside the drawing.
 const INDENT: f32 = 24.0;
-/// Height of the strip that names a method, with room for two lines.
-const NAME: f32 = 44.0;
+/// That of the stage; the method's name has room for two lines.
+const SPACING: Spacing = Spacing {
+    margin: 0.0,
+    gutter: 0.0,
+    inset: INDENT,
+    under_title: INDENT,
+    name: 44.0,
+    over_caption: 0.0,
+    is_fixed: true,
+};
 
 /// The step's title, where nothing else on the screen says it.
-fn title(app: &App, ui: &Ui, rect: Rect) -> Option<Typeset> {
-    let is_said =
-        app.course_part() == CoursePart::Whole && !app.is_presenting() && !app.is_narrow();
+fn title(app: &App) -> Option<&str> {
+    let is_whole = app.course_part() == CoursePart::Whole;
+    let is_said = is_whole && !app.is_presenting() && !app.is_narrow();
     let title = app.bookmark.title(app.settings.lang)?;
-    let is_shown = !is_said && app.is_untouched() && !app.is_low();
-    let width = rect.width() - 2.0 * INDENT;
-    is_shown.then(|| headline(ui.painter(), app.look().theme, title, width))
-}
-
-/// What the stage is laid out on, where each caption takes so much height.
-fn sheet(app: &App, rect: Rect, title: Option<&Typeset>, caption: f32) -> Sheet {
-    let theme = app.look().theme;
-    let is_comparison = app.playback.frames().len() > 1;
-    Sheet {
-        area: slot_of(rect),
-        em: TEXT_PTS * theme.text_scale,
-        margin: 0.0,
-        inset: INDENT,
-        gutter: 0.0,
-        title: title.map_or(0.0, |title| title.size().y + INDENT),
-        name: if is_comparison {
-            NAME * theme.title_scale
-        } else {
-            0.0
-        },
-        over_caption: 0.0,
-        caption,
-        cost: 0.0,
-        is_fixed: true,
-    }
+    (!is_said && !app.is_low() && app.is_untouched()).then_some(title)
 }
 
 /// Draws the stage into all the room there is.
@@ -92,14 +72,21 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState, commands: &mut Vec<C
     };
     state.canvas_ids.clear();
     state.handle_ids.clear();
-    let layout = lay_out(app, ui, state, rect);
-    let columns = frames.iter().zip(methods).zip(&layout.columns);
+    let composition = Composition {
+        look: app.look(),
+        spacing: &SPACING,
+        methods: &methods,
+        difference: app.playback.difference(),
+    };
+    let layout = lay_out(app, ui, state, (rect, &composition));
+    let columns = frames.iter().zip(&methods).zip(&layout.columns);
     for (i, ((frame, method), places)) in columns.enumerate() {
         let whole = rect_of(places.whole);
         let column = Column {
             index: i,
             places,
             method,
+            composition: &composition,
             hands: &hands,
         };
         let inner = UiBuilder::new().max_rect(whole).id_salt(("column", i));
@@ -134,21 +121,20 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState, commands: &mut Vec<C
 }
 
 /// Finds where everything stands, and draws what stands over all columns.
-fn lay_out(app: &App, ui: &Ui, state: &mut StageState, rect: Rect) -> Layout {
-    let frames = app.playback.frames();
-    let title = title(app, ui, rect);
-    let width = rect.width() / frames.len().max(1) as f32 - 2.0 * INDENT;
+fn lay_out(
+    app: &App,
+    ui: &Ui,
+    state: &mut StageState,
+    (rect, composition): (Rect, &Composition<'_>),
+) -> Layout {
+    let width = composition.column_width(rect);
     let caption = state.captions.height(app.on_stage(), ui, width);
-    let sheet = sheet(app, rect, title.as_ref(), caption);
-    let layout = sheet.lay_out(app.playback.needs());
-    let views = layout.columns.iter().flat_map(|column| &column.views);
-    state.places = views.copied().collect();
     ui.painter()
         .rect_filled(rect, 0.0, app.look().theme.background);
-    if let Some(title) = title {
-        let at = pos2(rect.left() + INDENT, rect.top() + 0.5 * INDENT);
-        title.paint(ui.painter(), at, Align2::LEFT_TOP);
-    }
+    let heights = [caption, 0.0];
+    let layout = composition.lay_out(ui, rect, title(app), heights, app.playback.needs());
+    let views = layout.columns.iter().flat_map(|column| &column.views);
+    state.places = views.copied().collect();
     layout
 }
 
@@ -156,7 +142,8 @@ fn lay_out(app: &App, ui: &Ui, state: &mut StageState, rect: Rect) -> Layout {
 struct Column<'a> {
     index: usize,
     places: &'a ColumnLayout,
-    method: &'static MethodCard,
+    method: &'a MethodCard,
+    composition: &'a Composition<'a>,
     hands: &'a Hands<'a>,
 }
 
@@ -170,28 +157,17 @@ impl Column<'_> {
         drawing: (ViewId, Lens),
         commands: &mut Vec<Command>,
     ) -> CanvasShown {
-        let look = app.look();
         let hint = state.sketch.as_ref().map(Sketch::hint);
         let late = || (app.playback.is_late()).then(|| Message::new("run-later"));
         let hint = hint.or_else(late).map(Caption::new);
         let said = hint.as_ref().unwrap_or(&frame.caption);
         let rect = rect_of(self.places.slot(drawing.0).unwrap_or_default());
         let mut shown = self.canvas(app, ui, state, (frame, drawing), said, (rect, commands));
-        let is_one_of_two = app.playback.frames().len() > 1;
-        let name = is_one_of_two.then(|| look.say(self.method.name_key));
-        let difference = app.playback.difference();
-        let note = difference
-            .filter(|difference| difference.column == self.index)
-            .map(|difference| look.catalog.message(&difference.message()));
-        let words = StepWords {
-            name: name.as_deref(),
-            // The transport says it.
-            moment: None,
-            note: note.as_deref(),
-            said,
-            indent: INDENT,
-        };
-        let pointed = beside_the_drawing(ui, look, self.places, &frame.views, &words, state.lit);
+        let column = (self.index, self.places);
+        // The transport says the moment.
+        let words = (said, None);
+        let composition = self.composition;
+        let pointed = composition.beside_the_drawing(ui, column, &frame.views, words, state.lit);
         if let Some(handle) =
             pointed.and_then(|link| told_of(app.scene(), app.bookmark.step(), &frame.watch, link))
         {

@@ -24,7 +24,7 @@ mod whole_rows;
 
 pub use canvas::{Canvas, CanvasShown, StageClick, place_at};
 pub use caption::{caption, caption_text, height_for_all};
-pub use composed::{StepWords, TEXT_PTS, beside_the_drawing, headline, rect_of, slot_of};
+pub use composed::{Composition, Spacing, rect_of};
 pub use cost::{Bars, Cost, cost, most_of_a_kind};
 pub use handles::{Gesture, Moved, Snap, Spot, gripped};
 pub use headings::{column_title, rule, section};
