@@ -2,7 +2,7 @@
 
 use crate::text::Value;
 
-use super::{Link, View, Watch, frame::Caption};
+use super::{frame::Caption, role::Link, view::View, watch::Watch};
 
 /// A step of a run. Nothing is worked out before it is asked for.
 pub trait Shown {
