@@ -18,6 +18,11 @@ pub trait Shown {
         None
     }
 
+    /// The question that the step answers, as its method calls it.
+    fn question(&self) -> Option<&'static str> {
+        None
+    }
+
     /// What might come at this step, and which of these does; none where the step answers no question.
     fn options(&self) -> Option<Choice> {
         None
