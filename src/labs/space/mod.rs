@@ -4,7 +4,6 @@
 mod change;
 pub(in crate::labs) mod demo;
 mod document;
-mod face_fate;
 mod handles;
 mod object;
 mod on_scene;
@@ -20,7 +19,6 @@ mod subject;
 mod taught_camera;
 
 pub use change::{CameraNumber, SpaceChange};
-pub use face_fate::{FaceFate, FaceTest};
 pub use object::{Model, NamedMesh, Object, Picture};
 pub use on_scene::{OnScene, OnSceneInput};
 pub use raster_plan::{RasterPlan, Tones};

@@ -5,7 +5,7 @@ use crate::{
     labs::{Carded, Method, MethodCard, Verdict},
 };
 
-use super::{FaceFate, Subject};
+use super::Subject;
 
 /// What tells such a lab from the others of its kind; all have the same scenes, `S`.
 pub struct SpaceLab<S: 'static> {
@@ -54,8 +54,6 @@ pub struct MethodInfo<S: 'static> {
     pub tells_faces: bool,
     /// Runs it on a scene.
     pub record: fn(&S) -> Box<dyn Run>,
-    /// The step that decided the fate of a face of the object in focus.
-    pub face_fate: fn(&S, usize) -> Option<FaceFate>,
     /// What decided the fate of something, in a run of it; none where only the lab knows.
     pub verdict: fn(&S, Link, &dyn Run) -> Option<Verdict>,
 }
