@@ -1,5 +1,4 @@
 //! The program itself: what it writes where, and how it ends.
-#![cfg(all(feature = "gui", not(target_arch = "wasm32")))]
 
 use std::{
     fs,

@@ -2,15 +2,7 @@
 //!
 //! When a picture is meant to change, look at both (`target/figures/` holds the accepted one, the new one and their
 //! difference), then run
-//! `CLIPSCOPE_BLESS=1 cargo test --test figures` to accept.
-#![cfg(feature = "gui")]
-#![allow(
-    clippy::unwrap_used,
-    reason = "a test that cannot be set up should stop where it stands"
-)]
-
-#[path = "shared/pictures.rs"]
-mod pictures;
+//! `CLIPSCOPE_BLESS=1 cargo test --test all figures::` to accept.
 
 use clipscope::{
     export::{Options, Steps, Studio, jobs},
@@ -19,7 +11,7 @@ use clipscope::{
     text::Lang,
 };
 
-use pictures::Pictures;
+use crate::shared::pictures::Pictures;
 
 /// A quarter of a slide along each side keeps some forty pictures under half a megabyte.
 const SIZE_PX: [u32; 2] = [480, 270];

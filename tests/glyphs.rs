@@ -2,7 +2,6 @@
 //!
 //! When this fails, run `assets/fonts/make.sh`; if it still fails, no font of ours has the
 //! character.
-#![cfg(feature = "gui")]
 
 use std::collections::BTreeSet;
 use std::fs;

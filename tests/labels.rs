@@ -1,6 +1,5 @@
 //! Every label of every lesson figure against every other label, and against every stroke and marker. The placer is
 //! asked, not the pixels.
-#![cfg(feature = "gui")]
 
 use clipscope::{
     figure::{Mark, Shape},

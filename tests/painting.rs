@@ -1,7 +1,6 @@
 //! Pictures are the same bytes, whatever was drawn before.
 //!
-//! `CLIPSCOPE_SAMPLES=/tmp cargo test --test painting` also leaves the sample pictures there.
-#![cfg(feature = "gui")]
+//! `CLIPSCOPE_SAMPLES=/tmp cargo test --test all painting::` also leaves the sample pictures there.
 
 use clipscope::paint::theme::{caption, caption_strong, strong};
 use clipscope::paint::{CpuPainter, Headless, Image, Theme, ThemeKind};

@@ -1,14 +1,6 @@
 //! Pixel snapshots of the whole window: a telling step of each lab in each theme, in the lecture hall and in Chinese.
 //!
-//! `target/windows/` holds what differs; `CLIPSCOPE_BLESS=1 cargo test --test window` accepts it.
-#![cfg(feature = "gui")]
-#![allow(
-    clippy::unwrap_used,
-    reason = "a test that cannot be set up should stop where it stands"
-)]
-
-#[path = "shared/pictures.rs"]
-mod pictures;
+//! `target/windows/` holds what differs; `CLIPSCOPE_BLESS=1 cargo test --test all window::` accepts it.
 
 use clipscope::{
     app::{App, Page, Settings},
@@ -18,7 +10,7 @@ use clipscope::{
 };
 use egui::vec2;
 
-use pictures::Pictures;
+use crate::shared::pictures::Pictures;
 
 /// A lesson's figure of each lab, by lesson and name.
 const FIGURES: [[&str; 2]; 3] = [

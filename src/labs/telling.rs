@@ -18,7 +18,7 @@ use crate::{
 use super::{Answer, CodeLine, MethodCard};
 
 pub use recorded::Recorded;
-pub(in crate::labs) use row::rows;
+pub(crate) use row::rows;
 pub use row::{Options, Question, Row};
 
 /// A method whose steps can be told and shown.

@@ -5,7 +5,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use crate::{code, rust_files, src};
+use super::{code, rust_files, src};
 
 /// A file as a module: `["labs", "lines", "scene"]`.
 type Module = Vec<String>;

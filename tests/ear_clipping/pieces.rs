@@ -10,7 +10,8 @@ use clipscope::{
 };
 use proptest::prelude::*;
 
-use super::{Outline, oracle::common_area, polygon, properties::any_outline};
+use super::{Outline, polygon, properties::any_outline};
+use crate::polygon_exactness::oracle::common_area;
 
 fn input(outline: &[[i64; 2]], region: impl Into<ClipRegion>) -> TriangulateAndClipInput {
     TriangulateAndClipInput {

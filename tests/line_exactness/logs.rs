@@ -1,5 +1,5 @@
 //! Event logs of worked examples, one JSON object a line, as `clipscope trace` prints them. After a change
-//! that is meant, `UPDATE_SNAPSHOTS=1 cargo test --no-default-features --test line_exactness` writes them anew.
+//! that is meant, `UPDATE_SNAPSHOTS=1 cargo test --no-default-features --test all line_exactness::` writes them anew.
 
 use clipscope::{
     algo::line::{
@@ -11,7 +11,7 @@ use clipscope::{
 };
 use serde::Serialize;
 
-use super::event_log;
+use crate::shared::event_log;
 
 fn check<A: Algorithm<Event: Serialize>>(name: &str, input: A::Input) {
     event_log::check::<A>(&format!("line/{name}"), input);

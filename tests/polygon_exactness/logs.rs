@@ -1,5 +1,5 @@
 //! Event logs of worked examples, one JSON object a line, as `clipscope trace` prints them. After a change
-//! that is meant, `UPDATE_SNAPSHOTS=1 cargo test --no-default-features --test polygon_exactness` writes them anew.
+//! that is meant, `UPDATE_SNAPSHOTS=1 cargo test --no-default-features --test all polygon_exactness::` writes them anew.
 
 use clipscope::{
     algo::polygon::{Pipeline, SutherlandHodgman, SutherlandHodgmanInput, Textured},
@@ -8,7 +8,8 @@ use clipscope::{
 };
 use serde::Serialize;
 
-use super::{event_log, input, points, unit};
+use super::{input, points, unit};
+use crate::shared::event_log;
 
 fn check<A: Algorithm<Event: Serialize>>(name: &str, input: A::Input) {
     event_log::check::<A>(&format!("polygon/{name}"), input);

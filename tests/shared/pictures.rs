@@ -7,9 +7,13 @@ use std::{
 
 use clipscope::paint::Image;
 
+use super::say_left_out;
+
 /// Pictures that are accepted, and the folder for those that differ.
 pub struct Pictures {
     accepted: PathBuf,
+    /// The crate's package has none of the accepted pictures, only the repository has.
+    are_absent: bool,
     failed: PathBuf,
     bless: bool,
     known: Vec<PathBuf>,
@@ -20,10 +24,13 @@ impl Pictures {
     /// Those below `tests/<name>`; what differs goes to `target/<name>`.
     pub fn of(name: &str) -> Self {
         let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let accepted = root.join("tests").join(name);
+        let bless = env::var_os("CLIPSCOPE_BLESS").is_some();
         Self {
-            accepted: root.join("tests").join(name),
+            are_absent: !bless && !accepted.exists(),
+            accepted,
             failed: root.join("target").join(name),
-            bless: env::var_os("CLIPSCOPE_BLESS").is_some(),
+            bless,
             known: Vec::new(),
             complaints: Vec::new(),
         }
@@ -35,7 +42,7 @@ impl Pictures {
         let accepted = self.accepted.join(path);
         let old = fs::read(&accepted).ok();
         self.known.push(accepted.clone());
-        if old.as_deref() == Some(png) {
+        if self.are_absent || old.as_deref() == Some(png) {
             return;
         }
         if self.bless {
@@ -56,8 +63,16 @@ impl Pictures {
         self.complaints.push(complaint);
     }
 
-    /// Fails with all that differed, or was accepted once and is drawn no more.
+    /// Fails with all that differed, or was accepted once and is drawn no more. Where the whole folder is missing, it
+    /// says so and passes.
     pub fn finish(mut self) {
+        if self.are_absent {
+            let (n, folder) = (self.known.len(), self.accepted.display());
+            say_left_out(&format!(
+                "{n} pictures were drawn and compared with none: {folder} is missing. The package leaves it out, \
+                 the repository has it. CLIPSCOPE_BLESS=1 accepts the pictures as they are drawn now."
+            ));
+        }
         for path in pictures_below(&self.accepted) {
             if self.known.contains(&path) {
                 continue;

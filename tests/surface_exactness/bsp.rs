@@ -10,7 +10,7 @@ use clipscope::{
 };
 use proptest::prelude::*;
 
-use crate::{
+use super::{
     oracle::{Seen, pixels, seen},
     soup::{cases, of_mesh, soup, surfaces, three_bars, volume, volumes},
 };
@@ -66,7 +66,7 @@ proptest! {
             let piece = &trace.held().pieces[piece as usize];
             areas[piece.id as usize] += double_area(&piece.polygon);
         }
-        for (area, triangle) in areas.iter().zip(crate::soup::placed(&triangles)) {
+        for (area, triangle) in areas.iter().zip(super::soup::placed(&triangles)) {
             let expected = double_area(&triangle);
             prop_assert!((area - expected).abs() < 1e-6 * expected.max(1.0), "{area} {expected}");
         }

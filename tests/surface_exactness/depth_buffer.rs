@@ -15,7 +15,7 @@ use clipscope::{
 };
 use proptest::prelude::*;
 
-use crate::{
+use super::{
     oracle::{Seen, pixels, seen},
     soup::{cases, soup, surfaces},
 };
@@ -87,7 +87,7 @@ proptest! {
     #[test]
     fn the_laws(triangles in soup(4), bits in prop::sample::select(vec![0, 8, 33]), is_reversed in any::<bool>(), column in 0..16_u32) {
         let mut input = DepthBufferInput::new(
-            Surfaces::new([7, 5], crate::soup::volume(), crate::soup::placed(&triangles), false).expect("finite"),
+            Surfaces::new([7, 5], super::soup::volume(), super::soup::placed(&triangles), false).expect("finite"),
         );
         input.format = format(bits, is_reversed);
         for steps in STEPS {

@@ -8,7 +8,7 @@ use clipscope::{
 };
 use proptest::prelude::*;
 
-use crate::soup::{ahead, cases, soup, surfaces, volume};
+use super::soup::{ahead, cases, soup, surfaces, volume};
 
 /// Objects of two triangles each, the first few of them occluders.
 fn in_pairs(surfaces: Surfaces, n_occluders: usize) -> OcclusionInput {
@@ -73,7 +73,8 @@ fn what_stands_behind_a_wall_is_skipped_and_what_looks_out_is_not() {
         surfaces,
         objects: (0..5).map(object).collect(),
     };
-    let trace = Recording::<Occlusion>::record(input);
-    let state = trace.state_at(usize::MAX);
-    assert_eq!((state.drawn, state.skipped), (vec![0, 2, 3, 4], vec![1]));
+    let recording = Recording::<Occlusion>::new(input);
+    let held = recording.held();
+    assert_eq!(held.drawn, [0, 2, 3, 4]);
+    assert_eq!(held.skipped, [1]);
 }

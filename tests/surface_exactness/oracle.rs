@@ -1,6 +1,6 @@
 //! What is seen at a pixel's middle, by determinants of whole numbers.
 
-use crate::soup::{FAR, NEAR, SIZE, Whole};
+use super::soup::{FAR, NEAR, SIZE, Whole};
 
 /// What a line of sight meets.
 #[derive(Clone, Copy, PartialEq, Debug)]

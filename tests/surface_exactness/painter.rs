@@ -10,7 +10,7 @@ use clipscope::{
 };
 use proptest::prelude::*;
 
-use crate::{
+use super::{
     oracle::{Seen, pixels, seen},
     soup::{Whole, ahead, cases, of_mesh, soup, surfaces, three_bars, volume, volumes},
 };
@@ -18,7 +18,7 @@ use crate::{
 /// Can the second be nearer than the first somewhere? The difference of 1/distance is linear over the screen, so it is the largest in a
 /// corner of the area that both cover. None where that is too small to tell, or one of them reaches behind the eye.
 fn can_hide(triangles: &[Whole], first: u32, second: u32) -> Option<bool> {
-    let pair = crate::soup::placed(&[first, second].map(|id| triangles[id as usize]));
+    let pair = super::soup::placed(&[first, second].map(|id| triangles[id as usize]));
     if pair.as_flattened().iter().any(|[_, _, z]| *z > -1e-9) {
         return None;
     }

@@ -10,7 +10,7 @@ use clipscope::{
 };
 use proptest::prelude::*;
 
-use crate::{
+use super::{
     oracle::{Seen, pixels, seen},
     soup::{FAR, NEAR, cases, of_mesh, placed, soup, surfaces, volume, volumes},
 };

@@ -1,9 +1,10 @@
 //! Event logs of worked examples, one JSON object a line, as `clipscope trace` prints them. After a change that is
-//! meant, `UPDATE_SNAPSHOTS=1 cargo test --no-default-features --test weiler_atherton` writes them anew.
+//! meant, `UPDATE_SNAPSHOTS=1 cargo test --no-default-features --test all weiler_atherton::` writes them anew.
 
 use clipscope::algo::polygon::weiler_atherton::{WeilerAtherton, WeilerAthertonInput};
 
-use super::{event_log, shapes};
+use super::shapes;
+use crate::shared::event_log;
 
 type Outline<'a> = &'a [[i64; 2]];
 

@@ -47,6 +47,7 @@ depth-opening = { $triangles ->
 depth-clear = Cleared: none of the { $pixels } pixels has a triangle.
 depth-triangle = { $triangle } comes, { $place } of { $triangles }.
 depth-triangle-unseen = Nothing of { $triangle } is drawn: it lies outside of the volume, is edge-on, or shows its back.
+depth-answer-drawn = { $triangle } is drawn.
 depth-triangle-whole = { $triangle } is drawn: of { $fragments } fragments { $writes } are nearer than what stood there.
 depth-span = Row { $row } of { $triangle }, columns { $first } to { $last }: of { $fragments } fragments { $writes } are written.
 depth-fragment-first = Pixel { $at } is still empty: { $triangle } is written.

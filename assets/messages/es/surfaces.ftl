@@ -47,6 +47,7 @@ depth-opening = { $triangles ->
 depth-clear = Borrado: ninguno de los { $pixels } píxeles tiene triángulo.
 depth-triangle = Llega { $triangle }, { $place } de { $triangles }.
 depth-triangle-unseen = De { $triangle } no se dibuja nada: está fuera del volumen, de canto o de espaldas.
+depth-answer-drawn = { $triangle } se dibuja.
 depth-triangle-whole = Dibujado { $triangle }: de { $fragments } fragmentos, { $writes } están más cerca que lo que había.
 depth-span = Fila { $row } de { $triangle }, columnas { $first } a { $last }: de { $fragments } fragmentos se escriben { $writes }.
 depth-fragment-first = El píxel { $at } aún está vacío: se escribe { $triangle }.

@@ -47,6 +47,7 @@ depth-opening = { $triangles ->
 depth-clear = Limpo: nenhum dos { $pixels } pixels tem triângulo.
 depth-triangle = Chega { $triangle }, { $place } de { $triangles }.
 depth-triangle-unseen = De { $triangle } nada se desenha: está fora do volume, de perfil ou de costas.
+depth-answer-drawn = { $triangle } é desenhado.
 depth-triangle-whole = Desenhado { $triangle }: de { $fragments } fragmentos, { $writes } estão mais próximos do que o que havia.
 depth-span = Linha { $row } de { $triangle }, colunas { $first } a { $last }: de { $fragments } fragmentos escrevem-se { $writes }.
 depth-fragment-first = O pixel { $at } ainda está vazio: escreve-se { $triangle }.

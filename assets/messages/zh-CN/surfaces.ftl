@@ -44,6 +44,7 @@ depth-opening = { $triangles } 个三角形，{ $columns } × { $rows } 个像�
 depth-clear = 清空：{ $pixels } 个像素都还没有三角形。
 depth-triangle = 轮到 { $triangle }，第 { $place } 个，共 { $triangles } 个。
 depth-triangle-unseen = { $triangle } 什么也不画：它在视见体之外，或侧对相机，或背向相机。
+depth-answer-drawn = 画 { $triangle }。
 depth-triangle-whole = 画完 { $triangle }：{ $fragments } 个片元中有 { $writes } 个比原有的近。
 depth-span = { $triangle } 的第 { $row } 行，第 { $first } 到 { $last } 列：{ $fragments } 个片元中写入 { $writes } 个。
 depth-fragment-first = 像素 { $at } 还空着：写入 { $triangle }。

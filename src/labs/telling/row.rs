@@ -156,4 +156,4 @@ macro_rules! rows {
     };
 }
 
-pub(in crate::labs) use rows;
+pub(crate) use rows;

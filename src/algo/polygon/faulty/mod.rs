@@ -3,7 +3,7 @@
 //!
 //! They run through the very same step with one rule changed ([`Rules`] says which can be), and report the same
 //! events, so that the first differing step is the first differing event. Only the lab's "what is wrong here?"
-//! knows this room: `tests/architecture.rs` holds the rest of the house to that.
+//! knows this room: `tests/architecture/` holds the rest of the house to that.
 //!
 //! ```
 //! use clipscope::{algo::polygon::{faulty::{DropsOnBorder, Faulty}, SutherlandHodgman, SutherlandHodgmanInput}, geom::{Polygon, Window}, trace::silent};

@@ -5,13 +5,19 @@ use serde_json::{Value as Json, json};
 
 use crate::{
     figure::{
-        Body, Caption, Cell, Edge3, Facet, Link, Mark3, Pixel, Raster, Role, Seer, Shape3, Space,
-        Table, TableRow, Tick, View, Watch, WatchRow, WatchSection,
+        Body, Cell, Edge3, Facet, Link, Mark3, Pixel, Raster, Role, Seer, Shape3, Space, Table,
+        TableRow, Tick, View,
     },
     geom::Orbit,
-    labs::{Answer, CodeLine, Demo, Step},
-    text::{Formula, Message, Value},
-    trace::{Algorithm, Real},
+    labs::{
+        Answer, CodeLine,
+        telling::{At, Named, Row, Telling, Watched, rows},
+    },
+    text::{Formula, Value},
+    trace::{
+        Real,
+        told::{Method, Step, Tell, Told},
+    },
 };
 
 /// A box around the origin, and the plane x = c.
@@ -29,17 +35,10 @@ pub enum Event {
         distance: f64,
         inside: bool,
     },
-    Done {
-        n_inside: usize,
-    },
+    Done,
 }
 
-#[derive(Clone, PartialEq, Debug, Default)]
-pub struct State {
-    pub distances: Vec<f64>,
-    pub n_inside: Option<usize>,
-}
-
+/// How many corners lie inside: the only thing that the algorithm keeps.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct NInside(pub usize);
 
@@ -55,42 +54,41 @@ pub fn corner(half: f64, idx: usize) -> [f64; 3] {
     [0, 1, 2].map(|axis| if idx >> axis & 1 == 1 { half } else { -half })
 }
 
-impl Algorithm for Corners {
+impl Method for Corners {
     type Input = Input;
+    type Held = NInside;
     type Output = NInside;
     type Event = Event;
-    type State = State;
 
-    fn run<R: Real>(input: &Input, mut emit: impl FnMut(Event)) -> NInside {
-        let mut n_inside = 0;
+    fn begin(_: &Input) -> NInside {
+        NInside(0)
+    }
+
+    fn run<R: Real, T: Tell<Self>>(
+        input: &Input,
+        held: &mut NInside,
+        tell: &mut T,
+    ) -> Told<T::Stop> {
         for corner_idx in 0..8 {
             let [x, ..] = corner(input.half, corner_idx);
             let distance = R::new(x) - R::new(input.c);
             let inside = distance >= R::new(0.0);
-            n_inside += usize::from(inside);
-            emit(Event::Corner {
-                corner_idx,
-                distance: distance.get(),
-                inside,
-            });
+            held.0 += usize::from(inside);
+            let distance = distance.get();
+            tell.tell(
+                held,
+                Event::Corner {
+                    corner_idx,
+                    distance,
+                    inside,
+                },
+            )?;
         }
-        emit(Event::Done { n_inside });
-        NInside(n_inside)
+        tell.tell(held, Event::Done)
     }
 
-    fn start(_: &Input) -> State {
-        State::default()
-    }
-
-    fn apply(state: &mut State, event: Event) {
-        match event {
-            Event::Corner { distance, .. } => state.distances.push(distance),
-            Event::Done { n_inside } => state.n_inside = Some(n_inside),
-        }
-    }
-
-    fn finish(state: &State) -> NInside {
-        NInside(state.n_inside.unwrap_or_default())
+    fn output(held: NInside) -> NInside {
+        held
     }
 
     fn max_events(_: &Input) -> usize {
@@ -98,7 +96,14 @@ impl Algorithm for Corners {
     }
 }
 
-impl Demo for Corners {
+rows! { |event, step: Corners|
+    corner: Event::Corner { .. } => Row::new(Tick::Test, 0, "sh-inside").so(&["d{=d}"]);
+    done: Event::Done => Row::new(Tick::Accept, 0, "sh-inside").so(&["n = {n}"]);
+}
+
+impl Telling for Corners {
+    type Scenery = ();
+
     const ID: &'static str = "box-corners";
     const NAME_KEY: &'static str = "watch-crossings";
     const SOURCE: &'static str = "kept under tests";
@@ -107,36 +112,32 @@ impl Demo for Corners {
         code: "code-cs-codes",
         words: "words-cs-codes",
     }];
+    const ROWS: &'static [Row] = ROWS;
+    const WATCH: &'static [Watched] = &[Watched::Names(&["n"])];
 
-    fn tick(event: &Event) -> Tick {
-        match event {
-            Event::Corner { .. } => Tick::Test,
-            Event::Done { .. } => Tick::Accept,
-        }
+    fn row(step: &Step<'_, Self>) -> &'static Row {
+        row(step)
     }
 
-    fn code_line(_: &Event, _: &State) -> usize {
-        0
+    fn opening(_: &At<'_, Self>) -> &'static Row {
+        const OPENING: Row = Row::new(Tick::Phase, 0, "sh-inside").so(&["c{=c}"]);
+        &OPENING
     }
 
-    fn caption(event: &Event, _: &State, _: &Input) -> Caption {
-        match *event {
-            Event::Corner { distance, .. } => Caption::new(Message::new("sh-inside"))
-                .so(Formula::default().sym("d").equals(distance)),
-            Event::Done { n_inside } => Caption::new(Message::new("sh-inside"))
-                .so(Formula::default().sym("n").equals(n_inside as f64)),
-        }
+    fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
+        Some(match name {
+            "c" => at.step.input.c.into(),
+            "d" => distances(at).last()?.into(),
+            "n" => at.step.held.0.into(),
+            _ => return None,
+        })
     }
 
-    fn opening(input: &Input) -> Caption {
-        Caption::new(Message::new("sh-inside")).so(Formula::default().sym("c").equals(input.c))
-    }
-
-    fn views(step: &Step<'_, Self>) -> Vec<View> {
-        let half = step.input.half;
-        let current = match step.event {
+    fn views(at: &At<'_, Self>) -> Vec<View> {
+        let half = at.step.input.half;
+        let current = match at.step.event() {
             Some(Event::Corner { corner_idx, .. }) => Some(corner_idx),
-            Some(Event::Done { .. }) | None => None,
+            Some(Event::Done) | None => None,
         };
         let dot = current.map(|idx| {
             let mark = Mark3::new(Role::Signal, Shape3::Dot(corner(half, idx)));
@@ -150,28 +151,29 @@ impl Demo for Corners {
             facets: facets.into(),
             marks: dot.into_iter().collect(),
         };
+        let distances: Vec<f64> = distances(at).collect();
         vec![
             View::new("space", Body::Space(space)),
-            View::new("distances", Body::Table(table(step.state, current))),
-            View::new("raster", Body::Raster(raster(step.state, current))),
+            View::new("distances", Body::Table(table(&distances, current))),
+            View::new("raster", Body::Raster(raster(&distances, current))),
         ]
-    }
-
-    fn watch(step: &Step<'_, Self>) -> Watch {
-        let n = step.state.n_inside.map(Value::Count);
-        vec![WatchSection::list(vec![WatchRow::new(
-            Value::Name("n".to_owned()),
-            n,
-        )])]
     }
 }
 
-fn table(state: &State, current: Option<usize>) -> Table {
+/// Of the corners that have been asked.
+fn distances(at: &At<'_, Corners>) -> impl Iterator<Item = f64> {
+    at.step.past.iter().filter_map(|event| match *event {
+        Event::Corner { distance, .. } => Some(distance),
+        Event::Done => None,
+    })
+}
+
+fn table(distances: &[f64], current: Option<usize>) -> Table {
     let row = |idx: usize| TableRow {
         name: Value::Name(format!("V{idx}")),
         cells: vec![Cell::new(
             Role::Ink,
-            state.distances.get(idx).copied().map(Value::Number),
+            distances.get(idx).copied().map(Value::Number),
         )],
         is_current: current == Some(idx),
         link: None,
@@ -184,8 +186,8 @@ fn table(state: &State, current: Option<usize>) -> Table {
 }
 
 /// The corners as pixels, four by two, with their distances in them.
-fn raster(state: &State, current: Option<usize>) -> Raster {
-    let pixel = |idx: usize| match state.distances.get(idx) {
+fn raster(distances: &[f64], current: Option<usize>) -> Raster {
+    let pixel = |idx: usize| match distances.get(idx) {
         Some(&distance) => Pixel {
             role: Some(Role::Accent),
             shade: distance.abs(),

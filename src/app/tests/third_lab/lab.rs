@@ -5,10 +5,11 @@ use std::cell::Cell;
 use egui::Ui;
 
 use crate::{
-    case::{self, Field, Refusal, Solve, Solver, Told},
+    case::{self, Field, Refusal, SolveTold, Solver, Told},
     figure::{Link, Mark, Run},
     labs::{
-        Click, Document, Edit, Handle, HandleKind, Lab, MethodCard, Motion, Own, Scene, record,
+        Answers, Backdrop, Click, Document, Edit, Handle, HandleKind, Hands, Lab, MethodCard,
+        Motion, Own, Scene, telling::Recorded,
     },
     lesson::{SceneFormat, Sink, TomlFields, number},
     panels::{LabPanel, PanelAsk},
@@ -49,7 +50,7 @@ impl Lab for Boxes {
     }
 }
 
-static CARD: MethodCard = MethodCard::of::<Corners>();
+static CARD: MethodCard = MethodCard::told::<Corners>();
 
 /// The face at x = half moves along x.
 static FACE: HandleKind = HandleKind {
@@ -75,6 +76,36 @@ pub struct BoxScene {
     pub c: f64,
 }
 
+impl Backdrop for BoxScene {
+    fn backdrop(&self, _: usize, _: bool) -> Vec<Mark> {
+        Vec::new()
+    }
+
+    fn bounds(&self) -> [[f64; 2]; 2] {
+        [[-1.0; 2], [1.0; 2]]
+    }
+}
+
+impl Hands for BoxScene {
+    fn handles(&self) -> Vec<Handle> {
+        vec![face()]
+    }
+
+    fn position(&self, handle: Handle) -> Option<[f64; 3]> {
+        handle.is(&FACE).then_some([self.half, 0.0, 0.0])
+    }
+
+    fn drag(&mut self, _: Handle, [x, ..]: [f64; 3]) -> Result<(), Diagnostic> {
+        if !x.is_finite() || x <= 0.0 {
+            return Err(Message::new("error-not-finite").into());
+        }
+        self.half = x;
+        Ok(())
+    }
+}
+
+impl Answers for BoxScene {}
+
 impl Document for BoxScene {
     fn lab(&self) -> &'static dyn Lab {
         LAB
@@ -91,31 +122,7 @@ impl Document for BoxScene {
     fn record(&self) -> Vec<Box<dyn Run>> {
         N_RECORDED.set(N_RECORDED.get() + 1);
         let &Self { half, c } = self;
-        vec![record::<Corners>(Input { half, c })]
-    }
-
-    fn backdrop(&self, _: usize, _: bool) -> Vec<Mark> {
-        Vec::new()
-    }
-
-    fn bounds(&self) -> [[f64; 2]; 2] {
-        [[-1.0; 2], [1.0; 2]]
-    }
-
-    fn handles(&self) -> Vec<Handle> {
-        vec![face()]
-    }
-
-    fn position(&self, handle: Handle) -> Option<[f64; 3]> {
-        handle.is(&FACE).then_some([self.half, 0.0, 0.0])
-    }
-
-    fn drag(&mut self, _: Handle, [x, ..]: [f64; 3]) -> Result<(), Diagnostic> {
-        if !x.is_finite() || x <= 0.0 {
-            return Err(Message::new("error-not-finite").into());
-        }
-        self.half = x;
-        Ok(())
+        vec![Box::new(Recorded::<Corners>::new(Input { half, c }, None))]
     }
 
     fn add(&mut self, _: Option<Handle>) -> Result<Option<Handle>, Diagnostic> {
@@ -191,9 +198,9 @@ impl LabPanel for BoxPanel {
 }
 
 /// How a case gives it: `half`, `c`.
-pub static SOLVERS: [Solver; 1] = [Solver::of::<Corners>()];
+pub static SOLVERS: [Solver; 1] = [Solver::told::<Corners>()];
 
-impl Solve for Corners {
+impl SolveTold for Corners {
     const FIELDS: &'static [Field] = &[Field::required("half"), Field::required("c")];
 
     fn read(fields: &case::Fields<'_>) -> Result<(Input, Told), Refusal> {

@@ -78,12 +78,12 @@ rows! { |event, _step: Bsp|
     visit_front: Event::Visit { eye: BspSide::Front, .. } => visited("bsp-visit-front");
     visit_back: Event::Visit { eye: BspSide::Back, .. } => visited("bsp-visit-back");
     visit_on: Event::Visit { .. } => visited("bsp-visit-on");
-    paint: Event::Paint { .. } => Row::new(Test, PAINT, "bsp-paint").keeps("piece");
+    paint: Event::Paint { .. } => Row::new(Test, PAINT, "bsp-paint").about("piece");
     done: Event::Done => Row::new(Accept, PAINT, "bsp-done");
 }
 
 const fn node(key: &'static str) -> Row {
-    Row::new(Phase, NODE, key).keeps("triangle")
+    Row::new(Phase, NODE, key).about("triangle")
 }
 
 const fn asked(tick: Tick, line: usize, key: &'static str) -> Row {

@@ -94,11 +94,10 @@ impl<L: Variant> SpaceTelling for DepthBuffer<L> {
 rows! { [L: Variant] |event, step: DepthBuffer<L>|
     clear: Event::Clear { .. } => Row::new(Phase, CLEAR, "depth-clear").so(&["~ z = {cleared}"]);
     unseen: Event::Triangle { drawn: false, .. } =>
-        Row::new(Reject, TRIANGLE, "depth-triangle-unseen").drops("triangle");
+        Row::new(Reject, TRIANGLE, "depth-triangle-unseen").answers("drawn").drops("triangle");
     whole: Event::Triangle { .. } if step.input.steps == DepthSteps::Triangles =>
-        Row::new(Phase, TRIANGLE, "depth-triangle-whole").about("triangle");
-    triangle: Event::Triangle { .. } =>
-        Row::new(Phase, TRIANGLE, "depth-triangle").about("triangle");
+        drawn("depth-triangle-whole");
+    triangle: Event::Triangle { .. } => drawn("depth-triangle");
     span: Event::Span { .. } => Row::new(Test, FRAGMENT, "depth-span").about("triangle");
     first: Event::Fragment { fragment: Fragment { kept: true, stored_id: EMPTY, .. }, .. } =>
         Row::new(Cut, WRITE, "depth-fragment-first").so(COMPARED).answers("written").keeps("at");
@@ -116,6 +115,12 @@ rows! { [L: Variant] |event, step: DepthBuffer<L>|
 
 const COMPARED: &[&str] = &["{z}{sign}{stored}"];
 const EMPTY: i32 = Picture::BACKGROUND;
+
+/// A triangle of which something is in the volume.
+const fn drawn(key: &'static str) -> Row {
+    let row = Row::new(Phase, TRIANGLE, key).about("triangle");
+    row.answers_as("drawn", "depth-answer-drawn")
+}
 
 /// A fragment that changes nothing at its pixel.
 const fn stays(key: &'static str) -> Row {

@@ -64,7 +64,7 @@ rows! { |event, step: Occlusion|
             .answers_as("seen", "occlusion-answer-seen").keeps("object");
     skip: Event::Skip { .. } => Row::new(Reject, SKIP, "occlusion-skip").about("object");
     occluder: Event::Draw { .. } if names::answer(step.past).is_none() =>
-        Row::new(Cut, OCCLUDERS, "occlusion-occluder").keeps("object");
+        Row::new(Cut, OCCLUDERS, "occlusion-occluder").about("object");
     in_vain: Event::Draw { writes: 0, .. }
         if names::answer(step.past).is_some_and(|(_, result)| !result.unasked) =>
         Row::new(Cut, DRAW, "occlusion-in-vain").about("object");

@@ -71,15 +71,15 @@ rows! { [L: Variant] |event, step: Painter<L>|
         may("painter-pair-overlap").so(EXTENTS);
     hides: Event::Pair { test: Overlap, may: false, .. } =>
         Row::new(Test, OBJECT, "painter-pair-hides")
-            .so(&["{hidden}"]).answers("may").about("triangle");
+            .so(&["{hidden}"]).answers("may").drops("triangle");
     constraint: Event::Constraint { .. } => Row::new(Cut, OBJECT, "painter-constraint");
-    place: Event::Place { .. } => Row::new(Accept, PLACE, "painter-place").keeps("triangle");
+    place: Event::Place { .. } => Row::new(Accept, PLACE, "painter-place").about("triangle");
     cycle_first: Event::Cycle { .. } if step.held.cycle.len() == 1 =>
         in_cycle("painter-cycle-first");
     cycle_closes: Event::Cycle { id } if step.held.constraints.contains(&[id, step.held.cycle[0]]) =>
         in_cycle("painter-cycle-closes");
     cycle_next: Event::Cycle { .. } => in_cycle("painter-cycle-next");
-    paint: Event::Paint { .. } => Row::new(Cut, PAINT, "painter-paint").keeps("triangle");
+    paint: Event::Paint { .. } => Row::new(Cut, PAINT, "painter-paint").about("triangle");
     done: Event::Done if step.held.cycle.is_empty() => Row::new(Accept, PAINT, "painter-done");
     no_order: Event::Done => Row::new(Accept, CYCLE, "painter-done-cycle");
 }
@@ -88,11 +88,11 @@ const EXTENTS: &[&str] = &["~ {nearest}{sign}{farthest}"];
 
 /// A pair of which the first may come first.
 const fn may(key: &'static str) -> Row {
-    Row::new(Test, ASK, key).answers("may").about("triangle")
+    Row::new(Test, ASK, key).answers("may").keeps("triangle")
 }
 
 const fn in_cycle(key: &'static str) -> Row {
-    Row::new(Reject, CYCLE, key).drops("triangle")
+    Row::new(Reject, CYCLE, key).about("triangle")
 }
 
 impl<L: Variant> Telling for Painter<L> {

@@ -9,14 +9,12 @@
 //! - `shared_edges`: what two polygons share, they still share.
 
 mod cases;
-#[path = "../shared/event_log.rs"]
-mod event_log;
 mod faulty;
 mod floats;
 mod grid;
 mod laws;
 mod logs;
-mod oracle;
+pub mod oracle;
 mod shared_edges;
 
 use clipscope::{

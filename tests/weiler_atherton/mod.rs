@@ -10,8 +10,6 @@
 )]
 
 mod cases;
-#[path = "../shared/event_log.rs"]
-mod event_log;
 mod floats;
 mod logs;
 mod oracle;

@@ -6,8 +6,6 @@
 //! - `outlines`: where the random ones come from.
 
 mod cases;
-#[path = "../polygon_exactness/oracle.rs"]
-mod oracle;
 mod outlines;
 mod pieces;
 mod properties;

@@ -9,8 +9,6 @@
 
 mod cases;
 mod dyadic;
-#[path = "../shared/event_log.rs"]
-mod event_log;
 mod floats;
 mod laws;
 mod logs;
