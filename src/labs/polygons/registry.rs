@@ -44,8 +44,8 @@ const fn told<M: PolygonTelling>() -> MethodInfo<Scene> {
 pub static METHODS: [MethodInfo<Scene>; 10] = [
     info::<polygon::SutherlandHodgman>(),
     info::<polygon::Pipeline>(),
-    info::<polygon::weiler_atherton::WeilerAtherton>(),
-    info::<polygon::EarClipping>(),
+    told::<polygon::weiler_atherton::WeilerAtherton>(),
+    told::<polygon::EarClipping>(),
     info::<polygon::TriangulateAndClip>(),
     info::<faulty::OnBorder>(),
     info::<faulty::Open>(),
