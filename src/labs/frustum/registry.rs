@@ -19,10 +19,10 @@ use crate::{
     },
     geom::{Orbit, Solid},
     labs::{
-        Lab,
+        Entry, Lab,
         space::{
             MethodInfo, Model, Object, OnScene, Opening, Scene, SpaceDemo, SpaceLab, SpaceTelling,
-            TaughtCamera,
+            TaughtCamera, demo,
         },
     },
 };
@@ -47,16 +47,16 @@ pub static FRUSTUM: SpaceLab<Scene> = SpaceLab {
 /// The same, for whoever knows no lab by name.
 pub static LAB: &dyn Lab = &FRUSTUM;
 
-const fn info<A: SpaceDemo>() -> MethodInfo<Scene> {
-    MethodInfo::of::<A>(&FRUSTUM)
+const fn info<A: SpaceDemo>() -> Entry<MethodInfo> {
+    demo::entry::<A>(&FRUSTUM)
 }
 
-const fn told<M: SpaceTelling>() -> MethodInfo<Scene> {
-    MethodInfo::told::<M>(&FRUSTUM)
+const fn told<M: SpaceTelling>() -> Entry<MethodInfo> {
+    demo::told::<M>(&FRUSTUM)
 }
 
 /// Every method, in the order in which they are taught; the mistakes last.
-pub static METHODS: [MethodInfo<Scene>; 28] = [
+pub static METHODS: [Entry<MethodInfo>; 28] = [
     info::<OnScene<PointPlanes>>(),
     told::<SphereCull>(),
     info::<OnScene<BoxCull>>(),

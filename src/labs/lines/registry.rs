@@ -1,28 +1,60 @@
-//! The methods of this lab. To add one: a file in `algo::line`, its [`LineDemo`] here beside the
+//! The lab and its methods. To add one: a file in `algo::line`, its [`LineDemo`] here beside the
 //! others, one line below.
 
 use crate::{
     algo::line,
     geom::Segment,
-    labs::{self, Carded, Listed, MethodCard},
+    labs::{self, Entry, Lab, Listed, MethodCard, window_handles},
     trace::{Counted, Counts, silent},
 };
 
-use super::{LineDemo, MethodInfo, Pass, Scene, verdict::decided};
+use super::{LineDemo, Method, MethodInfo, Pass, Scene, verdict::decided};
 
-const fn info<A: LineDemo>() -> MethodInfo<Scene> {
-    MethodInfo {
+/// Segments against a window.
+pub static LAB: &dyn Lab = &Lines;
+
+struct Lines;
+
+impl Lab for Lines {
+    fn id(&self) -> &'static str {
+        "lines"
+    }
+
+    fn name_key(&self) -> &'static str {
+        "lab-lines"
+    }
+
+    fn about_key(&self) -> &'static str {
+        "lab-lines-about"
+    }
+
+    fn methods(&self) -> Vec<&'static MethodCard> {
+        Method::all().map(Method::card).collect()
+    }
+
+    fn first_scene(&self) -> labs::Scene {
+        Scene::first().into()
+    }
+
+    fn lock_groups(&self) -> &'static [&'static str] {
+        &["p1", "p2", "segment", window_handles::GROUP, "clip"]
+    }
+}
+
+const fn info<A: LineDemo>() -> Entry<MethodInfo> {
+    Entry {
         card: MethodCard::of::<A>(),
-        takes_polygon: A::TAKES_POLYGON,
-        writes_codes: A::WRITES_CODES,
-        record: |scene, segment| labs::record::<A>(A::input(scene, segment)),
-        clip: |scene, segment| silent::<A>(&A::input(scene, segment)),
-        cost: |scene, segment| {
-            let input = A::input(scene, segment);
-            Counts::of(|| A::run::<Counted>(&input, |_| {}))
+        info: MethodInfo {
+            takes_polygon: A::TAKES_POLYGON,
+            writes_codes: A::WRITES_CODES,
+            record: |scene, segment| labs::record::<A>(A::input(scene, segment)),
+            cost: |scene, segment| {
+                let input = A::input(scene, segment);
+                Counts::of(|| A::run::<Counted>(&input, |_| {})).1
+            },
+            decided: decided::<A>,
+            pass: pass::<A>,
         },
-        decided: decided::<A>,
-        pass: pass::<A>,
     }
 }
 
@@ -36,7 +68,7 @@ fn pass<A: LineDemo>(scene: &Scene, segments: &[Segment]) -> Pass {
 }
 
 /// Every method, in the order in which they are taught.
-pub static METHODS: [MethodInfo<Scene>; 5] = [
+pub static METHODS: [Entry<MethodInfo>; 5] = [
     info::<line::BruteForce>(),
     info::<line::CohenSutherland>(),
     info::<line::LiangBarsky>(),
@@ -44,14 +76,8 @@ pub static METHODS: [MethodInfo<Scene>; 5] = [
     info::<line::NichollLeeNicholl>(),
 ];
 
-impl Carded for MethodInfo<Scene> {
-    fn card(&self) -> &MethodCard {
-        &self.card
-    }
-}
-
-impl Listed for MethodInfo<Scene> {
-    fn all() -> &'static [Self] {
+impl Listed for MethodInfo {
+    fn all() -> &'static [Entry<Self>] {
         &METHODS
     }
 }

@@ -12,10 +12,10 @@ use crate::{
     },
     geom::{Mesh, Orbit},
     labs::{
-        Lab,
+        Entry, Lab,
         space::{
             MethodInfo, Model, NamedMesh, Object, OnScene, Opening, Scene, SpaceLab, TaughtCamera,
-            demo::SpaceDemo,
+            demo::{self, SpaceDemo},
         },
     },
 };
@@ -38,12 +38,12 @@ pub static SURFACES: SpaceLab<Scene> = SpaceLab {
 /// The same, for whoever knows no lab by name.
 pub static LAB: &dyn Lab = &SURFACES;
 
-const fn info<A: SpaceDemo>() -> MethodInfo<Scene> {
-    MethodInfo::of::<A>(&SURFACES)
+const fn info<A: SpaceDemo>() -> Entry<MethodInfo> {
+    demo::entry::<A>(&SURFACES)
 }
 
 /// Every method, in the order in which they are taught; the mistakes last.
-pub static METHODS: [MethodInfo<Scene>; 11] = [
+pub static METHODS: [Entry<MethodInfo>; 11] = [
     info::<OnScene<DepthBuffer>>(),
     info::<OnScene<RayCasting>>(),
     info::<OnScene<Painter>>(),

@@ -88,7 +88,7 @@ mod tests {
     use crate::{
         algo::surface::{RayCasting, RayCastingInput},
         figure::Raster,
-        labs::{Document, surfaces::first_scene},
+        labs::{Answers, surfaces::first_scene},
     };
 
     #[test]
