@@ -1,5 +1,7 @@
 //! Every sentence of every step: in all languages, with its own numbers, and with nothing missing.
 
+use std::ops::ControlFlow;
+
 use clipscope::{
     algo::surface::{DepthBits, DepthNumber, DepthSteps},
     figure::{Body, Graph, Products, Run, Story},
@@ -136,7 +138,8 @@ fn surface_scenes() -> Vec<Scene> {
     scenes
 }
 
-fn scenes() -> Vec<Scene> {
+/// Scenes that make every method say everything it can say, and those of the course.
+pub fn scenes() -> Vec<Scene> {
     let window = Window::new(-1.0, -1.0, 1.0, 1.0).unwrap();
     let mut scenes: Vec<Scene> = Method::all()
         .flat_map(|method| {
@@ -295,7 +298,8 @@ fn said_in_products(products: &Products, catalog: &Catalog) -> Vec<String> {
     said
 }
 
-fn record(scene: &Scene) -> Vec<(&'static MethodCard, Box<dyn Run>)> {
+/// The runs of the methods on stage.
+pub fn record(scene: &Scene) -> Vec<(&'static MethodCard, Box<dyn Run>)> {
     let document = scene.document();
     document
         .methods()
@@ -308,29 +312,32 @@ fn record(scene: &Scene) -> Vec<(&'static MethodCard, Box<dyn Run>)> {
 fn nothing_that_is_said_is_missing_from_a_catalogue() {
     for scene in scenes() {
         for (card, run) in record(&scene) {
-            for step in 0..=run.n_steps() {
-                let frame = run.frame(step);
-                for lang in Lang::ALL {
-                    let catalog = Catalog::of(lang);
-                    let mut said = vec![catalog.message(&frame.caption.decision)];
-                    let formulas = frame.caption.arithmetic.iter();
-                    said.extend(formulas.map(|f| catalog.formula(f)));
-                    for row in frame.watch.iter().flat_map(|section| &section.rows) {
-                        let values = row.cells.iter().flatten().chain(&row.note);
-                        said.extend(values.chain([&row.name]).map(|v| catalog.value(v)));
+            run.frames(
+                [0, run.n_steps()],
+                |_| true,
+                |step, frame| {
+                    for lang in Lang::ALL {
+                        let catalog = Catalog::of(lang);
+                        let mut said = vec![catalog.message(&frame.caption.decision)];
+                        let formulas = frame.caption.arithmetic.iter();
+                        said.extend(formulas.map(|f| catalog.formula(f)));
+                        for row in frame.watch.iter().flat_map(|section| &section.rows) {
+                            let values = row.cells.iter().flatten().chain(&row.note);
+                            said.extend(values.chain([&row.name]).map(|v| catalog.value(v)));
+                        }
+                        for view in &frame.views {
+                            said.extend(said_in(&view.body, catalog));
+                        }
+                        for text in said {
+                            assert!(
+                                !text.contains(['⟦', '‹']),
+                                "{lang} lacks {text} at step {step} of {} on {scene:?}",
+                                card.id
+                            );
+                        }
                     }
-                    for view in &frame.views {
-                        said.extend(said_in(&view.body, catalog));
-                    }
-                    for text in said {
-                        assert!(
-                            !text.contains('⟦'),
-                            "{lang} lacks {text} at step {step} of {} on {scene:?}",
-                            card.id
-                        );
-                    }
-                }
-            }
+                },
+            );
         }
     }
 }
@@ -353,7 +360,7 @@ fn every_step_has_a_line_of_pseudocode() {
     for scene in scenes() {
         for (card, run) in record(&scene) {
             for step in 1..=run.n_steps() {
-                let line = run.frame(step).code_line;
+                let line = run.code_line(step);
                 assert!(
                     line.is_some_and(|line| line < card.code.len()),
                     "step {step} of {} points at line {line:?}",
@@ -369,15 +376,16 @@ fn decisions_carry_numbers_or_names_of_the_step() {
     // A decision without an argument says the same at every step: its arithmetic must carry the numbers.
     for scene in scenes() {
         for (card, run) in record(&scene) {
-            for step in 1..=run.n_steps() {
-                let caption = run.frame(step).caption;
+            run.visit([1, run.n_steps()], &mut |step, shown| {
+                let caption = shown.caption();
                 assert!(
                     !caption.decision.args.is_empty() || !caption.arithmetic.is_empty(),
                     "{} says nothing of step {step} of {}",
                     caption.decision.key,
                     card.id
                 );
-            }
+                ControlFlow::Continue(())
+            });
         }
     }
 }

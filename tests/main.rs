@@ -18,6 +18,7 @@ mod line_exactness;
 mod messages;
 mod moments;
 mod polygon_exactness;
+mod questions;
 mod shared;
 mod space_bytes;
 mod space_exactness;

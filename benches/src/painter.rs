@@ -1,14 +1,14 @@
 //! Painter's algorithm: sorting by depth, and what the overlap tests take beside it.
 
-use std::time::Instant;
+use std::{convert::Infallible, time::Instant};
 
 use clipscope::{
     algo::{
         ring::Right,
-        surface::{Painter, PainterAnswer, PainterEvent, PairTest, Surfaces},
+        surface::{Painter, PainterAnswer, PainterEvent, PainterHeld, PairTest, Surfaces},
     },
     geom::ViewVolume,
-    trace::Algorithm,
+    trace::told::{Listening, Method, Told},
 };
 
 use crate::{
@@ -32,20 +32,27 @@ pub fn run() {
         let start = Instant::now();
         let (mut keyed, mut first_sorted, mut sorted) = (start, None, start);
         let mut tested = None;
-        let output = Painter::<Right>::run::<f64>(&surfaces, |event| match event {
-            PainterEvent::Key { .. } => keyed = Instant::now(),
-            PainterEvent::Sort { .. } => {
-                sorted = Instant::now();
-                first_sorted.get_or_insert(sorted);
+        let mut listening = Listening(|_: &PainterHeld, event| {
+            match event {
+                PainterEvent::Key { .. } => keyed = Instant::now(),
+                PainterEvent::Sort { .. } => {
+                    sorted = Instant::now();
+                    first_sorted.get_or_insert(sorted);
+                }
+                // So many that a clock would take longer than they do.
+                PainterEvent::Pair { .. }
+                | PainterEvent::Constraint { .. }
+                | PainterEvent::Place { .. } => {}
+                PainterEvent::Cycle { .. } | PainterEvent::Paint { .. } | PainterEvent::Done => {
+                    tested.get_or_insert_with(Instant::now);
+                }
             }
-            // So many that a clock would take longer than they do.
-            PainterEvent::Pair { .. }
-            | PainterEvent::Constraint { .. }
-            | PainterEvent::Place { .. } => {}
-            PainterEvent::Cycle { .. } | PainterEvent::Paint { .. } | PainterEvent::Done => {
-                tested.get_or_insert_with(Instant::now);
-            }
+            Told::<Infallible>::Continue(())
         });
+        let mut held = Painter::<Right>::begin(&surfaces);
+        let Told::Continue(()) =
+            Painter::<Right>::run::<f64, _>(&surfaces, &mut held, &mut listening);
+        let output = Painter::<Right>::output(held);
         let done = Instant::now();
         let first_sorted = first_sorted.expect("some are sorted");
         let tested = tested.expect("the run ends");

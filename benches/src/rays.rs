@@ -12,7 +12,7 @@ use clipscope::{
     },
     geom::{Camera, ViewVolume},
     lesson::read_obj,
-    trace::silent,
+    trace::told::silent,
 };
 use obvhs::{
     BvhBuildParams,

@@ -15,8 +15,7 @@ use crate::{
 };
 
 use super::{
-    Command, menus,
-    model::Model,
+    App, Command, menus,
     room::{COURSE, CoursePart, Room, transport_has_room},
 };
 
@@ -26,23 +25,18 @@ const BETWEEN_TABS: f32 = 12.0;
 const BESIDE_TABS: f32 = 270.0;
 
 /// Name, labs and methods at the left; menus at the right.
-pub fn top(
-    model: &Model<'_>,
-    ui: &mut Ui,
-    panels: &mut [Box<dyn LabPanel>],
-    commands: &mut Vec<Command>,
-) {
+pub fn top(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>], commands: &mut Vec<Command>) {
     let bar = ui.max_rect();
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
-        if model.is_narrow {
-            sides(model, ui, commands);
-            menus::behind_one_button(model, ui, panels, commands);
+        if app.is_narrow() {
+            sides(app, ui, commands);
+            menus::behind_one_button(app, ui, panels, commands);
         } else {
-            menus::in_a_row(model, ui, panels, commands);
-            let is_all = model.course == CoursePart::Whole && model.settings.inspector;
-            if !is_all || model.has_strip {
-                sides(model, ui, commands);
+            menus::in_a_row(app, ui, panels, commands);
+            let is_all = app.course_part() == CoursePart::Whole && app.settings.inspector;
+            if !is_all || app.has_strip() {
+                sides(app, ui, commands);
             }
         }
         let right = ui.available_rect_before_wrap().right();
@@ -50,29 +44,29 @@ pub fn top(
         let layout = Layout::left_to_right(Align::Center);
         ui.scope_builder(UiBuilder::new().max_rect(left).layout(layout), |ui| {
             ui.shrink_clip_rect(left);
-            if !model.is_narrow {
-                title(model, ui, bar, panels);
+            if !app.is_narrow() {
+                title(app, ui, bar, panels);
                 for panel in &*panels {
-                    tab(model, ui, panel.lab(), bar, commands);
+                    tab(app, ui, panel.lab(), bar, commands);
                     ui.add_space(BETWEEN_TABS);
                 }
                 ui.add_space(4.0);
             }
-            pickers(model, ui, commands);
+            pickers(app, ui, commands);
         });
     });
 }
 
 /// The program's name, and the gap up to the tabs; where it would leave no room for the method's name, it is left out.
-fn title(model: &Model<'_>, ui: &mut Ui, bar: Rect, panels: &[Box<dyn LabPanel>]) {
-    let (look, scale) = (model.look, model.look.theme.text_scale);
+fn title(app: &App, ui: &mut Ui, bar: Rect, panels: &[Box<dyn LabPanel>]) {
+    let (look, scale) = (app.look(), app.look().theme.text_scale);
     let has_room = tabs_width(ui, look, panels) + BESIDE_TABS * scale < ui.available_width();
     if has_room {
         let title = RichText::new(look.say("app-title")).heading();
         ui.label(title.size(15.0 * scale));
     }
     let tabs = bar.left() + COURSE + 8.0 - ui.cursor().left();
-    ui.add_space(match model.course {
+    ui.add_space(match app.course_part() {
         CoursePart::Whole => tabs.max(16.0),
         CoursePart::Hidden | CoursePart::Strip if has_room => 24.0,
         CoursePart::Hidden | CoursePart::Strip => 0.0,
@@ -93,14 +87,8 @@ fn tabs_width(ui: &Ui, look: Look<'_>, panels: &[Box<dyn LabPanel>]) -> f32 {
 }
 
 /// A lab; underlined where it is open.
-fn tab(
-    model: &Model<'_>,
-    ui: &mut Ui,
-    lab: &'static dyn Lab,
-    bar: Rect,
-    commands: &mut Vec<Command>,
-) {
-    let (look, is_open) = (model.look, model.scene.document().lab() == lab);
+fn tab(app: &App, ui: &mut Ui, lab: &'static dyn Lab, bar: Rect, commands: &mut Vec<Command>) {
+    let (look, is_open) = (app.look(), app.scene().document().lab() == lab);
     let colour = if is_open {
         look.theme.accent
     } else {
@@ -119,33 +107,38 @@ fn tab(
     }
 }
 
-fn pickers(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
-    let edit = method_picker(ui, model.look, model.scene, model.code == CodeView::Hidden);
+fn pickers(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
+    let edit = method_picker(
+        ui,
+        app.look(),
+        app.scene(),
+        app.shown.code == CodeView::Hidden,
+    );
     commands.extend(edit.map(|edit| Command::Edit(edit, None)));
-    let has_room = ui.available_width() > 150.0 * model.look.theme.text_scale;
+    let has_room = ui.available_width() > 150.0 * app.look().theme.text_scale;
     menus::compare_is_in_the_bar(ui.ctx(), has_room);
     if has_room {
-        let edit = compare_picker(ui, model.look, model.scene);
+        let edit = compare_picker(ui, app.look(), app.scene());
         commands.extend(edit.map(|edit| Command::Edit(edit, None)));
     }
 }
 
 /// Buttons that show and hide the side panels.
-fn sides(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
+fn sides(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
     for (icon, key, command) in SIDES.iter().rev() {
         let is_open = match command {
             Command::Course => {
-                model.room == Room::Course
-                    || (!model.is_narrow && model.course == CoursePart::Whole)
+                app.room() == Room::Course
+                    || (!app.is_narrow() && app.course_part() == CoursePart::Whole)
             }
-            _ => model.room == Room::Inspector || (!model.is_narrow && model.settings.inspector),
+            _ => app.room() == Room::Inspector || (!app.is_narrow() && app.settings.inspector),
         };
-        let button = icon_button(ui, model.look, *icon, &model.look.say(key), true);
+        let button = icon_button(ui, app.look(), *icon, &app.look().say(key), true);
         if is_open {
             let under =
                 Rect::from_min_size(button.rect.left_bottom() - vec2(0.0, 3.0), vec2(32.0, 2.0));
             ui.painter()
-                .rect_filled(under.shrink2(vec2(8.0, 0.0)), 0.0, model.look.theme.accent);
+                .rect_filled(under.shrink2(vec2(8.0, 0.0)), 0.0, app.look().theme.accent);
         }
         if button.clicked() {
             commands.push(command.clone());
@@ -154,46 +147,46 @@ fn sides(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
 }
 
 /// The buttons, the timeline, the number of the step, and the speed.
-pub fn transport(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
+pub fn transport(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
     let width = ui.available_width();
     ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-        buttons(model, ui, commands);
+        buttons(app, ui, commands);
         let has_room = transport_has_room(width);
         ui.add_space(if has_room { 24.0 } else { 0.0 });
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if has_room {
-                let speed = model.playback.transport().speed();
-                let chosen = speed_menu(ui, model.look, speed);
+                let speed = app.playback.transport().speed();
+                let chosen = speed_menu(ui, app.look(), speed);
                 commands.extend(chosen.map(Command::Speed));
                 ui.add_space(8.0);
             }
-            number_and_timeline(model, ui, commands);
+            number_and_timeline(app, ui, commands);
         });
     });
 }
 
 /// The buttons and the number of the step, for a lecture hall.
-pub fn small_transport(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
+pub fn small_transport(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
     ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-        buttons(model, ui, commands);
+        buttons(app, ui, commands);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            if ui.available_width() > 240.0 * model.look.theme.text_scale {
-                hall(model, ui, commands);
+            if ui.available_width() > 240.0 * app.look().theme.text_scale {
+                hall(app, ui, commands);
             } else {
-                let name = model.look.say("menu-more");
-                let button = icon_button(ui, model.look, Icon::More, &name, true);
+                let name = app.look().say("menu-more");
+                let button = icon_button(ui, app.look(), Icon::More, &name, true);
                 Popup::menu(&button)
                     .style(menu_style)
-                    .show(|ui| hall(model, ui, commands));
+                    .show(|ui| hall(app, ui, commands));
             }
-            number_and_timeline(model, ui, commands);
+            number_and_timeline(app, ui, commands);
         });
     });
 }
 
 /// What a lecture hall needs besides: the way out, and the colours for its projector.
-fn hall(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
-    let (look, soft) = (model.look, model.look.theme.soft);
+fn hall(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
+    let (look, soft) = (app.look(), app.look().theme.soft);
     let leave = RichText::new(look.say("action-present-leave")).color(soft);
     if ui.add(Button::new(leave)).clicked() {
         commands.push(Command::Present);
@@ -205,9 +198,9 @@ fn hall(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
     }
 }
 
-fn buttons(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
+fn buttons(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
     let pressed = ui
-        .scope(|ui| transport_buttons(ui, model.look, model.playback.transport()))
+        .scope(|ui| transport_buttons(ui, app.look(), app.playback.transport()))
         .inner;
     commands.extend(pressed.map(|press| match press {
         Press::First => Command::First,
@@ -220,11 +213,11 @@ fn buttons(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
 
 /// From the right: the number of the step, in words where there is room for them, and the timeline, where there is any
 /// for it.
-fn number_and_timeline(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
-    let transport = model.playback.transport();
+fn number_and_timeline(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
+    let transport = app.playback.transport();
     let steps = [transport.position(), transport.n_steps()];
-    let words = step_text(model.look, steps);
-    let has_words = ui.available_width() > 260.0 * model.look.theme.text_scale;
+    let words = step_text(app.look(), steps);
+    let has_words = ui.available_width() > 260.0 * app.look().theme.text_scale;
     let [step, n_steps] = steps;
     let text = if has_words {
         words.clone()
@@ -234,7 +227,7 @@ fn number_and_timeline(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Comman
     ui.add(Label::new(text).extend()).on_hover_text(words);
     if ui.available_width() > LEAST_TIMELINE {
         ui.add_space(if has_words { 8.0 } else { 0.0 });
-        timeline(model, ui, commands);
+        timeline(app, ui, commands);
     }
 }
 
@@ -246,17 +239,17 @@ pub fn step_text(look: Look<'_>, [step, n_steps]: [usize; 2]) -> String {
     look.catalog.message(&message)
 }
 
-fn timeline(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
-    let transport = model.playback.transport();
-    let (look, catalog) = (model.look, model.look.catalog);
-    let run = model.playback.main();
-    let difference = model.playback.difference();
+fn timeline(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
+    let transport = app.playback.transport();
+    let (look, catalog) = (app.look(), app.look().catalog);
+    let run = app.playback.main();
+    let difference = app.playback.difference();
     let note = difference.map(|difference| catalog.message(&difference.message()));
     let first = difference.and_then(|difference| difference.step);
     // Where the pseudocode is hidden so that a class can be asked, the steps to come do not answer.
-    let told = match model.code {
+    let told = match app.shown.code {
         CodeView::Full | CodeView::Words => transport.n_steps(),
-        CodeView::Hidden => model.playback.reached(),
+        CodeView::Hidden => app.playback.reached(),
     };
     let note = note.filter(|_| first.is_none_or(|first| first <= told));
     let tip = |step: usize| {
@@ -269,20 +262,20 @@ fn timeline(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
             _ => said,
         }
     };
-    let name = model.look.say("panel-timeline");
+    let name = app.look().say("panel-timeline");
     let asked = Timeline {
         n_steps: transport.n_steps(),
         position: transport.position(),
         told,
         tick: &|step| run.tick(step),
-        phases: model.playback.phases(),
+        phases: app.playback.phases(),
         difference: first,
         tip: &tip,
         name: match &note {
             Some(note) => format!("{name}: {note}"),
             None => name,
         },
-        look: model.look,
+        look: app.look(),
     }
     .show(ui);
     commands.extend(asked.map(Command::Seek));

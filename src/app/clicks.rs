@@ -11,7 +11,7 @@ use crate::{
     widgets::{CanvasShown, Gesture, PanZoom, place_at},
 };
 
-use super::{Command, history::UndoGroup, model::Model, stage_state::StageState};
+use super::{App, Command, history::UndoGroup, stage_state::StageState};
 
 /// A click this near to a segment or an edge, in points, is on it.
 const CLICK_REACH: f64 = 8.0;
@@ -20,7 +20,7 @@ const TURN_DEG: f64 = 90.0;
 
 /// What was done to a canvas with these handles and locks.
 pub fn ask(
-    model: &Model<'_>,
+    app: &App,
     ui: &Ui,
     shown: &CanvasShown,
     (id, lens): (ViewId, Lens),
@@ -46,7 +46,7 @@ pub fn ask(
         if handle.kind().is_vertex && state.selected != Some(handle) {
             commands.push(Command::Select(handle));
         }
-        let from = model.scene.document().position(handle);
+        let from = app.scene().document().position(handle);
         let motion = held_axis(ui, lens).unwrap_or(handle.kind().motion);
         let to = from.map(|from| {
             let to = moved_to(&lens, motion, from, moved.to);
@@ -71,14 +71,14 @@ pub fn ask(
         commands.push(Command::Ask(vertex.link()));
         return;
     }
-    let place = place_at(ui, &shown.viewport, click.at, model.settings.snap);
+    let place = place_at(ui, &shown.viewport, click.at, app.settings.snap);
     let click = Click {
         place: lens.world_from_drawing(place, [0.0; 3]),
         inserts: click.is_double || click.has_ctrl,
         picture: shown.picture,
         ..click_at(&shown.viewport, lens, locks, (click.at, shown.pointed))
     };
-    let document = model.scene.document();
+    let document = app.scene().document();
     let change = document.click(&click);
     commands.extend(change.map(|change| Command::Edit(Edit::Own(change), None)));
     commands.push(Command::Ask(document.asked(&click)));

@@ -14,7 +14,7 @@ use crate::{
     widgets::{Look, lesson_text, step_title},
 };
 
-use super::{Command, model::Model};
+use super::{App, Command};
 
 /// Between the numbers of steps, in points.
 const GAP: f32 = 4.0;
@@ -24,27 +24,27 @@ const CHANGED: f32 = 3.0;
 const ASIDE: f32 = 0.6;
 
 /// Draws the panel: the open lesson, or the list of all in its place.
-pub fn show(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
-    let look = model.look;
-    let Some(lesson) = model.bookmark.lesson() else {
+pub fn show(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
+    let look = app.look();
+    let Some(lesson) = app.bookmark.lesson() else {
         ui.label(RichText::new(look.say("lesson-empty")).color(look.theme.soft));
         return;
     };
     ui.spacing_mut().item_spacing.y = 0.0;
-    if heading(model, ui, lesson).clicked() {
-        commands.push(Command::Contents(!model.lists_lessons));
+    if heading(app, ui, lesson).clicked() {
+        commands.push(Command::Contents(!app.shown.lists_lessons));
     }
-    if model.lists_lessons {
+    if app.shown.lists_lessons {
         ScrollArea::vertical()
             .id_salt("lessons")
             .auto_shrink(false)
-            .show(ui, |ui| lessons(model, ui, commands));
+            .show(ui, |ui| lessons(app, ui, commands));
         return;
     }
-    foot(model, ui, lesson, commands);
-    padded(ui, |ui| steps(model, ui, lesson, commands));
-    let [lesson_idx, step_idx] = model.bookmark.indices();
-    let text = lesson.text(model.settings.lang);
+    foot(app, ui, lesson, commands);
+    padded(ui, |ui| steps(app, ui, lesson, commands));
+    let [lesson_idx, step_idx] = app.bookmark.indices();
+    let text = lesson.text(app.settings.lang);
     let Some(step) = text.steps.get(step_idx) else {
         return;
     };
@@ -56,12 +56,12 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
             padded(ui, |ui| {
                 ui.spacing_mut().item_spacing.y = 8.0;
                 step_title(ui, look, &step.title);
-                if !model.is_untouched {
+                if !app.is_untouched() {
                     changed(ui, look, commands);
                     ui.set_opacity(ASIDE);
                 }
-                lesson_text(ui, look, id, &step.body, model.is_answered);
-                if !lesson.speaks(model.settings.lang) {
+                lesson_text(ui, look, id, &step.body, app.shown.is_answered);
+                if !lesson.speaks(app.settings.lang) {
                     ui.label(
                         RichText::new(look.say("lesson-not-translated"))
                             .small()
@@ -73,22 +73,22 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
 }
 
 /// The open lesson; a click shows all.
-fn heading(model: &Model<'_>, ui: &mut Ui, lesson: &Lesson) -> Response {
-    let look = model.look;
-    let [lesson_idx, _] = model.bookmark.indices();
+fn heading(app: &App, ui: &mut Ui, lesson: &Lesson) -> Response {
+    let look = app.look();
+    let [lesson_idx, _] = app.bookmark.indices();
     let heading = Row {
         number: "",
         title: &format!(
             "{} · {}",
             lesson_idx + 1,
-            lesson.text(model.settings.lang).title
+            lesson.text(app.settings.lang).title
         ),
         is_open: true,
-        is_changed: has_changes(model, lesson_idx, lesson),
+        is_changed: has_changes(app, lesson_idx, lesson),
     };
     let response = row(ui, look, heading).on_hover_text(look.say("lesson-contents"));
     let middle = pos2(response.rect.left() + 16.0, response.rect.center().y);
-    let down = if model.lists_lessons { -1.0 } else { 1.0 };
+    let down = if app.shown.lists_lessons { -1.0 } else { 1.0 };
     let corners = [[-4.0, -2.0], [4.0, -2.0], [0.0, 3.0]].map(|[x, y]| middle + vec2(x, down * y));
     let triangle = egui::Shape::convex_polygon(corners.into(), look.theme.accent, Stroke::NONE);
     ui.painter().add(triangle);
@@ -97,10 +97,10 @@ fn heading(model: &Model<'_>, ui: &mut Ui, lesson: &Lesson) -> Response {
 }
 
 /// Under the text, always in sight: the way to the answer, and the source.
-fn foot(model: &Model<'_>, ui: &mut Ui, lesson: &Lesson, commands: &mut Vec<Command>) {
-    let look = model.look;
-    let has_source = !lesson.source.is_empty() && !model.is_low;
-    if !has_source && !model.has_answer {
+fn foot(app: &App, ui: &mut Ui, lesson: &Lesson, commands: &mut Vec<Command>) {
+    let look = app.look();
+    let has_source = !lesson.source.is_empty() && !app.is_low();
+    if !has_source && !app.has_answer() {
         return;
     }
     Panel::bottom("under the lesson")
@@ -110,15 +110,15 @@ fn foot(model: &Model<'_>, ui: &mut Ui, lesson: &Lesson, commands: &mut Vec<Comm
             padded(ui, |ui| {
                 ui.spacing_mut().item_spacing.y = 8.0;
                 ui.add_space(4.0);
-                if model.has_answer {
-                    let key = if model.is_answered {
+                if app.has_answer() {
+                    let key = if app.shown.is_answered {
                         "lesson-answer-hide"
                     } else {
                         "lesson-answer-show"
                     };
                     let text = RichText::new(look.say(key)).color(look.theme.accent);
                     if ui.add(Button::new(text)).clicked() {
-                        commands.push(Command::Answer(!model.is_answered));
+                        commands.push(Command::Answer(!app.shown.is_answered));
                     }
                 }
                 if has_source {
@@ -141,21 +141,21 @@ fn padded<R>(ui: &mut Ui, content: impl FnOnce(&mut Ui) -> R) -> R {
         .inner
 }
 
-fn lessons(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
+fn lessons(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
     ui.spacing_mut().item_spacing.y = 0.0;
-    let [open, _] = model.bookmark.indices();
-    let free = model.look.say("action-free");
-    if row(ui, model.look, Row::new("+", &free)).clicked() {
+    let [open, _] = app.bookmark.indices();
+    let free = app.look().say("action-free");
+    if row(ui, app.look(), Row::new("+", &free)).clicked() {
         commands.push(Command::Free);
     }
-    for (i, lesson) in model.bookmark.lessons().iter().enumerate() {
+    for (i, lesson) in app.bookmark.lessons().iter().enumerate() {
         let row_of = Row {
             number: &(i + 1).to_string(),
-            title: &lesson.text(model.settings.lang).title,
+            title: &lesson.text(app.settings.lang).title,
             is_open: i == open,
-            is_changed: has_changes(model, i, lesson),
+            is_changed: has_changes(app, i, lesson),
         };
-        let response = row(ui, model.look, row_of);
+        let response = row(ui, app.look(), row_of);
         if i == open {
             bring_into_view(ui, open, response.rect);
         }
@@ -177,17 +177,17 @@ fn bring_into_view(ui: &Ui, open: usize, rect: Rect) {
 }
 
 /// Has the reader changed a scene of this lesson?
-fn has_changes(model: &Model<'_>, idx: usize, lesson: &Lesson) -> bool {
-    (0..lesson.steps.len()).any(|step| is_changed(model, idx, step))
+fn has_changes(app: &App, idx: usize, lesson: &Lesson) -> bool {
+    (0..lesson.steps.len()).any(|step| is_changed(app, idx, step))
 }
 
 /// Is the scene of this step another than the lesson's?
-pub(super) fn is_changed(model: &Model<'_>, lesson: usize, step: usize) -> bool {
-    if [lesson, step] == model.bookmark.indices() {
-        return !model.is_untouched;
+pub(super) fn is_changed(app: &App, lesson: usize, step: usize) -> bool {
+    if [lesson, step] == app.bookmark.indices() {
+        return !app.is_untouched();
     }
-    let page = model.bookmark.page_of(lesson, step);
-    page.is_some_and(|page| model.desk.is_changed(&page))
+    let page = app.bookmark.page_of(lesson, step);
+    page.is_some_and(|page| app.desk.is_changed(&page))
 }
 
 /// A row of the list.
@@ -276,10 +276,10 @@ fn words(ui: &Ui, theme: &Theme, rect: Rect, row: Row<'_>) -> bool {
 }
 
 /// One small disc a step, the open one filled.
-fn steps(model: &Model<'_>, ui: &mut Ui, lesson: &Lesson, commands: &mut Vec<Command>) {
-    let look = model.look;
-    let [lesson_idx, open] = model.bookmark.indices();
-    let titles = &lesson.text(model.settings.lang).steps;
+fn steps(app: &App, ui: &mut Ui, lesson: &Lesson, commands: &mut Vec<Command>) {
+    let look = app.look();
+    let [lesson_idx, open] = app.bookmark.indices();
+    let titles = &lesson.text(app.settings.lang).steps;
     let n_steps = lesson.steps.len().max(1) as f32;
     let room = (ui.available_width() + GAP) / n_steps - GAP;
     ui.horizontal(|ui| {
@@ -289,7 +289,7 @@ fn steps(model: &Model<'_>, ui: &mut Ui, lesson: &Lesson, commands: &mut Vec<Com
                 number: i + 1,
                 title: titles.get(i).map_or("", |step| &step.title),
                 is_open: i == open,
-                is_changed: is_changed(model, lesson_idx, i),
+                is_changed: is_changed(app, lesson_idx, i),
             };
             if disc.show(ui, look, room) {
                 commands.push(Command::Open([lesson_idx, i]));

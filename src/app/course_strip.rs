@@ -6,33 +6,32 @@ use egui::{Align, Layout, ScrollArea, Ui};
 use crate::widgets::{Icon, icon_button};
 
 use super::{
-    Command,
+    App, Command,
     course_panel::{Disc, is_changed},
-    model::Model,
 };
 
 /// Draws the strip.
-pub fn show(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
-    let look = model.look;
+pub fn show(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
+    let look = app.look();
     ui.with_layout(Layout::top_down(Align::Center), |ui| {
         let open = look.say("panel-course");
         if icon_button(ui, look, Icon::LeftPanel, &open, true).clicked() {
             commands.push(Command::Course);
         }
-        let Some(lesson) = model.bookmark.lesson() else {
+        let Some(lesson) = app.bookmark.lesson() else {
             return;
         };
         ui.add_space(12.0);
         ScrollArea::vertical().show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 8.0;
-            let [lesson_idx, open] = model.bookmark.indices();
-            let titles = &lesson.text(model.settings.lang).steps;
+            let [lesson_idx, open] = app.bookmark.indices();
+            let titles = &lesson.text(app.settings.lang).steps;
             for i in 0..lesson.steps.len() {
                 let disc = Disc {
                     number: i + 1,
                     title: titles.get(i).map_or("", |step| &step.title),
                     is_open: i == open,
-                    is_changed: is_changed(model, lesson_idx, i),
+                    is_changed: is_changed(app, lesson_idx, i),
                 };
                 if disc.show(ui, look, f32::INFINITY) {
                     commands.push(Command::Open([lesson_idx, i]));

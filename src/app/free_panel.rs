@@ -11,24 +11,19 @@ use crate::{
     widgets::{menu_button, rule},
 };
 
-use super::{Command, menus::asked_of, model::Model};
+use super::{App, Command, menus::asked_of};
 
 /// Draws the panel that stands where the course does.
-pub fn show(
-    model: &Model<'_>,
-    ui: &mut Ui,
-    panels: &mut [Box<dyn LabPanel>],
-    commands: &mut Vec<Command>,
-) {
-    let look = model.look;
+pub fn show(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>], commands: &mut Vec<Command>) {
+    let look = app.look();
     let margin = Margin::symmetric(8, 0);
     Frame::new().inner_margin(margin).show(ui, |ui| {
         ui.label(RichText::new(look.say("free-title")).text_style(theme::strong()));
         ui.add_space(4.0);
         ui.label(RichText::new(look.say("free-about")).color(look.theme.soft));
         ui.add_space(8.0);
-        if let Some(lesson) = model.bookmark.lesson() {
-            let title = lesson.text(model.settings.lang).title.clone();
+        if let Some(lesson) = app.bookmark.lesson() {
+            let title = lesson.text(app.settings.lang).title.clone();
             let back = look
                 .catalog
                 .message(&Message::new("free-back").with("lesson", title));
@@ -38,10 +33,10 @@ pub fn show(
             }
         }
         rule(ui, look);
-        let panel = panel_of(panels, model.scene);
+        let panel = panel_of(panels, app.scene());
         commands.extend(
             panel
-                .and_then(|panel| panel.menu(ui, look, model.scene))
+                .and_then(|panel| panel.menu(ui, look, app.scene()))
                 .map(asked_of),
         );
         rule(ui, look);
@@ -52,23 +47,18 @@ pub fn show(
         .auto_shrink(false)
         .show(ui, |ui| {
             Frame::new().inner_margin(margin).show(ui, |ui| {
-                let lab = model.scene.document().lab().id();
-                let lessons = model.bookmark.lessons().iter().enumerate();
+                let lab = app.scene().document().lab().id();
+                let lessons = app.bookmark.lessons().iter().enumerate();
                 for (i, lesson) in lessons.filter(|(_, lesson)| lesson.lab == lab) {
-                    of_lesson(model, ui, (i, lesson), commands);
+                    of_lesson(app, ui, (i, lesson), commands);
                 }
             });
         });
 }
 
 /// The scenes of a lesson, each once, under the title of the step that shows it first.
-fn of_lesson(
-    model: &Model<'_>,
-    ui: &mut Ui,
-    (i, lesson): (usize, &Lesson),
-    commands: &mut Vec<Command>,
-) {
-    let text = lesson.text(model.settings.lang);
+fn of_lesson(app: &App, ui: &mut Ui, (i, lesson): (usize, &Lesson), commands: &mut Vec<Command>) {
+    let text = lesson.text(app.settings.lang);
     let title = format!("{} · {}", i + 1, text.title);
     menu_button(ui, title, |ui| {
         let mut shown = Vec::new();

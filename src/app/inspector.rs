@@ -15,7 +15,7 @@ use crate::{
     },
 };
 
-use super::{Command, bars::step_text, model::Model, stage_state::StageState, typing::told_of};
+use super::{App, Command, bars::step_text, stage_state::StageState, typing::told_of};
 
 /// Of the panel's height the pseudocode takes more than this in smaller text, and this many points at least.
 const CODE_PART: f32 = 0.42;
@@ -24,12 +24,12 @@ const CODE_LEAST: f32 = 96.0;
 const WATCH_LEAST: f32 = 78.0;
 
 /// Draws the panel. The room of its scroll bar is kept, also where there is none.
-pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &mut Vec<Command>) {
+pub fn show(app: &App, ui: &mut Ui, state: &mut StageState, commands: &mut Vec<Command>) {
     let room = ui.available_height();
     let width = ui.available_width() - ui.spacing().scroll.allocated_width();
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         ui.set_max_width(width);
-        content(model, ui, state, room, commands);
+        content(app, ui, state, room, commands);
     });
 }
 
@@ -44,59 +44,58 @@ struct Inspected<'a> {
 }
 
 impl<'a> Inspected<'a> {
-    fn of(model: &Model<'a>, clicked: usize) -> Option<Self> {
-        let frames = model.playback.frames();
+    fn of(app: &'a App, clicked: usize) -> Option<Self> {
+        let frames = app.playback.frames();
         let column = clicked.min(frames.len().saturating_sub(1));
         Some(Self {
             column,
-            run: model.playback.runs().nth(column)?,
+            run: app.playback.runs().nth(column)?,
             frame: frames.get(column)?,
-            moment: model.playback.steps().get(column)?[0],
+            moment: app.playback.steps().get(column)?[0],
         })
     }
 }
 
 /// All that the panel holds, in a room of this height where that can be.
 pub fn content(
-    model: &Model<'_>,
+    app: &App,
     ui: &mut Ui,
     state: &mut StageState,
     room: f32,
     commands: &mut Vec<Command>,
 ) {
-    let Some(inspected) = Inspected::of(model, state.inspected) else {
+    let Some(inspected) = Inspected::of(app, state.inspected) else {
         return;
     };
     let Inspected {
         column, run, frame, ..
     } = inspected;
-    let look = model.look;
+    let look = app.look();
     let top = ui.cursor().top();
-    if model.playback.frames().len() > 1 {
-        methods(model, ui, column, &mut state.inspected);
+    if app.playback.frames().len() > 1 {
+        methods(app, ui, column, &mut state.inspected);
     }
-    code_heading(model, ui, commands);
+    code_heading(app, ui, commands);
     let scalars = unseen(&frame.watch);
-    let table = state.watch.of(model, ui, (column, run), &scalars).height();
-    let lines = lines(model, column);
-    let code = Pseudocode::new(ui, look, (&lines, model.code), CODE_PART * room);
+    let table = state
+        .watch
+        .of(app.on_stage(), ui, (column, run), &scalars)
+        .height();
+    let lines = lines(app, column);
+    let code = Pseudocode::new(ui, look, (&lines, app.shown.code), CODE_PART * room);
     // What stands below keeps its place: rows that are too many are scrolled by themselves.
     let id = Id::unique("inspector without its rows");
     let fixed: f32 = ui.data(|data| data.get_temp(id)).unwrap_or_default();
     let [code_most, watch_most] = shares(room - fixed, [code.height(), table]);
-    let in_code = pseudocode(model, ui, state, (&code, code_most), inspected);
-    let in_table = watched(
-        model,
-        ui,
-        state,
-        (&scalars, watch_most),
-        inspected,
-        commands,
-    );
+    let in_code = pseudocode(app, ui, state, (&code, code_most), inspected);
+    let in_table = watched(app, ui, state, (&scalars, watch_most), inspected, commands);
     rule(ui, look);
-    costs(model, ui, column, commands);
-    verdict(model, ui, state, commands);
-    if let Some(of_all) = state.all_costs.of(model, ui, column) {
+    costs(app, ui, column, commands);
+    verdict(app, ui, state, commands);
+    if let Some(of_all) = state
+        .all_costs
+        .of(app.on_stage(), ui, (app.scene(), column))
+    {
         let text = RichText::new(look.catalog.message(of_all)).small();
         ui.add(Label::new(text.color(look.theme.soft)).wrap());
     }
@@ -112,7 +111,7 @@ pub fn content(
 /// The lines, as many as have room in `most`; what the one under the pointer is about: at this step, or whenever it was
 /// reached last.
 fn pseudocode(
-    model: &Model<'_>,
+    app: &App,
     ui: &mut Ui,
     state: &mut StageState,
     (code, most): (&Pseudocode<'_>, f32),
@@ -126,7 +125,10 @@ fn pseudocode(
     } = inspected;
     let is_now = |link| frame.focus().any(|about| about == link);
     let mut lit = match state.lit {
-        Some(link) => state.code_links.of(model, ui, (column, run)).lines(link),
+        Some(link) => state
+            .code_links
+            .of(app.on_stage(), ui, (column, run))
+            .lines(link),
         None => Vec::new(),
     };
     lit.extend(frame.code_line.filter(|_| state.lit.is_some_and(is_now)));
@@ -136,22 +138,22 @@ fn pseudocode(
         lit: &lit,
     };
     let line = code.show(ui, &step, most);
-    if model.code == CodeView::Hidden {
-        let note = model.look.say("pseudocode-hidden-note");
-        ui.label(RichText::new(note).color(model.look.theme.soft));
+    if app.shown.code == CodeView::Hidden {
+        let note = app.look().say("pseudocode-hidden-note");
+        ui.label(RichText::new(note).color(app.look().theme.soft));
     }
     let line = line?;
     let now = frame.focus().next();
     if let Some(link) = now.filter(|_| frame.code_line == Some(line)) {
         return Some(link);
     }
-    let links = state.code_links.of(model, ui, (column, run));
+    let links = state.code_links.of(app.on_stage(), ui, (column, run));
     links.of_line(line, moment)
 }
 
 /// The table of values that stand in no view; what the row under the pointer is about.
 fn watched(
-    model: &Model<'_>,
+    app: &App,
     ui: &mut Ui,
     state: &mut StageState,
     (scalars, most): (&Watch, f32),
@@ -164,8 +166,8 @@ fn watched(
         frame,
         moment,
     } = inspected;
-    let (look, lit) = (model.look, state.lit);
-    let room = state.watch.of(model, ui, (column, run), scalars);
+    let (look, lit) = (app.look(), state.lit);
+    let room = state.watch.of(app.on_stage(), ui, (column, run), scalars);
     if room.height() <= 0.0 {
         return None;
     }
@@ -181,11 +183,11 @@ fn watched(
         room: (room, most),
         moment,
         lit,
-        is_typed: &|link| told_of(model, scalars, link).is_some(),
+        is_typed: &|link| told_of(app.scene(), app.bookmark.step(), scalars, link).is_some(),
     };
     let shown = ui.scope(|ui| watch(ui, look, &table)).inner;
     if let Some((link, at)) = shown.clicked
-        && let Some(handle) = told_of(model, scalars, link)
+        && let Some(handle) = told_of(app.scene(), app.bookmark.step(), scalars, link)
     {
         commands.push(Command::TypeAt(handle, at));
     }
@@ -202,10 +204,10 @@ fn shares(left: f32, [code, table]: [f32; 2]) -> [f32; 2] {
 }
 
 /// The methods that stand side by side, each with its step: which of them the panel is about.
-fn methods(model: &Model<'_>, ui: &mut Ui, column: usize, inspected: &mut usize) {
-    let look = model.look;
-    let cards = model.scene.document().methods();
-    for (i, (card, step)) in cards.into_iter().zip(model.playback.steps()).enumerate() {
+fn methods(app: &App, ui: &mut Ui, column: usize, inspected: &mut usize) {
+    let look = app.look();
+    let cards = app.scene().document().methods();
+    for (i, (card, step)) in cards.into_iter().zip(app.playback.steps()).enumerate() {
         let is_current = i == column;
         let (name, step) = (look.say(card.name_key), step_text(look, step));
         ui.horizontal(|ui| {
@@ -235,11 +237,11 @@ fn methods(model: &Model<'_>, ui: &mut Ui, column: usize, inspected: &mut usize)
 }
 
 /// The heading, and how the pseudocode is shown: beside it where there is room for both, below it in large type.
-fn code_heading(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
-    let look = model.look;
+fn code_heading(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
+    let look = app.look();
     let switch = |ui: &mut Ui, commands: &mut Vec<Command>| {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            commands.extend(code_view_switch(ui, look, model.code).map(Command::Code));
+            commands.extend(code_view_switch(ui, look, app.shown.code).map(Command::Code));
         });
     };
     ui.horizontal(|ui| {
@@ -253,12 +255,12 @@ fn code_heading(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
     }
 }
 
-fn lines(model: &Model<'_>, column: usize) -> Vec<CodeText> {
-    let methods = model.scene.document().methods();
+fn lines(app: &App, column: usize) -> Vec<CodeText> {
+    let methods = app.scene().document().methods();
     let code = methods.get(column).map_or(&[][..], |card| card.code);
     let line = |line: &crate::labs::CodeLine| CodeText {
         depth: line.depth,
-        text: model.look.say(if model.code == CodeView::Words {
+        text: app.look().say(if app.shown.code == CodeView::Words {
             line.words
         } else {
             line.code
@@ -268,10 +270,11 @@ fn lines(model: &Model<'_>, column: usize) -> Vec<CodeText> {
 }
 
 /// Why what was clicked was kept or dropped, and the way to the step that says so.
-fn verdict(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &mut Vec<Command>) {
-    let look = model.look;
+fn verdict(app: &App, ui: &mut Ui, state: &mut StageState, commands: &mut Vec<Command>) {
+    let look = app.look();
     let about = state.asked;
-    let verdict = about.and_then(|about| state.verdicts.of(model, ui, about));
+    let verdict =
+        about.and_then(|about| state.verdicts.of(app.on_stage(), ui, (app.scene(), about)));
     let Some(verdict) = verdict else {
         return;
     };
@@ -289,11 +292,11 @@ fn verdict(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &mu
     }
 }
 
-fn costs(model: &Model<'_>, ui: &mut Ui, column: usize, commands: &mut Vec<Command>) {
-    let look = model.look;
+fn costs(app: &App, ui: &mut Ui, column: usize, commands: &mut Vec<Command>) {
+    let look = app.look();
     ui.horizontal(|ui| {
         section(ui, look, &look.say("cost-title"));
-        if model.measures {
+        if app.shown.measures {
             let measure = RichText::new(look.say("cost-measure"));
             let measure = measure.small().color(look.theme.accent);
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
@@ -303,19 +306,19 @@ fn costs(model: &Model<'_>, ui: &mut Ui, column: usize, commands: &mut Vec<Comma
             });
         }
     });
-    let costs = model.playback.costs();
+    let costs = app.playback.costs();
     let Some([now, end]) = costs.get(column).copied() else {
         return;
     };
     // Beside another method, both at this step; alone, with what brute force does in all.
     let mut others = costs
         .iter()
-        .zip(model.scene.document().methods())
+        .zip(app.scene().document().methods())
         .enumerate();
     let beside = others.find(|(i, _)| *i != column);
     let beside = beside.map(|(_, ([counts, end], method))| (*counts, *end, method));
     let baseline = || {
-        let (method, counts) = model.playback.baseline()?;
+        let (method, counts) = app.playback.baseline()?;
         Some((counts, counts, method))
     };
     let compared = beside.or_else(baseline);

@@ -11,47 +11,46 @@ use crate::{
 };
 
 use super::{
-    Command, PathOf,
+    App, Command, PathOf,
     history::UndoGroup,
-    model::Model,
     room::{BESIDE_TRANSPORT, transport_has_room},
 };
 
 /// The menus of the bar, from right to left.
 pub fn in_a_row(
-    model: &Model<'_>,
+    app: &App,
     ui: &mut Ui,
     panels: &mut [Box<dyn LabPanel>],
     commands: &mut Vec<Command>,
 ) {
-    let look = model.look;
+    let look = app.look();
     if ui.button(look.say("action-present")).clicked() {
         commands.push(Command::Present);
     }
     menu_button(ui, look.say("settings-theme"), |ui| {
         commands.extend(theme_menu(ui, look).map(Command::Theme));
     });
-    menu_button(ui, model.settings.lang.native_name(), |ui| {
-        commands.extend(language_menu(ui, model.settings.lang).map(Command::Language));
+    menu_button(ui, app.settings.lang.native_name(), |ui| {
+        commands.extend(language_menu(ui, app.settings.lang).map(Command::Language));
     });
     menu_button(ui, look.say("panel-scene"), |ui| {
-        scene(model, ui, panels, commands);
+        scene(app, ui, panels, commands);
     });
 }
 
 /// Everything that the wide bar holds, and all else that a narrow window has no room for, behind one button.
 pub fn behind_one_button(
-    model: &Model<'_>,
+    app: &App,
     ui: &mut Ui,
     panels: &mut [Box<dyn LabPanel>],
     commands: &mut Vec<Command>,
 ) {
-    let look = model.look;
+    let look = app.look();
     let button = icon_button(ui, look, Icon::More, &look.say("menu-more"), true);
     Popup::menu(&button).style(menu_style).show(|ui| {
         for panel in &*panels {
             let lab = panel.lab();
-            let is_open = model.scene.document().lab() == lab;
+            let is_open = app.scene().document().lab() == lab;
             if ui.radio(is_open, look.say(lab.name_key())).clicked() && !is_open {
                 commands.push(Command::Lab(lab.id()));
                 ui.close();
@@ -59,17 +58,17 @@ pub fn behind_one_button(
         }
         ui.separator();
         menu_button(ui, look.say("panel-scene"), |ui| {
-            scene(model, ui, panels, commands);
+            scene(app, ui, panels, commands);
         });
         menu_button(ui, look.say("settings-theme"), |ui| {
             commands.extend(theme_menu(ui, look).map(Command::Theme));
         });
-        menu_button(ui, model.settings.lang.native_name(), |ui| {
-            commands.extend(language_menu(ui, model.settings.lang).map(Command::Language));
+        menu_button(ui, app.settings.lang.native_name(), |ui| {
+            commands.extend(language_menu(ui, app.settings.lang).map(Command::Language));
         });
         if !transport_has_room(ui.ctx().content_rect().width() - 2.0 * f32::from(BESIDE_TRANSPORT))
         {
-            let speed = model.playback.transport().speed();
+            let speed = app.playback.transport().speed();
             commands.extend(speed_menu(ui, look, speed).map(Command::Speed));
         }
         if ui.button(look.say("action-present")).clicked() {
@@ -79,44 +78,40 @@ pub fn behind_one_button(
 }
 
 /// What can be done to the scene, and with it.
-fn scene(
-    model: &Model<'_>,
-    ui: &mut Ui,
-    panels: &mut [Box<dyn LabPanel>],
-    commands: &mut Vec<Command>,
-) {
-    let look = model.look;
+fn scene(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>], commands: &mut Vec<Command>) {
+    let look = app.look();
     if !has_compare_in_the_bar(ui.ctx()) {
         menu_button(ui, look.say("cost-compare"), |ui| {
-            let edit = compare_choices(ui, look, model.scene);
+            let edit = compare_choices(ui, look, app.scene());
             commands.extend(edit.map(|edit| Command::Edit(edit, None)));
         });
     }
-    let panel = panel_of(panels, model.scene);
-    let asked = panel.and_then(|panel| panel.menu(ui, look, model.scene));
+    let panel = panel_of(panels, app.scene());
+    let asked = panel.and_then(|panel| panel.menu(ui, look, app.scene()));
     commands.extend(asked.map(asked_of));
-    let here = model.scene.document().lab();
+    let here = app.scene().document().lab();
     for lab in panels
         .iter()
         .map(|panel| panel.lab())
         .filter(|&lab| lab != here)
     {
         let says = Message::new("scene-adopt").with("lab", Value::Term(lab.name_key()));
-        if lab.adopt(model.scene).is_some() && ui.button(look.catalog.message(&says)).clicked() {
+        if lab.adopt(app.scene()).is_some() && ui.button(look.catalog.message(&says)).clicked() {
             commands.push(Command::Adopt(lab.id()));
             ui.close();
         }
     }
-    let mut snap = model.settings.snap;
+    let mut snap = app.settings.snap;
     if ui.checkbox(&mut snap, look.say("settings-snap")).changed() {
         commands.push(Command::Snap(snap));
     }
     ui.separator();
-    changes(model, ui, commands);
+    changes(app, ui, commands);
     ui.separator();
-    files(model, ui, commands);
+    files(app, ui, commands);
     let measure = Command::Measure(true);
-    action(ui, look, ("cost-measure", "Ctrl+M"), model.measures).then(|| commands.push(measure));
+    action(ui, look, ("cost-measure", "Ctrl+M"), app.shown.measures)
+        .then(|| commands.push(measure));
     action(ui, look, ("action-help", "?"), true).then(|| commands.push(Command::Help));
 }
 
@@ -128,9 +123,9 @@ fn action(ui: &mut Ui, look: Look<'_>, (key, keys): (&str, &str), enabled: bool)
 }
 
 /// What was done and can be taken back; other scenes; the view.
-fn changes(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
-    let [can_undo, can_redo] = model.can_travel;
-    let free = if model.bookmark.free().is_some() {
+fn changes(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
+    let [can_undo, can_redo] = app.can_travel();
+    let free = if app.bookmark.free().is_some() {
         "action-course"
     } else {
         "action-free"
@@ -143,13 +138,13 @@ fn changes(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
         ("action-reset-view", "0", true, Command::FitView),
     ];
     for (key, keys, enabled, command) in rows {
-        action(ui, model.look, (key, keys), enabled).then(|| commands.push(command));
+        action(ui, app.look(), (key, keys), enabled).then(|| commands.push(command));
     }
 }
 
 /// Files that are opened and written; where the system asks for them, their paths can be typed all the same.
-fn files(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
-    let path = |of| model.has_file_dialogs.then_some(Command::TypePath(of));
+fn files(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
+    let path = |of| app.platform.has_dialogs().then_some(Command::TypePath(of));
     let rows = [
         ("action-open", "Ctrl+O", Some(Command::OpenFile)),
         ("action-open-path", "", path(PathOf::Opened)),
@@ -159,7 +154,7 @@ fn files(model: &Model<'_>, ui: &mut Ui, commands: &mut Vec<Command>) {
     ];
     for (key, keys, command) in rows {
         if let Some(command) = command
-            && action(ui, model.look, (key, keys), true)
+            && action(ui, app.look(), (key, keys), true)
         {
             commands.push(command);
         }

@@ -5,16 +5,15 @@
 //!                ├─► Command ─► App::apply ─► history, playback, bookmark, settings
 //! panels ────────┘                                   │
 //!   ▲                                                ▼
-//!   └───────────────── Model (what is shown) ◄───────┘
+//!   └─────────────────────── &App ◄──────────────────┘
 //! ```
 //!
-//! Panels read a `Model` and push [`Command`]s; nothing else changes anything.
+//! Panels read the [`App`] and push [`Command`]s; nothing else changes anything.
 
 mod apply;
 mod asking;
 mod bars;
 mod bookmark;
-mod caption_room;
 #[cfg(not(target_arch = "wasm32"))]
 mod chooser;
 mod clicks;
@@ -34,7 +33,6 @@ mod layout;
 mod menus;
 #[cfg(not(target_arch = "wasm32"))]
 mod mesh_loading;
-mod model;
 #[cfg(not(target_arch = "wasm32"))]
 mod native;
 mod notice;
@@ -46,6 +44,7 @@ mod playback;
 mod reload;
 mod room;
 mod run_room;
+mod seen;
 mod settings;
 mod sketch;
 mod stage;
@@ -55,7 +54,6 @@ mod stopwatch;
 mod tests;
 mod typed;
 mod typing;
-mod watch_room;
 #[cfg(target_arch = "wasm32")]
 mod web;
 mod window;
@@ -75,25 +73,22 @@ pub use settings::Settings;
 #[cfg(target_arch = "wasm32")]
 pub use web::start;
 
-use egui::{Pos2, Ui};
+use egui::{Pos2, Ui, Vec2};
 
 use crate::{
     labs::Scene,
     lesson::{CodeView, Course, SceneFile},
-    paint::{Theme, ThemeKind},
+    paint::ThemeKind,
     panels,
-    text::Catalog,
-    widgets::Look,
 };
 
 use bookmark::Bookmark;
 use desk::Desk;
 use history::History;
 use keys::Focus;
-use model::Model;
 use notice::Notices;
 use playback::Playback;
-use room::{CoursePart, Room};
+use room::Room;
 use stage_state::StageState;
 use stopwatch::Stopwatch;
 
@@ -128,6 +123,10 @@ pub struct App {
     reason = "each is open or not whatever the others are"
 )]
 struct Shown {
+    /// The window's size, as it was drawn last.
+    size: Vec2,
+    /// Can costs be measured in the open lab?
+    measures: bool,
     code: CodeView,
     dialog: Option<Dialog>,
     /// Is the window with the measured costs open?
@@ -182,6 +181,8 @@ impl App {
             history: History::new(scene),
             kit,
             shown: Shown {
+                size: Vec2::ZERO,
+                measures: false,
                 code: CodeView::Full,
                 dialog: None,
                 is_measuring: false,
@@ -282,14 +283,11 @@ impl App {
         self.name_window(&ctx);
         let mut commands = Vec::new();
         let lit = self.stage.lit;
-        let measures = self.measures();
+        (self.shown.size, self.shown.measures) = (ctx.content_rect().size(), self.measures());
+        // What is drawn into is not read: panels see an app without its stage and its labs' panels.
         let mut stage = std::mem::take(&mut self.stage);
         let mut panels = std::mem::take(&mut self.kit.panels);
-        let model = Model {
-            measures,
-            ..self.model(ctx.content_rect().size())
-        };
-        layout::show(&model, ui, &mut stage, &mut panels, &mut commands);
+        layout::show(self, ui, &mut stage, &mut panels, &mut commands);
         self.hide_idle_pointer(&ctx);
         (self.stage, self.kit.panels) = (stage, panels);
         if !commands.is_empty() || lit != self.stage.lit {
@@ -330,61 +328,5 @@ impl App {
         }
         let stopwatch = Stopwatch::start();
         panels::work(&mut self.kit.panels, ctx, &|| stopwatch.secs());
-    }
-
-    /// Colours and words of the present settings.
-    fn look(&self) -> Look<'static> {
-        Look {
-            theme: Theme::of(self.settings.theme),
-            catalog: Catalog::of(self.settings.lang),
-        }
-    }
-
-    /// What panels may read, in a window of this size.
-    fn model(&self, size: egui::Vec2) -> Model<'_> {
-        let is_narrow = room::is_narrow(size);
-        let look = self.look();
-        let has_strip = room::wants_strip(look.theme, size.x);
-        Model {
-            look,
-            settings: &self.settings,
-            bookmark: &self.bookmark,
-            scene: self.history.now(),
-            revision: self.history.revision(),
-            playback: &self.playback,
-            code: self.shown.code,
-            measures: self.measures(),
-            is_untouched: self.is_untouched(),
-            desk: &self.desk,
-            lists_lessons: self.shown.lists_lessons,
-            has_answer: self.has_answer(),
-            is_answered: self.shown.is_answered,
-            can_travel: [self.history.can_undo(), self.history.can_redo()],
-            room: if is_narrow {
-                self.shown.room
-            } else {
-                Room::Stage
-            },
-            course: match (self.settings.course, has_strip && !self.shown.unfolded) {
-                (false, _) => CoursePart::Hidden,
-                (true, true) => CoursePart::Strip,
-                (true, false) => CoursePart::Whole,
-            },
-            has_strip,
-            is_presenting: self.shown.presenting.is_some(),
-            has_file_dialogs: self.platform.has_dialogs(),
-            dialog: self.shown.dialog.as_ref(),
-            notices: self.notices.shown(),
-            is_measuring: self.shown.is_measuring,
-            is_narrow,
-            is_low: size.y < 420.0,
-        }
-    }
-
-    /// Has the open lab methods whose costs can be measured?
-    fn measures(&self) -> bool {
-        let lab = self.history.now().document().lab();
-        let mut panels = self.kit.panels.iter();
-        panels.any(|panel| panel.lab() == lab && panel.measures())
     }
 }

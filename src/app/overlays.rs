@@ -15,28 +15,23 @@ use crate::{
     widgets::{Icon, Look, icon_button, theme_key},
 };
 
-use super::{BINDINGS, Command, Dialog, Figures, Target, model::Model, notice::Notice};
+use super::{App, BINDINGS, Command, Dialog, Figures, Target, notice::Notice};
 
 /// Width of the list of keys at text scale 1, where there is room.
 const WIDTH: f32 = 528.0;
 
 /// Draws whatever is open.
-pub fn show(
-    model: &Model<'_>,
-    ui: &Ui,
-    panels: &mut [Box<dyn LabPanel>],
-    commands: &mut Vec<Command>,
-) {
-    let (ctx, look) = (ui.ctx(), model.look);
-    if !model.notices.is_empty() {
-        notices(ctx, look, model.notices, commands);
+pub fn show(app: &App, ui: &Ui, panels: &mut [Box<dyn LabPanel>], commands: &mut Vec<Command>) {
+    let (ctx, look) = (ui.ctx(), app.look());
+    if !app.notices.shown().is_empty() {
+        notices(ctx, look, app.notices.shown(), commands);
     }
-    if model.is_measuring {
-        measure(model, ctx, panels, commands);
+    if app.shown.is_measuring {
+        measure(app, ctx, panels, commands);
     }
-    match model.dialog {
+    match app.shown.dialog.as_ref() {
         Some(Dialog::Help) => help(ctx, look, commands),
-        Some(dialog) => path_dialog(model, ctx, dialog, commands),
+        Some(dialog) => path_dialog(app, ctx, dialog, commands),
         None => {}
     }
 }
@@ -197,8 +192,8 @@ fn written(ctx: &Context, modifiers: Modifiers, key: Key) -> String {
     format!("{}{sign}", whole.trim_end_matches('A'))
 }
 
-fn path_dialog(model: &Model<'_>, ctx: &Context, dialog: &Dialog, commands: &mut Vec<Command>) {
-    let look = model.look;
+fn path_dialog(app: &App, ctx: &Context, dialog: &Dialog, commands: &mut Vec<Command>) {
+    let look = app.look();
     let mut changed = dialog.clone();
     let (key, action, target, figures) = match &mut changed {
         Dialog::Open(target) => ("open-title", "action-open-it", target, None),
@@ -232,7 +227,7 @@ fn path_dialog(model: &Model<'_>, ctx: &Context, dialog: &Dialog, commands: &mut
             if (ui.add_enabled(ready, go).clicked() || entered) && ready {
                 commands.push(Command::Confirm);
             }
-            if model.has_file_dialogs && ui.button(look.say("action-browse")).clicked() {
+            if app.platform.has_dialogs() && ui.button(look.say("action-browse")).clicked() {
                 commands.push(Command::Browse);
             }
             if ui.button(look.say("action-cancel")).clicked() {
@@ -313,12 +308,12 @@ fn choices(ui: &mut Ui, look: Look<'_>, figures: &mut Figures) {
 }
 
 fn measure(
-    model: &Model<'_>,
+    app: &App,
     ctx: &Context,
     panels: &mut [Box<dyn LabPanel>],
     commands: &mut Vec<Command>,
 ) {
-    let (look, scene) = (model.look, model.scene);
+    let (look, scene) = (app.look(), app.scene());
     let Some(bench) = panel_of(panels, scene).and_then(|panel| panel.bench()) else {
         return;
     };

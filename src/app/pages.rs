@@ -112,13 +112,14 @@ impl App {
 
     /// The next step of the lesson, or the one before; where a question is to be read, first its answer.
     pub(super) fn turn_page(&mut self, ctx: &Context, forward: bool) {
-        let model = self.model(ctx.content_rect().size());
-        let is_read = match model.room {
+        self.shown.size = ctx.content_rect().size();
+        let is_read = match self.room() {
             Room::Course => true,
-            Room::Stage => model.course == CoursePart::Whole && !model.is_narrow,
+            Room::Stage => self.course_part() == CoursePart::Whole && !self.is_narrow(),
             Room::Inspector => false,
         };
-        let is_asked = is_read && !model.is_presenting && model.has_answer && !model.is_answered;
+        let is_hidden = self.has_answer() && !self.shown.is_answered;
+        let is_asked = is_read && !self.is_presenting() && is_hidden;
         if forward && is_asked {
             self.shown.is_answered = true;
         } else {

@@ -9,7 +9,7 @@ use crate::{
     widgets::{CanvasShown, place_at},
 };
 
-use super::{Command, model::Model};
+use super::{App, Command};
 
 /// A click this near to the first point, in points, closes the outline.
 const CLOSE_REACH: f32 = 10.0;
@@ -19,13 +19,7 @@ const DOT: f32 = 4.0;
 const DASH: [f32; 2] = [6.0, 4.0];
 
 /// What was done to a canvas while an outline is drawn.
-pub fn ask(
-    model: &Model<'_>,
-    ui: &Ui,
-    shown: &CanvasShown,
-    sketch: &Sketch,
-    commands: &mut Vec<Command>,
-) {
+pub fn ask(app: &App, ui: &Ui, shown: &CanvasShown, sketch: &Sketch, commands: &mut Vec<Command>) {
     commands.extend(shown.view.map(|view| Command::View(ViewId::PLANE, view)));
     let Some(click) = shown.clicked else {
         return;
@@ -34,7 +28,7 @@ pub fn ask(
     if click.is_double || closes(&shown.viewport, sketch, click.at) {
         commands.push(Command::CloseOutline);
     } else {
-        let at = place_at(ui, &shown.viewport, click.at, model.settings.snap);
+        let at = place_at(ui, &shown.viewport, click.at, app.settings.snap);
         commands.push(Command::Place(at));
     }
 }
@@ -45,8 +39,8 @@ fn closes(viewport: &Viewport, sketch: &Sketch, at: Pos2) -> bool {
 }
 
 /// The points placed so far, and dashed what the next click would add.
-pub fn draw(model: &Model<'_>, ui: &Ui, viewport: &Viewport, sketch: &Sketch) {
-    let theme = model.look.theme;
+pub fn draw(app: &App, ui: &Ui, viewport: &Viewport, sketch: &Sketch) {
+    let theme = app.look().theme;
     let painter = ui.painter_at(viewport.rect);
     let colour = theme.accent;
     let points: Vec<Pos2> = sketch
@@ -60,7 +54,7 @@ pub fn draw(model: &Model<'_>, ui: &Ui, viewport: &Viewport, sketch: &Sketch) {
         .filter(|_| ui.rect_contains_pointer(viewport.rect));
     let will_close = pointer.is_some_and(|at| closes(viewport, sketch, at));
     let next = pointer.map(|at| {
-        let at = place_at(ui, viewport, at, model.settings.snap);
+        let at = place_at(ui, viewport, at, app.settings.snap);
         viewport.to_screen(at)
     });
     let next = if will_close {

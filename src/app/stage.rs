@@ -4,27 +4,23 @@
 use std::borrow::Cow;
 
 use egui::{
-    Align2, Button, CursorIcon, Id, InputState, Rect, RichText, Stroke, Ui, UiBuilder, pos2, vec2,
+    Align2, Button, CursorIcon, Id, InputState, Rect, RichText, Stroke, Ui, UiBuilder, vec2,
 };
 
 use crate::{
-    figure::{
-        Body, Caption, ColumnLayout, Frame, Layout, Lens, Mark, Raster, Role, Seer, Sheet, ViewId,
-    },
+    figure::{Body, Caption, ColumnLayout, Frame, Layout, Lens, Mark, Raster, Role, Seer, ViewId},
     labs::{Click, Edit, Handle, Lock, MethodCard, Sketch},
-    paint::{Typeset, Viewport},
+    paint::Viewport,
     panels::{Reach, spots},
     text::Message,
     widgets::{
-        Canvas, CanvasShown, Spot, StepWords, TEXT_PTS, beside_the_drawing, caption_text, covered,
-        gripped, headline, link_at, picture_viewport, projected, rect_of, slot_of, title_ground,
-        title_of_space, under_title,
+        Canvas, CanvasShown, Composition, Spacing, Spot, caption_text, covered, gripped, link_at,
+        picture_viewport, projected, rect_of, title_ground, title_of_space, under_title,
     },
 };
 
 use super::{
-    Command, clicks, model::Model, room::CoursePart, sketch, stage_state::StageState,
-    typing::told_of,
+    App, Command, clicks, room::CoursePart, sketch, stage_state::StageState, typing::told_of,
 };
 
 /// What can be taken hold of.
@@ -37,76 +33,67 @@ struct Hands<'a> {
 
 /// White space beside words, and around what stands beside the drawing.
 const INDENT: f32 = 24.0;
-/// Height of the strip that names a method, with room for two lines.
-const NAME: f32 = 44.0;
+/// That of the stage; the method's name has room for two lines.
+const SPACING: Spacing = Spacing {
+    margin: 0.0,
+    gutter: 0.0,
+    inset: INDENT,
+    under_title: INDENT,
+    name: 44.0,
+    over_caption: 0.0,
+    is_fixed: true,
+};
 
 /// The step's title, where nothing else on the screen says it.
-fn title(model: &Model<'_>, ui: &Ui, rect: Rect) -> Option<Typeset> {
-    let is_said = model.course == CoursePart::Whole && !model.is_presenting && !model.is_narrow;
-    let title = model.bookmark.title(model.settings.lang)?;
-    let is_shown = !is_said && model.is_untouched && !model.is_low;
-    let width = rect.width() - 2.0 * INDENT;
-    is_shown.then(|| headline(ui.painter(), model.look.theme, title, width))
-}
-
-/// What the stage is laid out on, where each caption takes so much height.
-fn sheet(model: &Model<'_>, rect: Rect, title: Option<&Typeset>, caption: f32) -> Sheet {
-    let theme = model.look.theme;
-    let is_comparison = model.playback.frames().len() > 1;
-    Sheet {
-        area: slot_of(rect),
-        em: TEXT_PTS * theme.text_scale,
-        margin: 0.0,
-        inset: INDENT,
-        gutter: 0.0,
-        title: title.map_or(0.0, |title| title.size().y + INDENT),
-        name: if is_comparison {
-            NAME * theme.title_scale
-        } else {
-            0.0
-        },
-        over_caption: 0.0,
-        caption,
-        cost: 0.0,
-        is_fixed: true,
-    }
+fn title(app: &App) -> Option<&str> {
+    let is_whole = app.course_part() == CoursePart::Whole;
+    let is_said = is_whole && !app.is_presenting() && !app.is_narrow();
+    let title = app.bookmark.title(app.settings.lang)?;
+    (!is_said && !app.is_low() && app.is_untouched()).then_some(title)
 }
 
 /// Draws the stage into all the room there is.
-pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &mut Vec<Command>) {
+pub fn show(app: &App, ui: &mut Ui, state: &mut StageState, commands: &mut Vec<Command>) {
     let rect = ui.max_rect();
-    let frames = model.playback.frames();
-    let methods = model.scene.document().methods();
+    let frames = app.playback.frames();
+    let methods = app.scene().document().methods();
     // A place that is clicked while an outline is drawn is a point of it.
     let is_drawing = state.sketch.is_some();
     let handles = if is_drawing {
         Vec::new()
     } else {
-        model.scene.document().handles()
+        app.scene().document().handles()
     };
-    let step = model.bookmark.step();
+    let step = app.bookmark.step();
     let hands = Hands {
         handles: &handles,
-        locks: step.map_or(&[][..], |step| step.locks_in(model.scene, &handles)),
+        locks: step.map_or(&[][..], |step| step.locks_in(app.scene(), &handles)),
         focused: state.focused.take(),
     };
     state.canvas_ids.clear();
     state.handle_ids.clear();
-    let layout = lay_out(model, ui, state, rect);
-    let columns = frames.iter().zip(methods).zip(&layout.columns);
+    let composition = Composition {
+        look: app.look(),
+        spacing: &SPACING,
+        methods: &methods,
+        difference: app.playback.difference(),
+    };
+    let layout = lay_out(app, ui, state, (rect, &composition));
+    let columns = frames.iter().zip(&methods).zip(&layout.columns);
     for (i, ((frame, method), places)) in columns.enumerate() {
         let whole = rect_of(places.whole);
         let column = Column {
             index: i,
             places,
             method,
+            composition: &composition,
             hands: &hands,
         };
         let inner = UiBuilder::new().max_rect(whole).id_salt(("column", i));
         ui.scope_builder(inner, |ui| {
             ui.set_clip_rect(whole.intersect(ui.clip_rect()));
             let drawing = state.drawing(frame);
-            let shown = column.show(model, ui, state, frame, drawing, commands);
+            let shown = column.show(app, ui, state, frame, drawing, commands);
             state.focused = state
                 .focused
                 .or(shown.focused.and_then(|i| handles.get(i).copied()));
@@ -114,9 +101,9 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
                 state.inspected = i;
             }
             match &state.sketch {
-                Some(drawn) => sketch::ask(model, ui, &shown, drawn, commands),
+                Some(drawn) => sketch::ask(app, ui, &shown, drawn, commands),
                 None => clicks::ask(
-                    model,
+                    app,
                     ui,
                     &shown,
                     drawing,
@@ -127,28 +114,27 @@ pub fn show(model: &Model<'_>, ui: &mut Ui, state: &mut StageState, commands: &m
             }
         });
         if i > 0 {
-            let line = Stroke::new(1.0, model.look.theme.hairline);
+            let line = Stroke::new(1.0, app.look().theme.hairline);
             ui.painter().vline(whole.left(), whole.y_range(), line);
         }
     }
 }
 
 /// Finds where everything stands, and draws what stands over all columns.
-fn lay_out(model: &Model<'_>, ui: &Ui, state: &mut StageState, rect: Rect) -> Layout {
-    let frames = model.playback.frames();
-    let title = title(model, ui, rect);
-    let width = rect.width() / frames.len().max(1) as f32 - 2.0 * INDENT;
-    let caption = state.captions.height(model, ui, width);
-    let sheet = sheet(model, rect, title.as_ref(), caption);
-    let layout = sheet.lay_out(model.playback.needs());
+fn lay_out(
+    app: &App,
+    ui: &Ui,
+    state: &mut StageState,
+    (rect, composition): (Rect, &Composition<'_>),
+) -> Layout {
+    let width = composition.column_width(rect);
+    let caption = state.captions.height(app.on_stage(), ui, width);
+    ui.painter()
+        .rect_filled(rect, 0.0, app.look().theme.background);
+    let heights = [caption, 0.0];
+    let layout = composition.lay_out(ui, rect, title(app), heights, app.playback.needs());
     let views = layout.columns.iter().flat_map(|column| &column.views);
     state.places = views.copied().collect();
-    ui.painter()
-        .rect_filled(rect, 0.0, model.look.theme.background);
-    if let Some(title) = title {
-        let at = pos2(rect.left() + INDENT, rect.top() + 0.5 * INDENT);
-        title.paint(ui.painter(), at, Align2::LEFT_TOP);
-    }
     layout
 }
 
@@ -156,43 +142,35 @@ fn lay_out(model: &Model<'_>, ui: &Ui, state: &mut StageState, rect: Rect) -> La
 struct Column<'a> {
     index: usize,
     places: &'a ColumnLayout,
-    method: &'static MethodCard,
+    method: &'a MethodCard,
+    composition: &'a Composition<'a>,
     hands: &'a Hands<'a>,
 }
 
 impl Column<'_> {
     fn show(
         &self,
-        model: &Model<'_>,
+        app: &App,
         ui: &mut Ui,
         state: &mut StageState,
         frame: &Frame,
         drawing: (ViewId, Lens),
         commands: &mut Vec<Command>,
     ) -> CanvasShown {
-        let look = model.look;
         let hint = state.sketch.as_ref().map(Sketch::hint);
-        let late = || (model.playback.is_late()).then(|| Message::new("run-later"));
+        let late = || (app.playback.is_late()).then(|| Message::new("run-later"));
         let hint = hint.or_else(late).map(Caption::new);
         let said = hint.as_ref().unwrap_or(&frame.caption);
         let rect = rect_of(self.places.slot(drawing.0).unwrap_or_default());
-        let mut shown = self.canvas(model, ui, state, (frame, drawing), said, (rect, commands));
-        let is_one_of_two = model.playback.frames().len() > 1;
-        let name = is_one_of_two.then(|| look.say(self.method.name_key));
-        let difference = model.playback.difference();
-        let note = difference
-            .filter(|difference| difference.column == self.index)
-            .map(|difference| look.catalog.message(&difference.message()));
-        let words = StepWords {
-            name: name.as_deref(),
-            // The transport says it.
-            moment: None,
-            note: note.as_deref(),
-            said,
-            indent: INDENT,
-        };
-        let pointed = beside_the_drawing(ui, look, self.places, &frame.views, &words, state.lit);
-        if let Some(handle) = pointed.and_then(|link| told_of(model, &frame.watch, link)) {
+        let mut shown = self.canvas(app, ui, state, (frame, drawing), said, (rect, commands));
+        let column = (self.index, self.places);
+        // The transport says the moment.
+        let words = (said, None);
+        let composition = self.composition;
+        let pointed = composition.beside_the_drawing(ui, column, &frame.views, words, state.lit);
+        if let Some(handle) =
+            pointed.and_then(|link| told_of(app.scene(), app.bookmark.step(), &frame.watch, link))
+        {
             ui.set_cursor_icon(CursorIcon::Text);
             let click = |input: &InputState| input.pointer.interact_pos();
             let is_clicked = ui.input(|input| input.pointer.primary_clicked());
@@ -210,7 +188,7 @@ impl Column<'_> {
                 link: pixel,
                 locks: self.hands.locks,
             };
-            let change = model.scene.document().click(&click);
+            let change = app.scene().document().click(&click);
             commands.extend(change.map(|change| Command::Edit(Edit::Own(change), None)));
             commands.push(Command::Ask(pixel));
         }
@@ -240,7 +218,7 @@ impl Column<'_> {
 
     fn spots(
         &self,
-        model: &Model<'_>,
+        app: &App,
         ui: &Ui,
         state: &StageState,
         id: Id,
@@ -256,13 +234,13 @@ impl Column<'_> {
             gripped: gripped(ui, id),
         };
         let Hands { handles, locks, .. } = self.hands;
-        spots(model.look, model.scene, handles, locks, &reach)
+        spots(app.look(), app.scene(), handles, locks, &reach)
     }
 
     /// What a click under the pointer would pick.
     fn pointed(
         &self,
-        model: &Model<'_>,
+        app: &App,
         ui: &Ui,
         is_drawing: bool,
         (viewport, lens): (&Viewport, Lens),
@@ -274,20 +252,20 @@ impl Column<'_> {
         let pointer = ui.input(|input| input.pointer.hover_pos())?;
         let there = (pointer, link_at(viewport, marks, pointer));
         let click = clicks::click_at(viewport, lens, self.hands.locks, there);
-        let shape = model.scene.document().pointed(&click)?;
+        let shape = app.scene().document().pointed(&click)?;
         Some(Mark::new(Role::Accent, shape))
     }
 
     fn canvas(
         &self,
-        model: &Model<'_>,
+        app: &App,
         ui: &mut Ui,
         state: &mut StageState,
         (frame, drawing): (&Frame, (ViewId, Lens)),
         said: &Caption,
         (rect, commands): (Rect, &mut Vec<Command>),
     ) -> CanvasShown {
-        let look = model.look;
+        let look = app.look();
         let space = frame.space();
         let seen_in = space.map_or(rect, |space| under_title(ui, rect, look, space));
         let viewport = state.viewport(drawing, seen_in);
@@ -297,14 +275,14 @@ impl Column<'_> {
         let is_drawing = state.sketch.is_some();
         let is_world = !space.is_some_and(|space| matches!(space.seer, Seer::Apart(_)));
         let spots = if is_world {
-            self.spots(model, ui, state, id, (&viewport, drawing.1))
+            self.spots(app, ui, state, id, (&viewport, drawing.1))
         } else {
             Vec::new()
         };
         let seen = space.map(|space| projected(ui.ctx(), id, space, &drawing.1));
         let marks = match &seen {
             Some(seen) => Cow::Borrowed(&seen[..]),
-            None => state.marks(self.index, model, frame),
+            None => state.marks(self.index, (&app.history, &app.playback), frame),
         };
         let corner = rect.shrink2(vec2(INDENT, 0.0));
         let mut covered = covered(self.places, drawing.0, look);
@@ -319,9 +297,9 @@ impl Column<'_> {
             ),
             text: caption_text(look.catalog, said),
             spots: &spots,
-            snap: model.settings.snap && is_flat,
+            snap: app.settings.snap && is_flat,
             has_grid: is_flat,
-            pointed: self.pointed(model, ui, is_drawing, (&viewport, drawing.1), &marks),
+            pointed: self.pointed(app, ui, is_drawing, (&viewport, drawing.1), &marks),
             marks: &marks,
             covered: &covered,
             lit,
@@ -335,13 +313,13 @@ impl Column<'_> {
         let ids = spots.iter().map(|spot| id.with(spot.index));
         state.handle_ids.extend(ids);
         if let Some(drawn) = &state.sketch {
-            sketch::draw(model, ui, &viewport, drawn);
+            sketch::draw(app, ui, &viewport, drawn);
         }
-        if self.index == 0 && model.playback.main().is_refused() && state.sketch.is_none() {
-            ways_out(model, ui, state, rect, commands);
+        if self.index == 0 && app.playback.main().is_refused() && state.sketch.is_none() {
+            ways_out(app, ui, state, rect, commands);
         }
         if state.is_moved(drawing.0) {
-            fit(model, ui, rect, commands);
+            fit(app, ui, rect, commands);
         }
         state.pointed_on_stage = state.pointed_on_stage.or(shown.pointed);
         state.saw(drawing.0, shown.viewport);
@@ -350,8 +328,8 @@ impl Column<'_> {
 }
 
 /// The way back to the whole scene, in sight while the view is elsewhere.
-fn fit(model: &Model<'_>, ui: &mut Ui, rect: Rect, commands: &mut Vec<Command>) {
-    let look = model.look;
+fn fit(app: &App, ui: &mut Ui, rect: Rect, commands: &mut Vec<Command>) {
+    let look = app.look();
     let text = RichText::new(look.say("action-fit")).color(look.theme.accent);
     let size = vec2(64.0, 24.0) * look.theme.text_scale.sqrt();
     let place = Align2::RIGHT_TOP.anchor_size(rect.right_top() + vec2(-8.0, 32.0), size);
@@ -366,13 +344,13 @@ fn fit(model: &Model<'_>, ui: &mut Ui, rect: Rect, commands: &mut Vec<Command>) 
 
 /// What can be done with a scene that its method cannot take.
 fn ways_out(
-    model: &Model<'_>,
+    app: &App,
     ui: &mut Ui,
     state: &mut StageState,
     rect: Rect,
     commands: &mut Vec<Command>,
 ) {
-    let look = model.look;
+    let look = app.look();
     let place = rect.shrink2(vec2(INDENT, 0.5 * INDENT));
     ui.scope_builder(UiBuilder::new().max_rect(place), |ui| {
         ui.horizontal_wrapped(|ui| {
@@ -385,10 +363,10 @@ fn ways_out(
                     commands.push(command);
                 }
             };
-            if model.can_travel[0] {
+            if app.can_travel()[0] {
                 way(ui, look.say("action-undo"), Command::Undo);
             }
-            for card in state.ways_out(model.scene, model.revision) {
+            for card in state.ways_out(app.scene(), app.history.revision()) {
                 let edit = Edit::Method(card.id);
                 way(ui, look.say(card.name_key), Command::Edit(edit, None));
             }

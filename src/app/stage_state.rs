@@ -14,10 +14,10 @@ use crate::{
 
 use super::{
     Command,
-    caption_room::CaptionRoom,
-    model::Model,
+    history::History,
+    playback::Playback,
+    run_room::{AllCosts, CaptionRoom, CodeLinkRooms, Verdicts, WatchRooms},
     typing::Typing,
-    watch_room::{AllCosts, CodeLinkRooms, Verdicts, WatchRooms},
 };
 
 /// What the stage remembers between frames. None of it is part of the document.
@@ -239,22 +239,24 @@ impl StageState {
     }
 
     /// What is drawn in a column: the backdrop, and this step's marks over it.
-    pub fn marks(&mut self, column: usize, model: &Model<'_>, frame: &Frame) -> Cow<'_, [Mark]> {
-        let transport = model.playback.transport();
+    pub fn marks(
+        &mut self,
+        column: usize,
+        (history, playback): (&History<Scene>, &Playback),
+        frame: &Frame,
+    ) -> Cow<'_, [Mark]> {
+        let transport = playback.transport();
+        let document = history.now().document();
         let step = transport.position();
-        let method = model
-            .scene
-            .document()
-            .methods()
-            .get(column)
-            .map_or("", |card| card.id);
-        let under = (model.revision, method, step >= transport.n_steps());
+        let methods = document.methods();
+        let method = methods.get(column).map_or("", |card| card.id);
+        let under = (history.revision(), method, step >= transport.n_steps());
         let known = self
             .layers
             .get(column)
             .filter(|layers| layers.under == under);
         if known.is_none() {
-            let marks = model.scene.document().backdrop(column, under.2);
+            let marks = document.backdrop(column, under.2);
             self.layers.truncate(column);
             self.layers.push(Layers {
                 under,
@@ -263,7 +265,7 @@ impl StageState {
                 marks,
             });
         }
-        let is_bare = self.sketch.is_some() || model.playback.is_late();
+        let is_bare = self.sketch.is_some() || playback.is_late();
         let layers = &mut self.layers[column];
         if is_bare {
             return Cow::Borrowed(&layers.marks[..layers.n_under]);

@@ -10,7 +10,7 @@ use crate::{
     widgets::Look,
 };
 
-use super::{Command, model::Model};
+use super::Command;
 
 /// A place while it is typed.
 #[derive(Clone, PartialEq, Debug)]
@@ -33,8 +33,13 @@ pub fn is_held(step: Option<&LessonStep>, scene: &Scene, handle: Handle) -> bool
 
 /// The handle of which the rows under a link tell: whose place they show, or the side that they are about. None that the
 /// lesson holds.
-pub fn told_of(model: &Model<'_>, watch: &Watch, link: Link) -> Option<Handle> {
-    let document = model.scene.document();
+pub fn told_of(
+    scene: &Scene,
+    step: Option<&LessonStep>,
+    watch: &Watch,
+    link: Link,
+) -> Option<Handle> {
+    let document = scene.document();
     let rows = watch.iter().flat_map(|section| &section.rows);
     let rows = rows.filter(|row| row.link == Some(link));
     let places = rows.flat_map(|row| row.cells.iter().flatten());
@@ -52,7 +57,7 @@ pub fn told_of(model: &Model<'_>, watch: &Watch, link: Link) -> Option<Handle> {
             .is_some_and(|at| places.contains(&at)),
     };
     let handle = document.handles().into_iter().find(is_told)?;
-    (!is_held(model.bookmark.step(), model.scene, handle)).then_some(handle)
+    (!is_held(step, scene, handle)).then_some(handle)
 }
 
 /// The field beside the handle at `at`. Enter applies it; Escape, or a click elsewhere, leaves it.

@@ -3,16 +3,16 @@
 #[cfg(test)]
 mod tests;
 
-use egui::{Align2, Rect, Ui, vec2};
+use egui::{Rect, Ui, vec2};
 
 use crate::{
-    figure::{Body, Caption, ColumnLayout, Frame, Need, Run, Sheet, ViewId, needs, sentences},
+    figure::{Body, Caption, ColumnLayout, Frame, Need, Run, ViewId, needs, sentences},
     labs::{Difference, MethodCard, Scene},
     paint::{Around, Headless, Image, Theme, ThemeKind, Viewport, stage},
     text::{Catalog, Lang, Message},
     widgets::{
-        Bars, Cost, Look, StepWords, TEXT_PTS, beside_the_drawing, covered, headline,
-        height_for_all, most_of_a_kind, rect_of, slot_of, space, view,
+        Bars, Composition, Cost, Look, Spacing, covered, height_for_all, most_of_a_kind, rect_of,
+        space, view,
     },
 };
 
@@ -24,18 +24,20 @@ const PAGE_PTS: [f32; 2] = [960.0, 540.0];
 const ENLARGED_BY: f32 = 0.1;
 /// So large it may become at most.
 const MOST_ENLARGED: f32 = 1.4;
-/// White space around all: at the sides, above and below.
-const MARGIN_PTS: [f32; 2] = [48.0, 26.0];
-/// Under the title.
-const UNDER_TITLE_PTS: f32 = 20.0;
-/// Between the methods that stand side by side.
-const GUTTER_PTS: f32 = 40.0;
-/// Height of the strip that names a method.
-const NAME_PTS: f32 = 36.0;
+/// White space above and below.
+const MARGIN_PTS: f32 = 26.0;
+/// White space of a page.
+const SPACING: Spacing = Spacing {
+    margin: 48.0,
+    gutter: 40.0,
+    inset: 0.0,
+    under_title: 20.0,
+    name: 36.0,
+    over_caption: 18.0,
+    is_fixed: false,
+};
 /// Over a method's cost.
 const OVER_COST_PTS: f32 = 8.0;
-/// Over the hairline.
-const OVER_CAPTION_PTS: f32 = 18.0;
 
 /// Which steps of the runs become pictures.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -208,45 +210,31 @@ struct Page<'a> {
 impl Page<'_> {
     /// Draws it; the views there is no room for.
     fn show(&self, ui: &mut Ui, columns: &[Column]) -> Vec<ViewId> {
-        let theme = self.look.theme;
-        let area = ui.max_rect().shrink2(vec2(0.0, MARGIN_PTS[1]));
-        let width = area.width() - 2.0 * MARGIN_PTS[0];
-        let title = self.picture.title;
-        let title = title.map(|title| headline(ui.painter(), theme, title, width));
-        let n = columns.len().max(1) as f32;
-        let column_width = (width - (n - 1.0) * GUTTER_PTS) / n;
+        let area = ui.max_rect().shrink2(vec2(0.0, MARGIN_PTS));
+        let methods: Vec<_> = columns.iter().map(|column| column.method).collect();
+        let composition = Composition {
+            look: self.look,
+            spacing: &SPACING,
+            methods: &methods,
+            difference: self.recorded.difference,
+        };
+        let width = composition.column_width(area);
         let costs = self.costs(columns);
         let bars: Vec<_> = costs
             .iter()
-            .map(|cost| Bars::new(ui.painter(), self.look, cost, column_width))
+            .map(|cost| Bars::new(ui.painter(), self.look, cost, width))
             .collect();
-        let sheet = Sheet {
-            area: slot_of(area),
-            em: TEXT_PTS * theme.text_scale,
-            margin: MARGIN_PTS[0],
-            inset: 0.0,
-            gutter: GUTTER_PTS,
-            title: title
-                .as_ref()
-                .map_or(0.0, |title| title.size().y + UNDER_TITLE_PTS),
-            name: if columns.len() > 1 {
-                NAME_PTS * theme.title_scale
-            } else {
-                0.0
-            },
-            over_caption: OVER_CAPTION_PTS,
-            caption: self.caption_height(ui, columns, column_width),
-            cost: bars
-                .first()
-                .map_or(0.0, |bars| bars.height() + OVER_COST_PTS),
-            is_fixed: false,
-        };
-        let layout = sheet.lay_out(&self.recorded.needs);
-        if let Some(title) = title {
-            title.paint(ui.painter(), rect_of(layout.title).min, Align2::LEFT_TOP);
-        }
+        let cost = bars
+            .first()
+            .map_or(0.0, |bars| bars.height() + OVER_COST_PTS);
+        let heights = [self.caption_height(ui, columns, width), cost];
+        let (title, needs) = (self.picture.title, &self.recorded.needs);
+        let layout = composition.lay_out(ui, area, title, heights, needs);
         for (i, (column, places)) in columns.iter().zip(&layout.columns).enumerate() {
-            self.column(ui, i, column, places);
+            self.drawing(ui, i, column, places);
+            let moment = column.moment(self.look.catalog);
+            let words = (&column.frame.caption, moment.as_deref());
+            composition.beside_the_drawing(ui, (i, places), &column.frame.views, words, None);
             if let Some(bars) = bars.get(i).filter(|_| column.has_run) {
                 let mut rect = rect_of(places.cost);
                 rect.min.y += OVER_COST_PTS;
@@ -258,7 +246,7 @@ impl Page<'_> {
             let lost = lost.filter(|&id| places.slot(id).is_none());
             lost.collect::<Vec<ViewId>>()
         };
-        let columns = self.recorded.needs.iter().zip(&layout.columns);
+        let columns = needs.iter().zip(&layout.columns);
         columns.flat_map(lost).collect()
     }
 
@@ -293,40 +281,25 @@ impl Page<'_> {
         counts.iter().map(cost).collect()
     }
 
-    fn column(&self, ui: &mut Ui, index: usize, column: &Column, places: &ColumnLayout) {
-        let Look { catalog, .. } = self.look;
-        if let Some(first) = column.frame.views.first()
-            && let Some(slot) = places.slot(first.id)
-        {
-            let rect = rect_of(slot);
-            if let Body::Space(shown) = &first.body {
-                let covered = covered(places, first.id, self.look);
-                space(ui, self.look, rect, (first.id, shown), &covered, None);
-            } else if first.id == ViewId::PLANE {
-                self.drawing(ui, rect, index, column);
-            } else {
-                view(ui, self.look, rect, first, None);
-            }
-        }
-        let is_comparison = self.recorded.needs.len() > 1;
-        let name = is_comparison.then(|| catalog.term(column.method.name_key));
-        let note = self
-            .recorded
-            .difference
-            .filter(|difference| difference.column == index)
-            .map(|difference| catalog.message(&difference.message()));
-        let moment = column.moment(catalog);
-        let words = StepWords {
-            name: name.as_deref(),
-            moment: moment.as_deref(),
-            note: note.as_deref(),
-            said: &column.frame.caption,
-            indent: 0.0,
+    fn drawing(&self, ui: &Ui, index: usize, column: &Column, places: &ColumnLayout) {
+        let Some(first) = column.frame.views.first() else {
+            return;
         };
-        beside_the_drawing(ui, self.look, places, &column.frame.views, &words, None);
+        let Some(slot) = places.slot(first.id) else {
+            return;
+        };
+        let rect = rect_of(slot);
+        if let Body::Space(shown) = &first.body {
+            let covered = covered(places, first.id, self.look);
+            space(ui, self.look, rect, (first.id, shown), &covered, None);
+        } else if first.id == ViewId::PLANE {
+            self.plane(ui, rect, index, column);
+        } else {
+            view(ui, self.look, rect, first, None);
+        }
     }
 
-    fn drawing(&self, ui: &Ui, rect: Rect, index: usize, column: &Column) {
+    fn plane(&self, ui: &Ui, rect: Rect, index: usize, column: &Column) {
         let scene = self.picture.scene.document();
         let viewport = Viewport::fit(rect, scene.bounds());
         let painter = ui.painter().with_clip_rect(rect);

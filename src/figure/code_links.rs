@@ -1,6 +1,6 @@
 //! Which lines of a method's pseudocode are about what: as its own run has it, line by line.
 
-use super::{Link, Run, extent::Asked};
+use super::{extent::Asked, role::Link, run::Run};
 
 /// Of a run's steps so many are asked what they are about.
 const MOST_ASKED: usize = 128;

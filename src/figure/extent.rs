@@ -3,7 +3,14 @@
 use std::ops::ControlFlow;
 
 use super::{
-    Body, Caption, Graph, Lens, Lists, Places, Run, Shown, View, ViewId, Watch, layers, unseen,
+    frame::Caption,
+    graph::{Graph, Places, layers},
+    lens::Lens,
+    lists::Lists,
+    run::Run,
+    shown::Shown,
+    view::{Body, View, ViewId},
+    watch::{Watch, unseen},
 };
 
 /// Of a run's steps so many are asked what they show, the first and the last among them: a view that comes or grows is

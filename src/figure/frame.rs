@@ -5,7 +5,13 @@ use crate::{
     trace::Counts,
 };
 
-use super::{Body, Link, Mark, Role, Space, View, ViewId, Watch};
+use super::{
+    mark::Mark,
+    role::{Link, Role},
+    space::Space,
+    view::{Body, View, ViewId},
+    watch::Watch,
+};
 
 /// One sentence: the decision, then the arithmetic that led to it.
 #[derive(Clone, PartialEq, Debug)]

@@ -5,7 +5,7 @@ mod spread;
 
 use crate::text::Value;
 
-use super::{Link, Role};
+use super::role::{Link, Role};
 
 pub use layers::{Spot, Stands, layers};
 pub use spread::spread;

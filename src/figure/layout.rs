@@ -15,19 +15,16 @@
 //!
 //! Everything is settled by what a whole run wants ([`super::needs`]), so that no step moves anything.
 
-mod column;
 mod groups;
-mod slot;
+mod places;
 #[cfg(test)]
 mod tests;
-mod way;
 
-use super::{Need, ViewId};
+use super::{extent::Need, view::ViewId};
 
-use groups::Groups;
-use way::Way;
+use groups::{Groups, Way};
 
-pub use self::{column::ColumnLayout, slot::Slot};
+pub use self::places::{ColumnLayout, Slot};
 
 /// Of its column's width a drawing keeps this part at least, and of its height.
 const DRAWING: [f32; 2] = [0.45, 0.42];

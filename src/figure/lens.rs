@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::geom::{Camera, Matrix, Orbit, Sight};
 
-use super::Seer;
+use super::space::Seer;
 
 /// How places in the world and on a drawing belong together.
 #[derive(Clone, Copy, PartialEq, Debug)]

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use crate::text::Value;
 
-use super::{Link, Role};
+use super::role::{Link, Role};
 
 /// Lists side by side, from left to right.
 #[derive(Clone, PartialEq, Debug)]

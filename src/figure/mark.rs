@@ -1,8 +1,11 @@
-//! Marks: the things that are drawn, in world coordinates.
+//! Marks: the things that are drawn, in world coordinates, and the text beside them.
 
 use crate::{geom::Axis, text::Value};
 
-use super::{Label, Link, Role, Solids};
+use super::{
+    role::{Link, Role},
+    solids::Solids,
+};
 
 /// A corner of a textured triangle: its place, and (u, v) in the unit square that the texture fills.
 pub type Texel = ([f64; 2], [f64; 2]);
@@ -164,5 +167,32 @@ impl Mark {
     pub fn linked(mut self, link: impl Into<Link>) -> Self {
         self.link = Some(link.into());
         self
+    }
+}
+
+/// Text beside a mark. The painter finds a place near the anchor where it covers nothing.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Label {
+    /// What it says.
+    pub text: Value,
+    /// Set in the monospaced face: codes and numbers.
+    pub mono: bool,
+    /// The one thing that matters here: semibold.
+    pub strong: bool,
+    /// The direction, in the world, in which it has to stand off its mark; for an inequality, where it holds.
+    pub toward: Option<[f64; 2]>,
+    /// The character, by its index, that is this step's: drawn in the signal's colour, as one bit of a code.
+    pub lit: Option<usize>,
+}
+
+impl Label {
+    pub(super) fn new(text: impl Into<Value>, mono: bool) -> Self {
+        Self {
+            text: text.into(),
+            mono,
+            strong: false,
+            toward: None,
+            lit: None,
+        }
     }
 }

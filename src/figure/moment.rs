@@ -4,7 +4,7 @@ use std::{fmt, str::FromStr};
 
 use crate::text::{Diagnostic, Message};
 
-use super::Words;
+use super::words::Words;
 
 /// A place in a run that a lesson can name: `start`, `end`, `cut`, `cut left`, `code p1 #2`.
 #[derive(Clone, PartialEq, Eq, Debug)]

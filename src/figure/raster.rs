@@ -2,7 +2,7 @@
 
 use crate::text::Value;
 
-use super::Role;
+use super::role::Role;
 
 /// Pixels row by row from the top left.
 #[derive(Clone, PartialEq, Debug)]

@@ -7,7 +7,14 @@ use serde_json::Value as Json;
 
 use crate::trace::Counts;
 
-use super::{Caption, Frame, Link, Moment, Shown, Watch, Words, watch::mark_changes};
+use super::{
+    frame::{Caption, Frame},
+    moment::Moment,
+    role::Link,
+    shown::Shown,
+    watch::{Watch, mark_changes},
+    words::Words,
+};
 
 /// Runs longer than this are not searched event by event when the scene is changed: a drag has no time for it.
 const LONG: usize = 4096;

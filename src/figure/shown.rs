@@ -2,7 +2,7 @@
 
 use crate::text::Value;
 
-use super::{Link, View, Watch, frame::Caption};
+use super::{frame::Caption, role::Link, view::View, watch::Watch};
 
 /// A step of a run. Nothing is worked out before it is asked for.
 pub trait Shown {
@@ -15,6 +15,11 @@ pub trait Shown {
 
     /// What the step is about, and what it decides about that.
     fn decision(&self) -> Option<(Decides, Link)> {
+        None
+    }
+
+    /// The question that the step answers, as its method calls it.
+    fn question(&self) -> Option<&'static str> {
         None
     }
 

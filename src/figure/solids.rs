@@ -10,7 +10,11 @@ use crate::{
     geom::{Matrix, Texture},
 };
 
-use super::{Facet, Lens, Link, lens::Optics};
+use super::{
+    lens::{Lens, Optics},
+    role::Link,
+    space::Facet,
+};
 
 /// The faces of solids, and what they are seen through.
 #[derive(Clone, PartialEq, Debug)]

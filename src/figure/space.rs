@@ -9,7 +9,10 @@ use crate::{
     text::Value,
 };
 
-use super::{Label, Link, Role};
+use super::{
+    mark::Label,
+    role::{Link, Role},
+};
 
 /// What is seen in space. It is turned into marks of a plane by [`super::project`], before anything is painted.
 #[derive(Clone, PartialEq, Debug)]

@@ -4,8 +4,14 @@
 use crate::text::{Formula, Value};
 
 use super::{
-    Bits, Gauges, Graph, Link, Lists, Mark, MatrixProduct, Multiples, Products, Raster, Ribbon,
-    Screens, Space, SpaceRow, Story, Table,
+    graph::Graph,
+    lists::Lists,
+    mark::Mark,
+    raster::Raster,
+    role::Link,
+    small_pictures::{Multiples, Ribbon, Screens, SpaceRow, Story},
+    space::Space,
+    values::{Bits, Gauges, MatrixProduct, Products, Table},
 };
 
 /// A name that a view keeps from step to step, and from one method to the one beside it: pan, zoom and orbit are

@@ -2,7 +2,7 @@
 
 use crate::text::Value;
 
-use super::{Link, ViewId};
+use super::{role::Link, view::ViewId};
 
 /// A row: a name and its values.
 #[derive(Clone, PartialEq, Debug)]

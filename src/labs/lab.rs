@@ -48,7 +48,7 @@ impl PartialEq for dyn Lab {
 }
 
 /// What figures, lessons and the window ask of a lab's scene.
-pub trait Document: Plain {
+pub trait Document: Plain + Backdrop + Hands + Answers {
     /// Its lab.
     fn lab(&self) -> &'static dyn Lab;
     /// The methods on stage, from left to right: one, or several that are compared.
@@ -68,33 +68,10 @@ pub trait Document: Plain {
     fn cost_of_all(&self, _column: usize) -> Option<Message> {
         None
     }
-    /// What a click asks about.
-    fn asked(&self, click: &Click<'_>) -> Option<Link> {
-        click.link
-    }
-    /// What decided the fate of what is asked about, and what would turn it.
-    ///
-    /// `run` is the first of [`Document::record`].
-    fn verdict(&self, _about: Link, _run: &dyn Run) -> Option<Verdict> {
-        None
-    }
     /// Can the method of this id take the scene?
     fn takes(&self, _id: &str) -> bool {
         true
     }
-    /// What lies under the marks of the method in this column, at the end of its run or before.
-    fn backdrop(&self, column: usize, at_end: bool) -> Vec<Mark>;
-    /// The world rectangle that a view shows at first.
-    fn bounds(&self) -> [[f64; 2]; 2];
-    /// What can be dragged, in the order in which Tab visits it.
-    fn handles(&self) -> Vec<Handle>;
-    /// Where a handle lies; `None` where the scene has no such handle.
-    fn position(&self, handle: Handle) -> Option<[f64; 3]>;
-    /// Moves a handle, as far as the scene stays valid.
-    ///
-    /// # Errors
-    /// [`Diagnostic`] where it would not: the scene is left as it was.
-    fn drag(&mut self, handle: Handle, to: [f64; 3]) -> Result<(), Diagnostic>;
     /// One more of what the lab has many of, after this handle's; the handle of the new one, if it has one.
     ///
     /// # Errors
@@ -113,6 +90,41 @@ pub trait Document: Plain {
     }
     /// How large it is, in segments or vertices.
     fn size(&self) -> usize;
+}
+
+/// What of a scene is on stage whatever the step.
+pub trait Backdrop {
+    /// What lies under the marks of the method in this column, at the end of its run or before.
+    fn backdrop(&self, column: usize, at_end: bool) -> Vec<Mark>;
+    /// The world rectangle that a view shows at first.
+    fn bounds(&self) -> [[f64; 2]; 2];
+}
+
+/// What of a scene can be taken hold of.
+pub trait Hands {
+    /// What can be dragged, in the order in which Tab visits it.
+    fn handles(&self) -> Vec<Handle>;
+    /// Where a handle lies; `None` where the scene has no such handle.
+    fn position(&self, handle: Handle) -> Option<[f64; 3]>;
+    /// Moves a handle, as far as the scene stays valid.
+    ///
+    /// # Errors
+    /// [`Diagnostic`] where it would not: the scene is left as it was.
+    fn drag(&mut self, handle: Handle, to: [f64; 3]) -> Result<(), Diagnostic>;
+}
+
+/// What can be asked about a scene.
+pub trait Answers {
+    /// What a click asks about.
+    fn asked(&self, click: &Click<'_>) -> Option<Link> {
+        click.link
+    }
+    /// What decided the fate of what is asked about, and what would turn it.
+    ///
+    /// `run` is the first of [`Document::record`].
+    fn verdict(&self, _about: Link, _run: &dyn Run) -> Option<Verdict> {
+        None
+    }
 }
 
 /// What decided the fate of something, and what would turn it.

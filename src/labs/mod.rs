@@ -30,9 +30,10 @@ pub use difference::Difference;
 pub use edit::Edit;
 pub use handle::{Handle, HandleKind, Motion};
 pub use lab::{
-    Change, ChangeOf, Click, Document, Lab, Lock, OutlineKind, Own, Plain, Scene, Verdict,
+    Answers, Backdrop, Change, ChangeOf, Click, Document, Hands, Lab, Lock, OutlineKind, Own,
+    Plain, Scene, Verdict,
 };
-pub use registry::{Carded, Listed, Method};
+pub use registry::{Entry, Listed, Method};
 pub use sketch::Sketch;
 pub use typed::{place_of, written};
 

@@ -4,38 +4,40 @@ use std::fmt;
 
 use super::MethodCard;
 
-/// What a lab knows of a method without running it.
-pub trait Carded: Sync + Sized + 'static {
+/// A line of a lab's table of methods: what the lab knows of a method without running it.
+pub struct Entry<I> {
     /// Names, source and pseudocode.
-    fn card(&self) -> &MethodCard;
+    pub card: MethodCard,
+    /// What only this lab knows of its methods.
+    pub info: I,
 }
 
-/// What is known of the methods of the one lab that has such.
-pub trait Listed: Carded {
-    /// Every method, in the order in which they are taught.
-    fn all() -> &'static [Self];
+/// What only one lab knows of its methods.
+pub trait Listed: Sized + 'static {
+    /// Every method of that lab, in the order in which they are taught.
+    fn all() -> &'static [Entry<Self>];
 }
 
 /// One of a lab's methods.
-pub struct Method<I: 'static>(&'static I);
+pub struct Method<I: 'static>(&'static Entry<I>);
 
-impl<I: Carded> Method<I> {
-    /// The method of which this is known.
+impl<I> Method<I> {
+    /// The method of this line of the table.
     #[must_use]
-    pub const fn of(info: &'static I) -> Self {
-        Self(info)
+    pub const fn of(entry: &'static Entry<I>) -> Self {
+        Self(entry)
     }
 
-    /// What is known of it.
+    /// What only its lab knows of it.
     #[must_use]
     pub const fn info(self) -> &'static I {
-        self.0
+        &self.0.info
     }
 
     /// Its names, source and pseudocode.
     #[must_use]
-    pub fn card(self) -> &'static MethodCard {
-        self.0.card()
+    pub const fn card(self) -> &'static MethodCard {
+        &self.0.card
     }
 }
 
@@ -50,6 +52,14 @@ impl<I: Listed> Method<I> {
     pub fn by_id(id: &str) -> Option<Self> {
         Self::all().find(|method| method.card().id == id)
     }
+
+    /// Uses the method with this id instead; an unknown one is ignored. What stands `beside` goes where it is the same.
+    pub fn change(&mut self, beside: &mut Option<Self>, id: &str) {
+        if let Some(method) = Self::by_id(id) {
+            *self = method;
+            *beside = beside.filter(|&other| other != method);
+        }
+    }
 }
 
 impl<I> Clone for Method<I> {
@@ -60,21 +70,21 @@ impl<I> Clone for Method<I> {
 
 impl<I> Copy for Method<I> {}
 
-impl<I: Carded> PartialEq for Method<I> {
+impl<I> PartialEq for Method<I> {
     fn eq(&self, other: &Self) -> bool {
         self.card().id == other.card().id
     }
 }
 
-impl<I: Carded> Eq for Method<I> {}
+impl<I> Eq for Method<I> {}
 
-impl<I: Carded> fmt::Debug for Method<I> {
+impl<I> fmt::Debug for Method<I> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.card().id)
     }
 }
 
-impl<I: Carded> fmt::Display for Method<I> {
+impl<I> fmt::Display for Method<I> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.card().id)
     }

@@ -44,6 +44,13 @@ pub trait Telling: Method<Output: Answer, Event: Serialize> + 'static {
     /// The row of the last event of a step, which is not the first.
     fn row(step: &Step<'_, Self>) -> &'static Row;
 
+    /// The row of a step where it is said in another way because of what is drawn around the run; tick and line are those of
+    /// [`row`](Self::row).
+    #[must_use]
+    fn row_at(at: &At<'_, Self>) -> &'static Row {
+        Self::row(&at.step)
+    }
+
     /// The row of what is said before the first event.
     fn opening(at: &At<'_, Self>) -> &'static Row;
 
@@ -59,6 +66,11 @@ pub trait Telling: Method<Output: Answer, Event: Serialize> + 'static {
     /// The values of a list at a step.
     fn listed(_: &At<'_, Self>, _list: &str) -> Vec<Named> {
         Vec::new()
+    }
+
+    /// Of a list that is only a part of what it stands for: the place of its first entry, and how long all of it is.
+    fn part(_: &At<'_, Self>, _list: &str) -> Option<[usize; 2]> {
+        None
     }
 
     /// The watch table. Only a method with a table of several columns says it in another way.
@@ -164,13 +176,22 @@ impl Named {
         Self { note, ..self }
     }
 
-    fn watched(self, name: &str) -> WatchRow {
-        let label = self.label.unwrap_or_else(|| Value::Name(name.to_owned()));
+    fn watched(self, name: &'static str) -> WatchRow {
+        let label = self.label.unwrap_or_else(|| called(name));
         WatchRow {
             note: self.note,
             link: self.link,
             ..WatchRow::new(label, self.value)
         }
+    }
+}
+
+/// What the watch table calls a name that has no other label: a name that begins with `watch-` is a key of the catalogue.
+fn called(name: &'static str) -> Value {
+    if name.starts_with("watch-") {
+        Value::Term(name)
+    } else {
+        Value::Name(name.to_owned())
     }
 }
 
@@ -193,7 +214,7 @@ impl<M: Telling> At<'_, M> {
     pub fn row(&self) -> &'static Row {
         match self.step.past {
             [] => M::opening(self),
-            _ => M::row(&self.step),
+            _ => M::row_at(self),
         }
     }
 
@@ -220,18 +241,29 @@ impl<M: Telling> At<'_, M> {
         formulas.fold(Caption::new(self.message(row.key)), Caption::so)
     }
 
+    /// The sections of a watch table that have a row now.
+    #[must_use]
+    pub fn filled(&self, watched: &[Watched]) -> Watch {
+        let sections = watched.iter().map(|watched| self.section(watched));
+        sections.filter(|it| !it.rows.is_empty()).collect()
+    }
+
     /// The watch rows of a few names or of a list.
     #[must_use]
     pub fn section(&self, watched: &Watched) -> WatchSection {
-        let names = |names: &[&str]| {
+        let names = |names: &[&'static str]| {
             let alive = names
                 .iter()
                 .filter_map(|&name| Some(M::named(self, name)?.watched(name)));
             WatchSection::list(alive.collect())
         };
-        let list = |list: &str| {
+        let list = |list: &'static str| {
             let entries = M::listed(self, list).into_iter();
-            WatchSection::list(entries.map(|entry| entry.watched(list)).collect())
+            let section = WatchSection::list(entries.map(|entry| entry.watched(list)).collect());
+            match M::part(self, list) {
+                Some([first, of]) => section.part(first, of),
+                None => section,
+            }
         };
         match *watched {
             Watched::Names(of) => names(of),

@@ -8,6 +8,8 @@ use crate::{
     widgets::Look,
 };
 
+use super::bench::Bench;
+
 /// What a person asked for in a lab's menu.
 #[derive(Clone, Debug)]
 pub enum PanelAsk {
@@ -41,15 +43,6 @@ pub trait LabPanel {
     fn bench(&mut self) -> Option<&mut dyn Bench> {
         None
     }
-}
-
-/// Costs measured on this machine, in a window of their own.
-pub trait Bench {
-    /// Draws the window's content; false where it is to be closed.
-    fn show(&mut self, ui: &mut Ui, look: Look<'_>, scene: &Scene) -> bool;
-
-    /// Works for a part of a frame, by a clock that runs in seconds; is there more to do?
-    fn work(&mut self, clock: &dyn Fn() -> f64) -> bool;
 }
 
 /// The panel of a scene's lab.

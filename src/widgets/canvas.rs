@@ -11,9 +11,10 @@ use crate::{
 };
 
 use super::{
-    Look, grid,
+    grid,
     handles::{Handles, Moved, Spot, is_off_grid, snapped},
     hit,
+    look::Look,
     pan_zoom::PanZoom,
 };
 

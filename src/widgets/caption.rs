@@ -8,7 +8,7 @@ use crate::{
     text::{Catalog, Piece},
 };
 
-use super::Look;
+use super::look::Look;
 
 /// Room for a line with a stacked quotient, whether or not it has one.
 const ROW_PTS: f32 = 32.0;

@@ -6,7 +6,7 @@ use egui::{
 
 use crate::{paint::Typeset, text::Message, trace::Counts};
 
-use super::Look;
+use super::look::Look;
 
 /// A run's cost, and another's.
 pub struct Cost<'a> {

@@ -7,7 +7,7 @@ use crate::{
     text::Notation,
 };
 
-use super::Look;
+use super::look::Look;
 
 /// Side of a dot in points.
 const DOT: f32 = 1.5;

@@ -10,7 +10,7 @@ use crate::{
     text::{Message, Notation},
 };
 
-use super::Look;
+use super::look::Look;
 
 /// A finger or a shaky hand finds a handle within this distance, in points.
 const REACH: f32 = 14.0;

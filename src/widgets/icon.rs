@@ -5,7 +5,7 @@ use egui::{
     WidgetInfo, pos2, vec2,
 };
 
-use super::Look;
+use super::look::Look;
 
 /// A sign on a button.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -7,7 +7,7 @@ use crate::{
     paint::{Span, Typeset, theme},
 };
 
-use super::Look;
+use super::look::Look;
 
 /// Extra space between lines of running text, as a part of the text's size.
 const LEADING: f32 = 0.35;

@@ -1,9 +1,13 @@
-//! Menus: rows that touch, each as wide as the menu.
+//! Menus: rows that touch, each as wide as the menu; and the menus for the language and the theme.
 
 use egui::{
     InnerResponse, PopupCloseBehavior, Style, Ui, WidgetText,
     containers::menu::{self, MenuButton, MenuConfig, SubMenuButton},
 };
+
+use crate::{paint::ThemeKind, text::Lang};
+
+use super::look::Look;
 
 /// By so much a row is higher than a button in a bar, in points: the space between its words and the next ones.
 const ROW_PTS: f32 = 4.0;
@@ -48,4 +52,39 @@ fn opening<R>(
         MenuButton::new(title).config(config).ui(ui, content)
     };
     InnerResponse::new(inner.map(|inner| inner.inner), response)
+}
+
+/// Languages by their own names; the one that was chosen.
+pub fn language_menu(ui: &mut Ui, current: Lang) -> Option<Lang> {
+    Lang::ALL.into_iter().find(|&lang| {
+        let chosen = ui
+            .selectable_label(lang == current, lang.native_name())
+            .clicked();
+        if chosen {
+            ui.close();
+        }
+        chosen
+    })
+}
+
+/// Catalogue key of a theme's name.
+#[must_use]
+pub const fn theme_key(kind: ThemeKind) -> &'static str {
+    match kind {
+        ThemeKind::Light => "theme-light",
+        ThemeKind::Dark => "theme-dark",
+        ThemeKind::Projector => "theme-projector",
+    }
+}
+
+/// Themes; the one that was chosen.
+pub fn theme_menu(ui: &mut Ui, look: Look<'_>) -> Option<ThemeKind> {
+    ThemeKind::ALL.into_iter().find(|&kind| {
+        let name = look.say(theme_key(kind));
+        let chosen = ui.selectable_label(kind == look.theme.kind, name).clicked();
+        if chosen {
+            ui.close();
+        }
+        chosen
+    })
 }

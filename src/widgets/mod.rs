@@ -7,17 +7,16 @@ mod composed;
 mod cost;
 mod grid;
 mod handles;
+mod headings;
 mod hit;
 mod icon;
 mod lesson_text;
+mod look;
 mod menu;
 mod pan_zoom;
-mod picker;
 mod pseudocode;
-mod section;
 mod tick;
 mod timeline;
-mod title;
 mod transport;
 mod views;
 mod watch;
@@ -25,40 +24,20 @@ mod whole_rows;
 
 pub use canvas::{Canvas, CanvasShown, StageClick, place_at};
 pub use caption::{caption, caption_text, height_for_all};
-pub use composed::{StepWords, TEXT_PTS, beside_the_drawing, headline, rect_of, slot_of};
+pub use composed::{Composition, Spacing, rect_of};
 pub use cost::{Bars, Cost, cost, most_of_a_kind};
 pub use handles::{Gesture, Moved, Snap, Spot, gripped};
+pub use headings::{column_title, rule, section};
 pub use hit::link_at;
 pub use icon::{Icon, icon_button};
 pub use lesson_text::{lesson_text, step_title};
-pub use menu::{form_button, menu_button, menu_style};
+pub use look::Look;
+pub use menu::{form_button, language_menu, menu_button, menu_style, theme_key, theme_menu};
 pub use pan_zoom::PanZoom;
-pub use picker::{language_menu, theme_key, theme_menu};
 pub use pseudocode::{CodeStep, CodeText, Pseudocode, code_view_switch};
-pub use section::{rule, section};
 pub use timeline::Timeline;
-pub use title::column_title;
 pub use transport::{Press, speed_menu, transport_buttons, transport_width};
 pub use views::{
     covered, picture_viewport, projected, space, title_ground, title_of_space, under_title, view,
 };
 pub use watch::{WatchRoom, WatchShown, WatchTable, watch};
-
-use crate::{paint::Theme, text::Catalog};
-
-/// What every widget has to know to draw: the colours and the language.
-#[derive(Clone, Copy)]
-pub struct Look<'a> {
-    /// Colours and sizes.
-    pub theme: &'a Theme,
-    /// Words and numbers.
-    pub catalog: &'a Catalog,
-}
-
-impl Look<'_> {
-    /// A word or sentence without values.
-    #[must_use]
-    pub fn say(&self, key: &str) -> String {
-        self.catalog.term(key)
-    }
-}

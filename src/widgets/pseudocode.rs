@@ -10,7 +10,7 @@ use crate::{
     paint::{Span, Typeset},
 };
 
-use super::{Look, whole_rows::WholeRows};
+use super::{look::Look, whole_rows::WholeRows};
 
 const fn key(view: CodeView) -> &'static str {
     match view {

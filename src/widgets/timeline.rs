@@ -10,7 +10,7 @@ use egui::{
 use crate::figure::Tick;
 
 use super::{
-    Look,
+    look::Look,
     tick::{self, When},
 };
 

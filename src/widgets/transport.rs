@@ -8,8 +8,8 @@ use crate::{
 };
 
 use super::{
-    Icon, Look,
-    icon::{disc_button, icon_button},
+    icon::{Icon, disc_button, icon_button},
+    look::Look,
     menu::menu_button,
 };
 

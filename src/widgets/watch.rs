@@ -13,7 +13,7 @@ use crate::{
     text::Value,
 };
 
-use super::{Look, whole_rows::WholeRows};
+use super::{look::Look, whole_rows::WholeRows};
 
 /// Room left of the names for the dot of a changed row.
 const DOT_ROOM: f32 = 8.0;

@@ -6,7 +6,7 @@ use clipscope::{
         PainterAnswer, Surfaces,
     },
     geom::Solid,
-    trace::{Trace, laws, silent},
+    trace::told::{Recording, check, silent},
 };
 use proptest::prelude::*;
 
@@ -55,12 +55,15 @@ proptest! {
 
     #[test]
     fn pieces_are_the_triangles(triangles in soup(9), choice in choices()) {
-        let trace = Trace::<Bsp>::record(input(surfaces(&triangles, false), choice));
-        let state = trace.state_at(usize::MAX);
-        prop_assert_eq!(state.painted.len(), trace.output().n_pieces);
+        let trace = Recording::<Bsp>::new(input(surfaces(&triangles, false), choice));
+        let painted: Vec<u32> = trace.events().iter().filter_map(|event| match *event {
+            BspEvent::Paint { piece, .. } => Some(piece),
+            _ => None,
+        }).collect();
+        prop_assert_eq!(painted.len(), trace.output().n_pieces);
         let mut areas = vec![0.0; triangles.len()];
-        for &piece in &state.painted {
-            let piece = state.piece(piece).expect("it is known");
+        for piece in painted {
+            let piece = &trace.held().pieces[piece as usize];
             areas[piece.id as usize] += double_area(&piece.polygon);
         }
         for (area, triangle) in areas.iter().zip(super::soup::placed(&triangles)) {
@@ -75,7 +78,7 @@ proptest! {
 
     #[test]
     fn the_laws(triangles in soup(6), choice in choices()) {
-        laws::check::<Bsp>(&input(surfaces(&triangles, false), choice));
+        check::<Bsp>(&input(surfaces(&triangles, false), choice));
     }
 }
 
@@ -118,7 +121,7 @@ fn cuts_resolve_the_cycle_of_three() {
         PainterAnswer::Cycle { .. }
     ));
     let depths = silent::<DepthBuffer>(&DepthBufferInput::new(surfaces.clone()));
-    let trace = Trace::<Bsp>::record(input(surfaces, BspChoice::FewestCuts));
+    let trace = Recording::<Bsp>::new(input(surfaces, BspChoice::FewestCuts));
     assert!(trace.output().n_pieces > 3);
     assert_eq!(trace.output().picture, depths.picture);
     let cuts = trace

@@ -11,7 +11,7 @@ use clipscope::{
         pixel_story,
     },
     geom::ViewVolume,
-    trace::{Trace, laws, silent},
+    trace::told::{Recording, check, silent},
 };
 use proptest::prelude::*;
 
@@ -94,11 +94,11 @@ proptest! {
             input.steps = steps;
             for pixel in [None, Some([column, 2])] {
                 input.pixel = pixel;
-                laws::check::<DepthBuffer>(&input);
-                laws::check::<FaultyDepthBuffer<ClearsToNear>>(&input);
-                laws::check::<FaultyDepthBuffer<TurnsComparison>>(&input);
-                laws::check::<FaultyDepthBuffer<WritesAlways>>(&input);
-                laws::check::<FaultyDepthBuffer<StraightDistance>>(&input);
+                check::<DepthBuffer>(&input);
+                check::<FaultyDepthBuffer<ClearsToNear>>(&input);
+                check::<FaultyDepthBuffer<TurnsComparison>>(&input);
+                check::<FaultyDepthBuffer<WritesAlways>>(&input);
+                check::<FaultyDepthBuffer<StraightDistance>>(&input);
             }
         }
     }
@@ -107,7 +107,7 @@ proptest! {
     #[test]
     fn a_story_is_a_part_of_the_whole(triangles in soup(9)) {
         let input = DepthBufferInput::new(surfaces(&triangles, false));
-        let trace = Trace::<DepthBuffer>::record(input.clone());
+        let trace = Recording::<DepthBuffer>::new(input.clone());
         let mut all: Vec<Vec<_>> = vec![Vec::new(); input.surfaces.n_pixels()];
         for event in trace.events() {
             if let clipscope::algo::surface::DepthBufferEvent::Fragment { fragment, .. } = *event {
@@ -172,7 +172,7 @@ fn few_bits_leave_surfaces_to_the_order() {
 #[test]
 fn each_mistake_shows() {
     let input = of_walls(&[3.0, 2.0, 5.0], [1.0, 10.0]);
-    let right = Trace::<DepthBuffer>::record(input.clone());
+    let right = Recording::<DepthBuffer>::new(input.clone());
     assert_eq!(right.output().picture.ids(), [1; 20]);
     assert_eq!(
         right.first_difference::<FaultyDepthBuffer<ClearsToNear>>(),

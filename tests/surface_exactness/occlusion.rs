@@ -4,7 +4,7 @@ use clipscope::{
     algo::surface::{
         DepthBuffer, DepthBufferInput, Occlusion, OcclusionInput, OcclusionObject, Surfaces,
     },
-    trace::{laws, silent},
+    trace::told::{Recording, check, silent},
 };
 use proptest::prelude::*;
 
@@ -43,7 +43,7 @@ proptest! {
 
     #[test]
     fn the_laws(triangles in soup(10), n_occluders in 0..3_usize) {
-        laws::check::<Occlusion>(&in_pairs(surfaces(&triangles, false), n_occluders));
+        check::<Occlusion>(&in_pairs(surfaces(&triangles, false), n_occluders));
     }
 }
 
@@ -73,7 +73,8 @@ fn what_stands_behind_a_wall_is_skipped_and_what_looks_out_is_not() {
         surfaces,
         objects: (0..5).map(object).collect(),
     };
-    let trace = clipscope::trace::Trace::<Occlusion>::record(input);
-    let state = trace.state_at(usize::MAX);
-    assert_eq!((state.drawn, state.skipped), (vec![0, 2, 3, 4], vec![1]));
+    let recording = Recording::<Occlusion>::new(input);
+    let held = recording.held();
+    assert_eq!(held.drawn, [0, 2, 3, 4]);
+    assert_eq!(held.skipped, [1]);
 }

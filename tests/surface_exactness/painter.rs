@@ -6,7 +6,7 @@ use clipscope::{
         faulty::{FaultyPainter, KeysOnly, NearestKeys},
     },
     geom::Solid,
-    trace::{Trace, laws, silent},
+    trace::told::{Recording, check, silent},
 };
 use proptest::prelude::*;
 
@@ -99,9 +99,9 @@ proptest! {
     #[test]
     fn the_laws(triangles in soup(6), culls in any::<bool>()) {
         let surfaces = surfaces(&triangles, culls);
-        laws::check::<Painter>(&surfaces);
-        laws::check::<FaultyPainter<KeysOnly>>(&surfaces);
-        laws::check::<FaultyPainter<NearestKeys>>(&surfaces);
+        check::<Painter>(&surfaces);
+        check::<FaultyPainter<KeysOnly>>(&surfaces);
+        check::<FaultyPainter<NearestKeys>>(&surfaces);
     }
 }
 
@@ -143,12 +143,12 @@ fn three_bars_have_no_order() {
         let mut bars = three_bars();
         bars.rotate_left(turned);
         let surfaces = Surfaces::new([16, 16], volume(), bars, false).expect("finite");
-        let trace = Trace::<Painter>::record(surfaces.clone());
+        let trace = Recording::<Painter>::new(surfaces.clone());
         let expected = PainterAnswer::Cycle {
             cycle: vec![0, 2, 1],
         };
         assert_eq!(trace.output().answer, expected);
-        assert_eq!(trace.state_at(usize::MAX).constraints.len(), 3);
+        assert_eq!(trace.held().constraints.len(), 3);
         // Any two of them have one.
         for left_out in 0..3 {
             let mut two = bars.to_vec();

@@ -2,11 +2,11 @@
 
 use clipscope::{
     algo::surface::{
-        DepthBuffer, DepthBufferInput, Hierarchy, Meeting, Picture, RayCasting, RayCastingInput,
-        Rays, Surfaces,
+        DepthBuffer, DepthBufferInput, Hierarchy, Meeting, Picture, RayCasting, RayCastingEvent,
+        RayCastingInput, Rays, Surfaces,
     },
     geom::{Solid, ViewVolume},
-    trace::{Trace, laws, silent},
+    trace::told::{Recording, check, silent},
 };
 use proptest::prelude::*;
 
@@ -107,8 +107,8 @@ proptest! {
     #[test]
     fn the_laws(triangles in soup(5), column in 0..5_u32) {
         let surfaces = Surfaces::new([5, 4], volume(), placed(&triangles), true).expect("finite");
-        laws::check::<RayCasting>(&all(surfaces.clone()));
-        laws::check::<RayCasting>(&RayCastingInput { surfaces, pixel: Some([column, 3]) });
+        check::<RayCasting>(&all(surfaces.clone()));
+        check::<RayCasting>(&RayCastingInput { surfaces, pixel: Some([column, 3]) });
     }
 }
 
@@ -178,17 +178,17 @@ fn every_meeting_by_name() {
     let [turned, both] = [true, false]
         .map(|culls| Surfaces::new([3, 3], volume, surfaces.triangles(), culls).expect("finite"));
     let meetings = |surfaces: Surfaces| {
-        let trace = Trace::<RayCasting>::record(RayCastingInput {
+        let trace = Recording::<RayCasting>::new(RayCastingInput {
             surfaces,
             pixel: Some([1, 1]),
         });
-        let state = trace.state_at(usize::MAX);
-        assert_eq!(state.nearest.map(|hit| (hit.id, hit.t)), Some((6, 2.0)));
-        state
-            .asked
-            .iter()
-            .map(|(_, found)| found.meeting)
-            .collect::<Vec<_>>()
+        let nearest = trace.held().nearest;
+        assert_eq!(nearest.map(|hit| (hit.id, hit.t)), Some((6, 2.0)));
+        let asked = trace.events().iter().filter_map(|event| match event {
+            RayCastingEvent::Ask { found, .. } => Some(found.meeting),
+            _ => None,
+        });
+        asked.collect::<Vec<_>>()
     };
     let expected = [
         Hit, Behind, BeforeNear, BeyondFar, Beside, Parallel, Hit, Hit,

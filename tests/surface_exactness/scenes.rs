@@ -10,7 +10,7 @@ use clipscope::{
     geom::{Camera, ViewVolume},
     labs::space::street,
     lesson::read_obj,
-    trace::silent,
+    trace::told::silent,
 };
 
 const SIZE: [u32; 2] = [96, 64];

@@ -47,6 +47,7 @@ depth-opening = { $triangles ->
 depth-clear = Cleared: none of the { $pixels } pixels has a triangle.
 depth-triangle = { $triangle } comes, { $place } of { $triangles }.
 depth-triangle-unseen = Nothing of { $triangle } is drawn: it lies outside of the volume, is edge-on, or shows its back.
+depth-answer-drawn = { $triangle } is drawn.
 depth-triangle-whole = { $triangle } is drawn: of { $fragments } fragments { $writes } are nearer than what stood there.
 depth-span = Row { $row } of { $triangle }, columns { $first } to { $last }: of { $fragments } fragments { $writes } are written.
 depth-fragment-first = Pixel { $at } is still empty: { $triangle } is written.
@@ -127,6 +128,7 @@ ray-pixel = The ray through the middle of pixel { $at }: from the eye at t = 0, 
 ray-hit-first = The ray meets { $triangle }: the nearest hit so far.
 ray-hit-nearer = The ray meets { $triangle } before { $other } at t = { $t }: now the nearest.
 ray-hit-farther = The ray meets { $triangle } too, behind { $other } at t = { $t }.
+ray-answer-farther = The ray meets { $triangle } behind the nearest hit.
 ray-says-culled = { $triangle } is not asked: it is edge-on, or shows its back.
 ray-says-parallel = The ray is parallel to the plane of { $triangle }: n·r = 0, they never meet.
 ray-says-behind = The plane of { $triangle } is met behind the eye: t < 0.
@@ -299,6 +301,8 @@ occlusion-hidden = The box of { $object } would be seen at none of its { $asked 
   } something nearer stands everywhere.
 occlusion-beside = The box of { $object } covers no pixel.
 occlusion-unasked = The box of { $object } reaches the near plane, which may cut its front away: nothing is compared.
+occlusion-answer-seen = The box of { $object } would be seen.
+occlusion-answer-hidden = The box of { $object } is hidden: something nearer stands everywhere.
 occlusion-skip = { $object } is skipped: { $triangles ->
     [one] its triangle is
    *[other] its { $triangles } triangles are

@@ -47,6 +47,7 @@ depth-opening = { $triangles ->
 depth-clear = Borrado: ninguno de los { $pixels } píxeles tiene triángulo.
 depth-triangle = Llega { $triangle }, { $place } de { $triangles }.
 depth-triangle-unseen = De { $triangle } no se dibuja nada: está fuera del volumen, de canto o de espaldas.
+depth-answer-drawn = { $triangle } se dibuja.
 depth-triangle-whole = Dibujado { $triangle }: de { $fragments } fragmentos, { $writes } están más cerca que lo que había.
 depth-span = Fila { $row } de { $triangle }, columnas { $first } a { $last }: de { $fragments } fragmentos se escriben { $writes }.
 depth-fragment-first = El píxel { $at } aún está vacío: se escribe { $triangle }.
@@ -127,6 +128,7 @@ ray-pixel = El rayo por el centro del píxel { $at }: en t = 0 el ojo, en t = 1 
 ray-hit-first = El rayo da en { $triangle }: el impacto más cercano hasta ahora.
 ray-hit-nearer = El rayo da en { $triangle } antes que en { $other }, que está en t = { $t }: ahora es el más cercano.
 ray-hit-farther = El rayo da también en { $triangle }, detrás de { $other }, que está en t = { $t }.
+ray-answer-farther = El rayo da en { $triangle }, detrás del impacto más cercano.
 ray-says-culled = No se pregunta a { $triangle }: está de canto o de espaldas.
 ray-says-parallel = El rayo es paralelo al plano de { $triangle }: n·r = 0, nunca se cortan.
 ray-says-behind = El plano de { $triangle } se corta detrás del ojo: t < 0.
@@ -296,6 +298,8 @@ occlusion-hidden = La caja de { $object } cubre { $asked ->
   } y no se vería en ninguno: en todas partes hay algo más cercano.
 occlusion-beside = La caja de { $object } no cubre ningún píxel.
 occlusion-unasked = La caja de { $object } llega al plano cercano, que puede cortar su frente: no se compara nada.
+occlusion-answer-seen = La caja de { $object } se vería.
+occlusion-answer-hidden = La caja de { $object } queda oculta: en todas partes hay algo más cercano.
 occlusion-skip = { $object } se salta: { $triangles ->
     [one] su triángulo no se dibuja.
    *[other] sus { $triangles } triángulos no se dibujan.

@@ -47,6 +47,7 @@ depth-opening = { $triangles ->
 depth-clear = Limpo: nenhum dos { $pixels } pixels tem triângulo.
 depth-triangle = Chega { $triangle }, { $place } de { $triangles }.
 depth-triangle-unseen = De { $triangle } nada se desenha: está fora do volume, de perfil ou de costas.
+depth-answer-drawn = { $triangle } é desenhado.
 depth-triangle-whole = Desenhado { $triangle }: de { $fragments } fragmentos, { $writes } estão mais próximos do que o que havia.
 depth-span = Linha { $row } de { $triangle }, colunas { $first } a { $last }: de { $fragments } fragmentos escrevem-se { $writes }.
 depth-fragment-first = O pixel { $at } ainda está vazio: escreve-se { $triangle }.
@@ -127,6 +128,7 @@ ray-pixel = O raio pelo centro do pixel { $at }: em t = 0 o olho, em t = 1 o pla
 ray-hit-first = O raio atinge { $triangle }: o mais próximo até agora.
 ray-hit-nearer = O raio atinge { $triangle } antes de { $other }, que está em t = { $t }: agora é o mais próximo.
 ray-hit-farther = O raio também atinge { $triangle }, atrás de { $other }, que está em t = { $t }.
+ray-answer-farther = O raio atinge { $triangle }, atrás do mais próximo até agora.
 ray-says-culled = { $triangle } não é perguntado: está de perfil ou de costas.
 ray-says-parallel = O raio é paralelo ao plano de { $triangle }: n·r = 0, nunca se cortam.
 ray-says-behind = O plano de { $triangle } é cortado atrás do olho: t < 0.
@@ -296,6 +298,8 @@ occlusion-hidden = A caixa de { $object } cobre { $asked ->
   } e não seria vista em nenhum: em toda parte há algo mais próximo.
 occlusion-beside = A caixa de { $object } não cobre nenhum pixel.
 occlusion-unasked = A caixa de { $object } chega ao plano próximo, que pode cortar a sua frente: nada é comparado.
+occlusion-answer-seen = A caixa de { $object } seria vista.
+occlusion-answer-hidden = A caixa de { $object } fica oculta: em toda parte há algo mais próximo.
 occlusion-skip = { $object } é pulado: { $triangles ->
     [one] seu triângulo não é desenhado.
    *[other] seus { $triangles } triângulos não são desenhados.

@@ -44,6 +44,7 @@ depth-opening = { $triangles } 个三角形，{ $columns } × { $rows } 个像�
 depth-clear = 清空：{ $pixels } 个像素都还没有三角形。
 depth-triangle = 轮到 { $triangle }，第 { $place } 个，共 { $triangles } 个。
 depth-triangle-unseen = { $triangle } 什么也不画：它在视见体之外，或侧对相机，或背向相机。
+depth-answer-drawn = 画 { $triangle }。
 depth-triangle-whole = 画完 { $triangle }：{ $fragments } 个片元中有 { $writes } 个比原有的近。
 depth-span = { $triangle } 的第 { $row } 行，第 { $first } 到 { $last } 列：{ $fragments } 个片元中写入 { $writes } 个。
 depth-fragment-first = 像素 { $at } 还空着：写入 { $triangle }。
@@ -103,6 +104,7 @@ ray-pixel = 穿过像素 { $at } 中心的光线：t = 0 在视点，t = 1 在�
 ray-hit-first = 光线命中 { $triangle }：目前最近。
 ray-hit-nearer = 光线命中 { $triangle }，在 t = { $t } 的 { $other } 之前：现在它最近。
 ray-hit-farther = 光线也命中 { $triangle }，在 t = { $t } 的 { $other } 之后。
+ray-answer-farther = 光线命中 { $triangle }，但在最近的命中之后。
 ray-says-culled = 不询问 { $triangle }：它侧对或背向视点。
 ray-says-parallel = 光线与 { $triangle } 的平面平行：n·r = 0，永不相交。
 ray-says-behind = 与 { $triangle } 的平面交于视点之后：t < 0。
@@ -239,6 +241,8 @@ occlusion-seen = { $object } 的包围盒覆盖 { $asked } 个像素，其中 { 
 occlusion-hidden = { $object } 的包围盒覆盖 { $asked } 个像素，处处都有更近的物体：一个像素也不可见。
 occlusion-beside = { $object } 的包围盒不覆盖任何像素。
 occlusion-unasked = { $object } 的包围盒到达近平面，正面可能被切掉：不作比较。
+occlusion-answer-seen = { $object } 的包围盒可见。
+occlusion-answer-hidden = { $object } 的包围盒被遮住：处处都有更近的物体。
 occlusion-skip = 跳过 { $object }：它的 { $triangles } 个三角形不画。
 occlusion-draw = 画 { $object }：{ $triangles } 个三角形，写入 { $writes } 个片元。
 occlusion-in-vain = { $object } 白画了 { $triangles } 个三角形：包围盒在 { $passed } 个像素处可见，{ $object } 本身却处处不可见。包围盒可能多报，绝不漏报。

@@ -29,7 +29,7 @@
 //! use clipscope::{
 //!     algo::surface::{Bsp, BspChoice, BspInput, Surfaces},
 //!     geom::ViewVolume,
-//!     trace::silent,
+//!     trace::told::silent,
 //! };
 //! let volume = ViewVolume::perspective(90.0, 1.0, 1.0, 10.0)?;
 //! // Two that pierce each other: no order of whole triangles is right.
@@ -45,12 +45,14 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use crate::trace::{Algorithm, Real};
+use crate::trace::{
+    Real,
+    told::{Listening, Method, Tell, Told},
+};
 
 use super::{
     BspChoice, BspNode, BspPiece, BspSide, BspTooLarge, Picture, Surfaces,
-    bsp_tree::{Builder, Built, attach},
-    coverage::Rows,
+    bsp_tree::{attach, chosen, eye_side, sorted, whole_pieces},
 };
 
 /// The algorithm; see the module.
@@ -62,6 +64,7 @@ pub struct Bsp;
 pub struct BspInput {
     surfaces: Surfaces,
     choice: BspChoice,
+    nodes: Arc<[BspNode]>,
     n_pieces: usize,
 }
 
@@ -71,13 +74,38 @@ impl BspInput {
     /// # Errors
     /// [`BspTooLarge`]
     pub fn new(surfaces: Surfaces, choice: BspChoice) -> Result<Self, BspTooLarge> {
-        let mut builder = Builder::new(&surfaces, choice);
-        builder.build::<f64>(&mut |_| {})?;
-        let n_pieces = builder.n_whole;
-        Ok(Self {
+        let input = Self {
             surfaces,
             choice,
-            n_pieces,
+            nodes: Arc::new([]),
+            n_pieces: 0,
+        };
+        let mut held = Bsp::begin(&input);
+        let (mut n_asked, mut n_before) = (0, held.n_pieces);
+        let mut measuring = Listening(|held: &BspHeld, event| match event {
+            BspEvent::Ask { .. } => {
+                n_asked += 1;
+                let is_large =
+                    n_asked > BspTooLarge::MOST_QUESTIONS || n_before > BspTooLarge::MOST_PIECES;
+                n_before = held.n_pieces;
+                if is_large {
+                    return Told::Break(Err(BspTooLarge));
+                }
+                Told::Continue(())
+            }
+            BspEvent::Built { .. } => Told::Break(Ok(())),
+            BspEvent::Node { .. }
+            | BspEvent::Visit { .. }
+            | BspEvent::Paint { .. }
+            | BspEvent::Done => Told::Continue(()),
+        });
+        if let Told::Break(measured) = Bsp::run::<f64, _>(&input, &mut held, &mut measuring) {
+            measured?;
+        }
+        Ok(Self {
+            nodes: held.nodes.into(),
+            n_pieces: held.n_pieces,
+            ..input
         })
     }
 
@@ -85,6 +113,12 @@ impl BspInput {
     #[must_use]
     pub const fn surfaces(&self) -> &Surfaces {
         &self.surfaces
+    }
+
+    /// The nodes that there will be.
+    #[must_use]
+    pub fn whole_tree(&self) -> &[BspNode] {
+        &self.nodes
     }
 }
 
@@ -113,9 +147,6 @@ pub enum BspEvent {
         side: BspSide,
         /// Of one that is cut: the new pieces before and behind.
         parts: Option<[u32; 2]>,
-        /// How many pieces there are now, those counted that have been cut.
-        #[serde(skip)]
-        n_known: usize,
     },
     /// The tree is built.
     Built {
@@ -151,137 +182,77 @@ pub struct BspOutput {
     pub picture: Picture,
 }
 
-/// What the picture of a step needs.
+/// What it works in.
 #[derive(Clone, PartialEq, Debug)]
-pub struct BspState {
+pub struct BspHeld {
     /// Nodes so far.
     pub nodes: Vec<BspNode>,
-    /// The node that is built or visited.
-    pub node: Option<u32>,
-    /// The piece that has been asked, where it lies, and its parts.
-    pub asked: Option<(u32, BspSide, Option<[u32; 2]>)>,
-    /// Is the tree built?
-    pub is_built: bool,
-    /// Where the eye is, as seen from the nodes visited so far, in order.
-    pub visited: Vec<(u32, BspSide)>,
-    /// Pieces painted so far, in order.
-    pub painted: Vec<u32>,
-    /// How many pieces the tree holds, once it is built; and the picture so far.
-    pub so_far: BspOutput,
-    /// Is nothing left to do?
-    pub is_done: bool,
-    /// How many of the pieces are known by now.
-    n_known: usize,
-    /// All that there will be, and what each covers.
-    pieces: Arc<[(BspPiece, Rows)]>,
-    /// All that there will be.
-    whole: Arc<[BspNode]>,
-}
-
-impl BspState {
     /// The pieces so far, those that have been cut among them: a piece's number is its place.
-    pub fn pieces(&self) -> impl Iterator<Item = &BspPiece> {
-        self.pieces[..self.n_known].iter().map(|(piece, _)| piece)
-    }
-
-    /// The nodes that there will be: so that each has its place from the start.
-    #[must_use]
-    pub fn whole_tree(&self) -> &[BspNode] {
-        &self.whole
-    }
-
-    /// How many of the pieces so far have been cut, and are none any more.
-    #[must_use]
-    pub fn n_cut(&self) -> usize {
-        let n_parts = self.pieces().filter(|piece| !piece.cuts.is_empty()).count();
-        n_parts / 2
-    }
-
-    /// One of them.
-    #[must_use]
-    pub fn piece(&self, number: u32) -> Option<&BspPiece> {
-        let known = &self.pieces[..self.n_known];
-        known.get(number as usize).map(|(piece, _)| piece)
-    }
+    pub pieces: Vec<BspPiece>,
+    /// How many pieces there are, those that have been cut not counted.
+    pub n_pieces: usize,
+    /// What has been painted so far.
+    pub picture: Picture,
+    /// Sides of nodes for which nodes are to be built, or all triangles; the last is the next.
+    open: Vec<Option<(u32, BspSide)>>,
+    /// Once the tree is built: where the walk is to go, the last is the next.
+    walk: Option<Vec<Next>>,
 }
 
-impl Algorithm for Bsp {
+/// Where the walk goes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Next {
+    Visit(u32),
+    Paint(u32),
+}
+
+impl Method for Bsp {
     type Input = BspInput;
+    type Held = BspHeld;
     type Output = BspOutput;
     type Event = BspEvent;
-    type State = BspState;
 
-    fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Self::Output {
-        use BspEvent as Event;
-        let mut builder = Builder::new(&input.surfaces, input.choice);
-        let mut n_known = builder.pieces.len();
-        // It has been built before, and was not too large.
-        let _ = builder.build::<R>(&mut |built| match built {
-            Built::Node {
-                node,
-                piece,
-                id,
-                parent,
-            } => emit(Event::Node {
-                node,
-                piece,
-                id,
-                parent,
-            }),
-            Built::Ask {
-                node,
-                piece,
-                side,
-                parts,
-            } => {
-                n_known += parts.map_or(0, |parts| parts.len());
-                emit(Event::Ask {
-                    node,
-                    piece,
-                    side,
-                    parts,
-                    n_known,
-                });
-            }
-        });
-        let n_pieces = builder.n_whole;
-        emit(Event::Built { n_pieces });
-        let mut picture = Picture::empty(input.surfaces.size());
-        walk(&builder, &mut picture, &mut emit);
-        emit(Event::Done);
-        BspOutput { n_pieces, picture }
-    }
-
-    fn start(input: &Self::Input) -> Self::State {
-        let mut builder = Builder::new(&input.surfaces, input.choice);
-        let n_known = builder.pieces.len();
-        let _ = builder.build::<f64>(&mut |_| {});
-        let numbered = (0..).zip(&builder.pieces);
-        let pieces = numbered.map(|(number, piece)| (piece.clone(), builder.rows(number)));
-        BspState {
+    fn begin(input: &Self::Input) -> Self::Held {
+        let pieces = whole_pieces(&input.surfaces);
+        BspHeld {
             nodes: Vec::new(),
-            node: None,
-            asked: None,
-            is_built: false,
-            visited: Vec::new(),
-            painted: Vec::new(),
-            so_far: BspOutput {
-                n_pieces: 0,
-                picture: Picture::empty(input.surfaces.size()),
-            },
-            is_done: false,
-            n_known,
-            pieces: pieces.collect(),
-            whole: builder.nodes.into(),
+            n_pieces: pieces.len(),
+            pieces,
+            picture: Picture::empty(input.surfaces.size()),
+            open: vec![None],
+            walk: None,
         }
     }
 
-    fn apply(state: &mut Self::State, event: Self::Event) {
-        state.apply(event);
+    fn run<R: Real, T: Tell<Self>>(
+        input: &Self::Input,
+        held: &mut Self::Held,
+        tell: &mut T,
+    ) -> Told<T::Stop> {
+        while let Some(&parent) = held.open.last() {
+            tell.rest(held);
+            held.open.pop();
+            build::<R, T>(input, held, parent, tell)?;
+        }
+        if held.walk.is_none() {
+            let root = (!held.nodes.is_empty()).then_some(Next::Visit(0));
+            held.walk = Some(root.into_iter().collect());
+            let n_pieces = held.n_pieces;
+            tell.tell(held, BspEvent::Built { n_pieces })?;
+        }
+        while let Some(&next) = held.walk.as_deref().and_then(<[Next]>::last) {
+            tell.rest(held);
+            held.walk.as_mut().and_then(Vec::pop);
+            walk(input, held, next, tell)?;
+        }
+        tell.tell(held, BspEvent::Done)
     }
 
-    fn finish(state: &Self::State) -> Self::Output {
-        state.so_far.clone()
+    fn output(held: Self::Held) -> Self::Output {
+        BspOutput {
+            n_pieces: held.n_pieces,
+            picture: held.picture,
+        }
     }
 
     /// Each of the pieces, and of those that were cut, by each node; for each node its choice and its visit; each piece painted; the
@@ -292,92 +263,89 @@ impl Algorithm for Bsp {
     }
 }
 
-impl BspState {
-    fn apply(&mut self, event: BspEvent) {
-        use BspEvent as Event;
-        match event {
-            Event::Node {
-                node,
-                piece,
-                id,
-                parent,
-            } => {
-                attach(&mut self.nodes, node, parent);
-                self.nodes.push(BspNode::new(id, piece, parent));
-                (self.node, self.asked) = (Some(node), None);
-            }
-            Event::Ask {
-                node,
-                piece,
-                side,
-                parts,
-                n_known,
-            } => {
-                if let Some(node) = self.nodes.get_mut(node as usize) {
-                    node.sort(piece, side, parts);
-                }
-                self.asked = Some((piece, side, parts));
-                self.n_known = n_known;
-            }
-            Event::Built { n_pieces } => {
-                (self.node, self.asked) = (None, None);
-                self.so_far.n_pieces = n_pieces;
-                self.is_built = true;
-            }
-            Event::Visit { node, eye } => {
-                self.node = Some(node);
-                self.visited.push((node, eye));
-            }
-            Event::Paint { node, piece, id } => {
-                self.node = Some(node);
-                self.painted.push(piece);
-                if let Some((_, rows)) = self.pieces.get(piece as usize) {
-                    rows.paint(&mut self.so_far.picture, id);
-                }
-            }
-            Event::Done => {
-                self.node = None;
-                self.is_done = true;
-            }
-        }
+/// A node for what lies on one side of its parent; what lies before a plane comes first.
+#[inline]
+fn build<R: Real, T: Tell<Bsp>>(
+    input: &BspInput,
+    held: &mut BspHeld,
+    parent: Option<(u32, BspSide)>,
+    tell: &mut T,
+) -> Told<T::Stop> {
+    let surfaces = &input.surfaces;
+    let mut list = match parent {
+        None => (0..).take(held.pieces.len()).collect(),
+        Some((node, BspSide::Back)) => held.nodes[node as usize].behind.clone(),
+        Some((node, _)) => held.nodes[node as usize].before.clone(),
+    };
+    let Some(chosen) = chosen(surfaces, input.choice, &held.pieces, &list) else {
+        return Told::Continue(());
+    };
+    let piece = list.remove(chosen);
+    let (node, id) = (held.nodes.len() as u32, held.pieces[piece as usize].id);
+    attach(&mut held.nodes, node, parent);
+    held.nodes.push(BspNode::new(id, piece, parent));
+    let event = BspEvent::Node {
+        node,
+        piece,
+        id,
+        parent,
+    };
+    tell.tell(held, event)?;
+    for piece in list {
+        let (side, parts) = sorted::<R>(surfaces, &mut held.pieces, id, piece);
+        held.n_pieces += usize::from(parts.is_some());
+        held.nodes[node as usize].sort(piece, side, parts);
+        let event = BspEvent::Ask {
+            node,
+            piece,
+            side,
+            parts,
+        };
+        tell.tell(held, event)?;
     }
+    let sides = [BspSide::Back, BspSide::Front];
+    held.open.extend(sides.map(|side| Some((node, side))));
+    Told::Continue(())
 }
 
 /// Back to front, without recursion: a tree may be as deep as it has nodes.
-fn walk(builder: &Builder<'_>, picture: &mut Picture, emit: &mut impl FnMut(BspEvent)) {
-    enum Next {
-        Visit(u32),
-        Paint(u32),
-    }
-    let mut open: Vec<Next> = Vec::new();
-    if !builder.nodes.is_empty() {
-        open.push(Next::Visit(0));
-    }
-    while let Some(next) = open.pop() {
-        match next {
-            Next::Visit(node) => {
-                let (eye, BspNode { front, back, .. }) =
-                    (builder.eye_side(node), &builder.nodes[node as usize]);
-                emit(BspEvent::Visit { node, eye });
-                let (own, other) = match eye {
-                    BspSide::Back => (back, front),
-                    BspSide::Front | BspSide::On | BspSide::Cut => (front, back),
-                };
-                // What is done last is put down first.
-                open.extend(own.map(Next::Visit));
-                open.push(Next::Paint(node));
-                open.extend(other.map(Next::Visit));
+fn walk<T: Tell<Bsp>>(
+    input: &BspInput,
+    held: &mut BspHeld,
+    next: Next,
+    tell: &mut T,
+) -> Told<T::Stop> {
+    match next {
+        Next::Visit(node) => {
+            let &BspNode {
+                id, front, back, ..
+            } = &held.nodes[node as usize];
+            let eye = eye_side(&input.surfaces, id);
+            let (own, other) = match eye {
+                BspSide::Back => (back, front),
+                BspSide::Front | BspSide::On | BspSide::Cut => (front, back),
+            };
+            // What is done last is put down first.
+            let order = [
+                own.map(Next::Visit),
+                Some(Next::Paint(node)),
+                other.map(Next::Visit),
+            ];
+            if let Some(walk) = &mut held.walk {
+                walk.extend(order.into_iter().flatten());
             }
-            Next::Paint(node) => {
-                let mut pieces = builder.nodes[node as usize].on.clone();
-                let id_of = |piece: u32| builder.pieces[piece as usize].id;
-                pieces.sort_by_key(|&piece| std::cmp::Reverse(id_of(piece)));
-                for piece in pieces {
-                    let id = id_of(piece);
-                    builder.rows(piece).paint(picture, id);
-                    emit(BspEvent::Paint { node, piece, id });
-                }
+            tell.tell(held, BspEvent::Visit { node, eye })?;
+        }
+        Next::Paint(node) => {
+            let mut pieces = held.nodes[node as usize].on.clone();
+            pieces.sort_by_key(|&piece| std::cmp::Reverse(held.pieces[piece as usize].id));
+            for piece in pieces {
+                let own = &held.pieces[piece as usize];
+                let id = own.id;
+                own.rows(&input.surfaces).paint(&mut held.picture, id);
+                tell.tell(held, BspEvent::Paint { node, piece, id })?;
             }
         }
     }
+    Told::Continue(())
 }

@@ -11,7 +11,7 @@ use crate::{
 };
 
 use super::{
-    BspChoice, BspTooLarge, Rays, Surfaces,
+    BspChoice, Rays, Surfaces,
     coverage::{Coverage, Rows, plane},
     screen_triangle::Linear,
 };
@@ -88,140 +88,71 @@ impl BspNode {
     }
 }
 
-/// What the building comes past.
-pub(super) enum Built {
-    Node {
-        node: u32,
-        piece: u32,
-        id: u32,
-        parent: Option<(u32, BspSide)>,
-    },
-    Ask {
-        node: u32,
-        piece: u32,
-        side: BspSide,
-        /// The new pieces before and behind, of one that is cut.
-        parts: Option<[u32; 2]>,
-    },
+/// The triangles that are built in, each in one piece.
+pub(super) fn whole_pieces(surfaces: &Surfaces) -> Vec<BspPiece> {
+    let kept = surfaces.ids().zip(surfaces.triangles()).filter(|(_, t)| {
+        let is_left_out = surfaces.culls_backs() && !surfaces.shows(t);
+        has_area(t) && !is_left_out
+    });
+    kept.map(|(id, triangle)| BspPiece {
+        id,
+        polygon: triangle.to_vec(),
+        cuts: Vec::new(),
+    })
+    .collect()
 }
 
-pub(super) struct Builder<'a> {
-    surfaces: &'a Surfaces,
+/// Which of a list of pieces the plane is taken of.
+pub(super) fn chosen(
+    surfaces: &Surfaces,
     choice: BspChoice,
-    pub nodes: Vec<BspNode>,
-    /// Those that are cut stay in the list.
-    pub pieces: Vec<BspPiece>,
-    /// How many pieces there are, of those that are not cut any more.
-    pub n_whole: usize,
-    n_asked: usize,
+    pieces: &[BspPiece],
+    list: &[u32],
+) -> Option<usize> {
+    let n_candidates = match choice {
+        BspChoice::First => return (!list.is_empty()).then_some(0),
+        BspChoice::FewestCuts => BspChoice::MOST_CANDIDATES,
+    };
+    let piece = |number: u32| &pieces[number as usize];
+    let n_cut = |&candidate: &usize| {
+        let id = piece(list[candidate]).id;
+        let sides = list
+            .iter()
+            .map(|&other| piece(other).side::<f64>(surfaces, id));
+        sides.filter(|side| *side == BspSide::Cut).count()
+    };
+    (0..list.len().min(n_candidates)).min_by_key(n_cut)
 }
 
-impl<'a> Builder<'a> {
-    pub fn new(surfaces: &'a Surfaces, choice: BspChoice) -> Self {
-        let kept = surfaces.ids().zip(surfaces.triangles()).filter(|(_, t)| {
-            let is_left_out = surfaces.culls_backs() && !surfaces.shows(t);
-            has_area(t) && !is_left_out
-        });
-        let pieces: Vec<BspPiece> = kept
-            .map(|(id, triangle)| BspPiece {
-                id,
-                polygon: triangle.to_vec(),
-                cuts: Vec::new(),
-            })
-            .collect();
-        Self {
-            surfaces,
-            choice,
-            nodes: Vec::new(),
-            n_whole: pieces.len(),
-            pieces,
-            n_asked: 0,
-        }
+/// On which side of a triangle's plane a piece lies. One that is cut becomes two more pieces.
+pub(super) fn sorted<R: Real>(
+    surfaces: &Surfaces,
+    pieces: &mut Vec<BspPiece>,
+    id: u32,
+    piece: u32,
+) -> (BspSide, Option<[u32; 2]>) {
+    let cut = &pieces[piece as usize];
+    let side = cut.side::<R>(surfaces, id);
+    if side != BspSide::Cut {
+        return (side, None);
     }
+    let [before, behind] = match cut.halves(surfaces, id) {
+        Ok(halves) => halves,
+        Err(side) => return (side, None),
+    };
+    let first = pieces.len() as u32;
+    pieces.extend([before, behind]);
+    (BspSide::Cut, Some([first, first + 1]))
+}
 
-    /// Node by node, what lies before a plane first.
-    pub fn build<R: Real>(&mut self, tell: &mut impl FnMut(Built)) -> Result<(), BspTooLarge> {
-        let all: Vec<u32> = (0..).take(self.pieces.len()).collect();
-        let mut open = vec![(all, None)];
-        while let Some((mut list, parent)) = open.pop() {
-            let Some(chosen) = self.chosen(&list) else {
-                continue;
-            };
-            let piece = list.remove(chosen);
-            let (node, id) = (self.nodes.len() as u32, self.pieces[piece as usize].id);
-            self.attach(node, parent);
-            self.nodes.push(BspNode::new(id, piece, parent));
-            tell(Built::Node {
-                node,
-                piece,
-                id,
-                parent,
-            });
-            for piece in list {
-                self.n_asked += 1;
-                if self.n_asked > BspTooLarge::MOST_QUESTIONS
-                    || self.n_whole > BspTooLarge::MOST_PIECES
-                {
-                    return Err(BspTooLarge);
-                }
-                let (side, parts) = self.sorted::<R>(id, piece);
-                self.nodes[node as usize].sort(piece, side, parts);
-                tell(Built::Ask {
-                    node,
-                    piece,
-                    side,
-                    parts,
-                });
-            }
-            let BspNode { before, behind, .. } = &self.nodes[node as usize];
-            open.push((behind.clone(), Some((node, BspSide::Back))));
-            open.push((before.clone(), Some((node, BspSide::Front))));
-        }
-        Ok(())
-    }
-
-    fn attach(&mut self, node: u32, parent: Option<(u32, BspSide)>) {
-        attach(&mut self.nodes, node, parent);
-    }
-
-    /// Which of a list its plane is taken of.
-    fn chosen(&self, list: &[u32]) -> Option<usize> {
-        let n_candidates = match self.choice {
-            BspChoice::First => return (!list.is_empty()).then_some(0),
-            BspChoice::FewestCuts => BspChoice::MOST_CANDIDATES,
-        };
-        let n_cut = |&candidate: &usize| {
-            let id = self.pieces[list[candidate] as usize].id;
-            let sides = list.iter().map(|&piece| self.side::<f64>(id, piece));
-            sides.filter(|side| *side == BspSide::Cut).count()
-        };
-        (0..list.len().min(n_candidates)).min_by_key(n_cut)
-    }
-
-    /// On which side of a triangle's plane a piece lies; one that is cut becomes two.
-    fn sorted<R: Real>(&mut self, id: u32, piece: u32) -> (BspSide, Option<[u32; 2]>) {
-        let side = self.side::<R>(id, piece);
-        if side != BspSide::Cut {
-            return (side, None);
-        }
-        let cut = &self.pieces[piece as usize];
-        let [before, behind] = match self.halves(id, cut) {
-            Ok(halves) => halves,
-            Err(side) => return (side, None),
-        };
-        let first = self.pieces.len() as u32;
-        self.pieces.extend([before, behind]);
-        self.n_whole += 1;
-        (BspSide::Cut, Some([first, first + 1]))
-    }
-
+impl BspPiece {
     /// What lies before a plane and what lies behind it. Where rounding leaves nothing on one of the sides, the other has it all:
     /// what should lie there is thinner than a cut is exact.
-    fn halves(&self, id: u32, cut: &BspPiece) -> Result<[BspPiece; 2], BspSide> {
-        let ([x, y, z], d) = plane(self.corners(id));
+    fn halves(&self, surfaces: &Surfaces, id: u32) -> Result<[Self; 2], BspSide> {
+        let ([x, y, z], d) = plane(corners(surfaces, id));
         // A plane of a triangle too small for its own normal cuts nothing.
         let plane = Plane::new([x, y, z, d]).map_err(|_| BspSide::Back)?;
-        let [before, behind] = split(&cut.polygon, &plane);
+        let [before, behind] = split(&self.polygon, &plane);
         if before.is_empty() || behind.is_empty() {
             return Err(if before.is_empty() {
                 BspSide::Back
@@ -230,10 +161,10 @@ impl<'a> Builder<'a> {
             });
         }
         let half = |polygon: Vec<[f64; 3]>, is_before| {
-            let mut cuts = cut.cuts.clone();
+            let mut cuts = self.cuts.clone();
             cuts.push((id, is_before));
-            BspPiece {
-                id: cut.id,
+            Self {
+                id: self.id,
                 polygon,
                 cuts,
             }
@@ -242,11 +173,11 @@ impl<'a> Builder<'a> {
     }
 
     /// By its vertices; but its triangle's own corners, where they are all on one side, know better than what is rounded.
-    fn side<R: Real>(&self, id: u32, piece: u32) -> BspSide {
-        let piece = &self.pieces[piece as usize];
-        let whole = self.side_of::<R>(id, self.corners(piece.id));
-        if whole == BspSide::Cut && !piece.cuts.is_empty() {
-            return match self.side_of::<R>(id, &piece.polygon) {
+    fn side<R: Real>(&self, surfaces: &Surfaces, id: u32) -> BspSide {
+        let plane = corners(surfaces, id);
+        let whole = side_of::<R>(plane, corners(surfaces, self.id));
+        if whole == BspSide::Cut && !self.cuts.is_empty() {
+            return match side_of::<R>(plane, &self.polygon) {
                 // It crosses the plane, so nothing of it but an edge lies there.
                 BspSide::On => BspSide::Back,
                 side => side,
@@ -255,79 +186,24 @@ impl<'a> Builder<'a> {
         whole
     }
 
-    fn side_of<R: Real>(&self, id: u32, vertices: &[[f64; 3]]) -> BspSide {
-        let (mut is_before, mut is_behind) = (false, false);
-        for &v in vertices {
-            let side = self.vertex_side::<R>(id, v);
-            is_before |= side == Ordering::Greater;
-            is_behind |= side == Ordering::Less;
-        }
-        match (is_before, is_behind) {
-            (true, true) => BspSide::Cut,
-            (true, false) => BspSide::Front,
-            (false, true) => BspSide::Back,
-            (false, false) => BspSide::On,
-        }
-    }
-
-    /// `Greater` where the triangle shows its front. As computed, n·(v − V0) decides where it is larger than its rounding.
-    fn vertex_side<R: Real>(&self, id: u32, v: [f64; 3]) -> Ordering {
-        let corners = self.corners(id);
-        let [v0, v1, v2] = corners;
-        let (n, _) = plane(corners);
-        let [e, f]: [[f64; 3]; 2] = [v1, v2].map(|v| std::array::from_fn(|i| (v[i] - v0[i]).abs()));
-        let to = [0, 1, 2].map(|i| R::new(v[i]) - R::new(v0[i]));
-        let n_counted = n.map(R::new);
-        let sum = n_counted[0] * to[0] + n_counted[1] * to[1] + n_counted[2] * to[2];
-        let size = (0..3).map(|i| {
-            let [j, k] = [(i + 1) % 3, (i + 2) % 3];
-            (e[j] * f[k] + e[k] * f[j]) * to[i].get().abs()
-        });
-        // A term has two differences, two products, a difference, a difference and a product, and two sums.
-        let bound = 16.0 * f64::EPSILON * size.sum::<f64>();
-        if (1e-250..1e250).contains(&bound) && sum.get().abs() > bound {
-            return if sum > R::new(0.0) {
-                Ordering::Greater
-            } else {
-                Ordering::Less
-            };
-        }
-        front_side(corners, [v[0], v[1], v[2], 1.0])
-    }
-
-    /// On which side of a node the eye is; `On` where it lies in the plane.
-    pub fn eye_side(&self, node: u32) -> BspSide {
-        let corners = self.corners(self.nodes[node as usize].id);
-        match front_side(corners, self.surfaces.eye()) {
-            Ordering::Greater => BspSide::Front,
-            Ordering::Less => BspSide::Back,
-            Ordering::Equal => BspSide::On,
-        }
-    }
-
-    fn corners(&self, id: u32) -> &'a [[f64; 3]; 3] {
-        &self.surfaces.triangles()[id as usize]
-    }
-
     /// What a piece covers: those pixels of its triangle at which it lies on the right side of every plane that has cut it. So two
     /// pieces share no pixel's middle, and leave none out between them.
-    pub fn rows(&self, piece: u32) -> Rows {
-        let piece = &self.pieces[piece as usize];
-        let (rays, (n, d)) = (Rays::of(self.surfaces), plane(self.corners(piece.id)));
+    pub(super) fn rows(&self, surfaces: &Surfaces) -> Rows {
+        let own = corners(surfaces, self.id);
+        let (rays, (n, d)) = (Rays::of(surfaces), plane(own));
         let mut rows = Rows::default();
-        let Some(coverage) = Coverage::of::<Right>(self.surfaces, self.corners(piece.id)) else {
+        let Some(coverage) = Coverage::of::<Right>(surfaces, own) else {
             return rows;
         };
-        let sides: Vec<(Linear<f64>, bool)> = piece
+        let sides: Vec<(Linear<f64>, bool)> = self
             .cuts
             .iter()
             .map(|&(id, is_before)| {
-                let side = rays.side_of_plane((n, d), plane(self.corners(id)));
+                let side = rays.side_of_plane((n, d), plane(corners(surfaces, id)));
                 (side, is_before)
             })
             .collect();
-        let [_, height] = self.surfaces.size();
-        coverage.for_each_span(self.surfaces.viewport(), &(0..height), |span| {
+        coverage.for_each_span(surfaces.viewport(), |span| {
             let [first, end] = span.columns;
             let is_inside = |column: u32| {
                 let mut sides = sides.iter();
@@ -350,6 +226,59 @@ impl<'a> Builder<'a> {
         });
         rows
     }
+}
+
+/// Where vertices lie, as seen from the plane of a triangle.
+fn side_of<R: Real>(triangle: &[[f64; 3]; 3], vertices: &[[f64; 3]]) -> BspSide {
+    let (mut is_before, mut is_behind) = (false, false);
+    for &v in vertices {
+        let side = vertex_side::<R>(triangle, v);
+        is_before |= side == Ordering::Greater;
+        is_behind |= side == Ordering::Less;
+    }
+    match (is_before, is_behind) {
+        (true, true) => BspSide::Cut,
+        (true, false) => BspSide::Front,
+        (false, true) => BspSide::Back,
+        (false, false) => BspSide::On,
+    }
+}
+
+/// `Greater` where the triangle shows its front. As computed, n·(v − V0) decides where it is larger than its rounding.
+fn vertex_side<R: Real>(corners: &[[f64; 3]; 3], v: [f64; 3]) -> Ordering {
+    let [v0, v1, v2] = corners;
+    let (n, _) = plane(corners);
+    let [e, f]: [[f64; 3]; 2] = [v1, v2].map(|v| std::array::from_fn(|i| (v[i] - v0[i]).abs()));
+    let to = [0, 1, 2].map(|i| R::new(v[i]) - R::new(v0[i]));
+    let n_counted = n.map(R::new);
+    let sum = n_counted[0] * to[0] + n_counted[1] * to[1] + n_counted[2] * to[2];
+    let size = (0..3).map(|i| {
+        let [j, k] = [(i + 1) % 3, (i + 2) % 3];
+        (e[j] * f[k] + e[k] * f[j]) * to[i].get().abs()
+    });
+    // A term has two differences, two products, a difference, a difference and a product, and two sums.
+    let bound = 16.0 * f64::EPSILON * size.sum::<f64>();
+    if (1e-250..1e250).contains(&bound) && sum.get().abs() > bound {
+        return if sum > R::new(0.0) {
+            Ordering::Greater
+        } else {
+            Ordering::Less
+        };
+    }
+    front_side(corners, [v[0], v[1], v[2], 1.0])
+}
+
+/// On which side of a triangle's plane the eye is; `On` where it lies in the plane.
+pub(super) fn eye_side(surfaces: &Surfaces, id: u32) -> BspSide {
+    match front_side(corners(surfaces, id), surfaces.eye()) {
+        Ordering::Greater => BspSide::Front,
+        Ordering::Less => BspSide::Back,
+        Ordering::Equal => BspSide::On,
+    }
+}
+
+fn corners(surfaces: &Surfaces, id: u32) -> &[[f64; 3]; 3] {
+    &surfaces.triangles()[id as usize]
 }
 
 /// Makes a node known to the one above it.

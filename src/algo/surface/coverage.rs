@@ -1,6 +1,9 @@
 //! Which pixels a triangle in view space covers, and how deep it lies there.
 
-use std::ops::Range;
+use std::{
+    convert::Infallible,
+    ops::{ControlFlow, Range},
+};
 
 use crate::{
     algo::{ring::Right, volume::ClipVertex},
@@ -11,7 +14,7 @@ use crate::{
 use super::{
     Cull, Picture, Rays, ScreenTriangle, SurfaceRules, Surfaces, Viewport,
     assembly::{Seen, for_each_piece},
-    scan::for_each_span,
+    scan::try_for_each_span,
     screen_triangle::{Corner, Linear},
 };
 
@@ -96,23 +99,34 @@ impl Coverage {
         })
     }
 
-    /// Calls back with each row of each piece, among some rows.
-    pub fn for_each_span(
+    /// Calls back with each row of each piece.
+    pub fn for_each_span(&self, viewport: &Viewport, mut span: impl FnMut(Span<'_>)) {
+        let [_, height] = viewport.size();
+        let ControlFlow::Continue(()) = self.try_for_each_span(viewport, &(0..height), |it| {
+            span(it);
+            ControlFlow::<Infallible>::Continue(())
+        });
+    }
+
+    /// The same among some rows, until the callback breaks off.
+    #[inline]
+    pub fn try_for_each_span<S>(
         &self,
         viewport: &Viewport,
         rows: &Range<u32>,
-        mut span: impl FnMut(Span<'_>),
-    ) {
+        mut span: impl FnMut(Span<'_>) -> ControlFlow<S>,
+    ) -> ControlFlow<S> {
         for Piece { screen, depth } in &self.pieces {
-            for_each_span(screen, viewport, rows, |row, columns| {
+            try_for_each_span(screen, viewport, rows, |row, columns| {
                 span(Span {
                     row,
                     columns: [columns.start, columns.end],
                     depth,
                     range: self.range,
-                });
-            });
+                })
+            })?;
         }
+        ControlFlow::Continue(())
     }
 }
 
@@ -151,8 +165,7 @@ impl Rows {
         let mut rows = Vec::new();
         let triangle = surfaces.triangles().get(id as usize);
         if let Some(coverage) = triangle.and_then(|t| Coverage::of::<Right>(surfaces, t)) {
-            let [_, height] = surfaces.size();
-            coverage.for_each_span(surfaces.viewport(), &(0..height), |span| {
+            coverage.for_each_span(surfaces.viewport(), |span| {
                 rows.push((span.row, span.columns));
             });
         }

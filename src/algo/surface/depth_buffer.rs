@@ -18,8 +18,6 @@
 //! *Cost*: of a fragment two multiplications and two additions for its depth, and one comparison. Clipping, and where rows begin
 //! and end, is not counted here.
 //!
-//! A recording by spans or triangles keeps what was written in a list that the states share: no step is drawn twice.
-//!
 //! *Source*: E. Catmull, "A subdivision algorithm for computer display of curved surfaces", dissertation, University of Utah,
 //! 1974.
 //!
@@ -27,7 +25,7 @@
 //! use clipscope::{
 //!     algo::surface::{DepthBuffer, DepthBufferInput, Surfaces},
 //!     geom::ViewVolume,
-//!     trace::silent,
+//!     trace::told::silent,
 //! };
 //! let volume = ViewVolume::perspective(90.0, 1.0, 1.0, 10.0)?;
 //! let wall = |z: f64| [[-20.0, -20.0, z], [20.0, -20.0, z], [0.0, 40.0, z]];
@@ -40,19 +38,25 @@
 //! # Ok::<(), clipscope::geom::SpaceError>(())
 //! ```
 
-use std::{marker::PhantomData, sync::Arc};
+use std::{convert::Infallible, marker::PhantomData};
 
 use serde::Serialize;
 
 use crate::{
     algo::ring::Right,
-    trace::{Algorithm, Real},
+    trace::{
+        Real,
+        told::{Listening, Method, Tell, Told},
+    },
 };
 
 use super::{
-    DepthBufferInput, DepthSteps, Fragment, FragmentTally, Picture, SurfaceRules,
-    depth_drawing::{Drawing, Told, cleared},
+    DepthBufferInput, DepthFormat, DepthSteps, Fragment, FragmentTally, Picture, SurfaceRules,
+    coverage::Coverage,
 };
+
+/// A run can go on from every so-manieth triangle: so many are drawn in less than a millisecond.
+const REST_EVERY: usize = 512;
 
 /// The algorithm; see the module. `L` are its rules.
 #[derive(Clone, Copy, Debug)]
@@ -73,9 +77,6 @@ pub enum DepthBufferEvent {
         id: u32,
         /// Is anything of it in the volume, and does it show the side that is drawn?
         drawn: bool,
-        /// What it has written: from, and up to, a place in the list of the states.
-        #[serde(skip)]
-        writes: [usize; 2],
         /// So far.
         tally: FragmentTally,
     },
@@ -87,9 +88,6 @@ pub enum DepthBufferEvent {
         row: u32,
         /// Its first column, and the one after its last.
         columns: [u32; 2],
-        /// What it has written: from, and up to, a place in the list of the states.
-        #[serde(skip)]
-        writes: [usize; 2],
         /// So far.
         tally: FragmentTally,
     },
@@ -116,91 +114,56 @@ pub struct DepthBufferOutput {
     pub tally: FragmentTally,
 }
 
-/// What the picture of a step needs.
+/// What it works in.
 #[derive(Clone, PartialEq, Debug)]
-pub struct DepthBufferState {
+pub struct DepthBufferHeld {
     /// Picture, depths and counts so far; after the end, the answer.
     pub so_far: DepthBufferOutput,
-    /// The triangle whose turn it is, and whether anything of it is drawn.
-    pub triangle: Option<(u32, bool)>,
-    /// The row that has been drawn, and its columns.
-    pub span: Option<(u32, [u32; 2])>,
-    /// The fragment that has been asked.
-    pub fragment: Option<Fragment>,
-    /// Where only one pixel is looked at, all its fragments so far.
-    pub story: Vec<Fragment>,
-    /// Is nothing left to do?
-    pub is_done: bool,
-    /// Is only one pixel looked at?
-    keeps_story: bool,
-    /// What a run by spans or triangles writes, in order.
-    writes: Arc<[([u32; 2], u32, f64)]>,
+    /// Once the buffer is cleared, so many triangles of the order have had their turn.
+    n_past: Option<usize>,
 }
 
-impl<L: SurfaceRules> Algorithm for DepthBuffer<L> {
+impl<L: SurfaceRules> Method for DepthBuffer<L> {
     type Input = DepthBufferInput;
+    type Held = DepthBufferHeld;
     type Output = DepthBufferOutput;
     type Event = DepthBufferEvent;
-    type State = DepthBufferState;
 
-    fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Self::Output {
-        use DepthBufferEvent as Event;
-        emit(Event::Clear {
-            depth: cleared::<L>(&input.format),
-        });
-        let mut drawing = Drawing::<L>::new(input);
-        let mut telling = Telling::new(input.steps);
-        drawing.all::<R>(&mut |told| {
-            if let Some(event) = telling.event(&told) {
-                emit(event);
-            }
-        });
-        emit(Event::Done);
-        DepthBufferOutput {
-            picture: drawing.picture,
-            depth: drawing.depth,
-            tally: telling.tally,
-        }
-    }
-
-    fn start(input: &Self::Input) -> Self::State {
-        let mut writes = Vec::new();
-        if input.steps != DepthSteps::Fragments {
-            Drawing::<L>::new(input).all::<f64>(&mut |told| {
-                if let Told::Fragment(Fragment {
-                    id,
-                    pixel,
-                    new,
-                    kept: true,
-                    ..
-                }) = told
-                {
-                    writes.push((pixel, id, new));
-                }
-            });
-        }
-        DepthBufferState {
+    fn begin(input: &Self::Input) -> Self::Held {
+        DepthBufferHeld {
             so_far: DepthBufferOutput {
                 picture: Picture::empty(input.surfaces.size()),
                 depth: vec![input.format.nothing(); input.surfaces.n_pixels()],
                 tally: FragmentTally::default(),
             },
-            triangle: None,
-            span: None,
-            fragment: None,
-            story: Vec::new(),
-            is_done: false,
-            keeps_story: input.pixel.is_some(),
-            writes: writes.into(),
+            n_past: None,
         }
     }
 
-    fn apply(state: &mut Self::State, event: Self::Event) {
-        state.apply(event);
+    #[inline]
+    fn run<R: Real, T: Tell<Self>>(
+        input: &Self::Input,
+        held: &mut Self::Held,
+        tell: &mut T,
+    ) -> Told<T::Stop> {
+        if held.n_past.is_none() {
+            let depth = cleared::<L>(&input.format);
+            held.so_far.depth.fill(depth);
+            tell.tell(held, DepthBufferEvent::Clear { depth })?;
+        }
+        let n_past = held.n_past.unwrap_or_default();
+        for (nth, &id) in input.order.iter().enumerate().skip(n_past) {
+            if nth % REST_EVERY == 0 {
+                held.n_past = Some(nth);
+                tell.rest(held);
+            }
+            triangle::<L, R, T>(input, held, id, tell)?;
+        }
+        tell.tell(held, DepthBufferEvent::Done)
     }
 
-    fn finish(state: &Self::State) -> Self::Output {
-        state.so_far.clone()
+    fn output(held: Self::Held) -> Self::Output {
+        held.so_far
     }
 
     /// Clearing and the end; for each triangle its turn, and by fragments each pixel once, by spans each row of each of the seven
@@ -216,127 +179,123 @@ impl<L: SurfaceRules> Algorithm for DepthBuffer<L> {
     }
 }
 
-/// What the loops come past, as events.
-struct Telling {
-    steps: DepthSteps,
-    tally: FragmentTally,
-    /// The triangle whose turn it is, and whether anything of it is drawn.
-    turn: (u32, bool),
-    /// The place in the list of the states where what is told next began.
-    begun: usize,
+fn cleared<L: SurfaceRules>(format: &DepthFormat) -> f64 {
+    if L::CLEARS_TO_NEAR {
+        format.nearest()
+    } else {
+        format.nothing()
+    }
 }
 
-impl Telling {
-    fn new(steps: DepthSteps) -> Self {
-        Self {
-            steps,
-            tally: FragmentTally::default(),
-            turn: (0, false),
-            begun: 0,
-        }
+/// Draws one of the triangles.
+#[inline]
+pub(super) fn triangle<L: SurfaceRules, R: Real, T: Tell<DepthBuffer<L>>>(
+    input: &DepthBufferInput,
+    held: &mut DepthBufferHeld,
+    id: u32,
+    tell: &mut T,
+) -> Told<T::Stop> {
+    use DepthBufferEvent as Event;
+    let [_, height] = input.surfaces.size();
+    let rows = input.pixel.map_or(0..height, |[_, row]| {
+        row.min(height)..row.saturating_add(1).min(height)
+    });
+    let Some(triangle) = input.surfaces.triangles().get(id as usize) else {
+        return Told::Continue(());
+    };
+    let coverage = Coverage::of::<L>(&input.surfaces, triangle);
+    let drawn = coverage.is_some();
+    if input.steps != DepthSteps::Triangles {
+        let tally = held.so_far.tally;
+        tell.tell(held, Event::Triangle { id, drawn, tally })?;
     }
-
-    /// Nothing where the steps are larger, or smaller.
-    #[inline]
-    fn event(&mut self, told: &Told) -> Option<DepthBufferEvent> {
-        match *told {
-            Told::Triangle { id, drawn } => {
-                self.turn = (id, drawn);
-                (self.steps != DepthSteps::Triangles).then(|| self.triangle())
+    if let Some(coverage) = coverage {
+        coverage.try_for_each_span(input.surfaces.viewport(), &rows, |span| {
+            let (row, columns) = (span.row, span.columns);
+            let [first, end] = columns;
+            let wanted = match input.pixel {
+                Some([column, _]) => first.max(column)..end.min(column.saturating_add(1)),
+                None => first..end,
+            };
+            for column in wanted {
+                let depth = span.depth::<R>(column);
+                let so_far = &mut held.so_far;
+                let fragment = so_far.fragment::<L, R>(&input.format, id, [column, row], depth);
+                so_far.tally.add(&fragment);
+                if input.steps == DepthSteps::Fragments {
+                    let tally = so_far.tally;
+                    tell.tell(held, Event::Fragment { fragment, tally })?;
+                }
             }
-            Told::Fragment(fragment) => {
-                self.tally.add(&fragment);
-                (self.steps == DepthSteps::Fragments).then(|| {
-                    self.writes();
-                    let tally = self.tally;
-                    DepthBufferEvent::Fragment { fragment, tally }
-                })
-            }
-            Told::SpanDone { row, columns } => (self.steps == DepthSteps::Spans).then(|| {
-                let writes = self.writes();
-                DepthBufferEvent::Span {
-                    id: self.turn.0,
+            if input.steps == DepthSteps::Spans {
+                let event = Event::Span {
+                    id,
                     row,
                     columns,
-                    writes,
-                    tally: self.tally,
-                }
-            }),
-            Told::TriangleDone => (self.steps == DepthSteps::Triangles).then(|| self.triangle()),
-        }
+                    tally: held.so_far.tally,
+                };
+                tell.tell(held, event)?;
+            }
+            Told::Continue(())
+        })?;
     }
+    if input.steps == DepthSteps::Triangles {
+        let tally = held.so_far.tally;
+        tell.tell(held, Event::Triangle { id, drawn, tally })?;
+    }
+    Told::Continue(())
+}
 
-    fn triangle(&mut self) -> DepthBufferEvent {
-        let ((id, drawn), writes) = (self.turn, self.writes());
-        DepthBufferEvent::Triangle {
+impl DepthBufferOutput {
+    /// Compares a fragment with what stands at its pixel, and writes it where it is nearer.
+    #[inline(always)]
+    fn fragment<L: SurfaceRules, R: Real>(
+        &mut self,
+        format: &DepthFormat,
+        id: u32,
+        pixel: [u32; 2],
+        depth: f64,
+    ) -> Fragment {
+        let (place, new) = (self.picture.place(pixel), format.stored(depth));
+        let (stored, stored_id) = (self.depth[place], self.picture.ids()[place]);
+        let [front, behind] = if L::TURNS_COMPARISON {
+            [stored, new]
+        } else {
+            [new, stored]
+        };
+        let kept = !L::COMPARES || format.is_nearer::<R>(front, behind);
+        if kept {
+            self.depth[place] = new;
+            self.picture.put(pixel, id);
+        }
+        Fragment {
             id,
-            drawn,
-            writes,
-            tally: self.tally,
+            pixel,
+            depth,
+            new,
+            stored,
+            stored_id,
+            kept,
         }
-    }
-
-    /// What has been written since this was last asked: places in the list of the states.
-    fn writes(&mut self) -> [usize; 2] {
-        let end = self.tally.writes as usize;
-        [std::mem::replace(&mut self.begun, end), end]
     }
 }
 
-impl DepthBufferState {
-    fn apply(&mut self, event: DepthBufferEvent) {
-        use DepthBufferEvent as Event;
-        match event {
-            Event::Clear { depth } => self.so_far.depth.fill(depth),
-            Event::Triangle {
-                id,
-                drawn,
-                writes,
-                tally,
-            } => {
-                self.triangle = Some((id, drawn));
-                (self.span, self.fragment) = (None, None);
-                self.write(writes, tally);
-            }
-            Event::Span {
-                row,
-                columns,
-                writes,
-                tally,
-                ..
-            } => {
-                self.span = Some((row, columns));
-                self.write(writes, tally);
-            }
-            Event::Fragment { fragment, tally } => {
-                if fragment.kept {
-                    self.put(fragment.pixel, fragment.id, fragment.new);
-                }
-                if self.keeps_story {
-                    self.story.push(fragment);
-                }
-                self.fragment = Some(fragment);
-                self.so_far.tally = tally;
-            }
-            Event::Done => {
-                (self.triangle, self.span, self.fragment) = (None, None, None);
-                self.is_done = true;
-            }
+/// Every fragment that reaches a pixel, in order: one run, at this pixel only.
+#[must_use]
+pub fn pixel_story<L: SurfaceRules>(input: &DepthBufferInput, pixel: [u32; 2]) -> Vec<Fragment> {
+    let input = DepthBufferInput {
+        pixel: Some(pixel),
+        steps: DepthSteps::Fragments,
+        ..input.clone()
+    };
+    let mut story = Vec::new();
+    let mut listening = Listening(|_: &DepthBufferHeld, event| {
+        if let DepthBufferEvent::Fragment { fragment, .. } = event {
+            story.push(fragment);
         }
-    }
-
-    /// What stands in the list at these places.
-    fn write(&mut self, [from, to]: [usize; 2], tally: FragmentTally) {
-        let writes = Arc::clone(&self.writes);
-        for &(pixel, id, depth) in writes.get(from..to).unwrap_or_default() {
-            self.put(pixel, id, depth);
-        }
-        self.so_far.tally = tally;
-    }
-
-    fn put(&mut self, pixel: [u32; 2], id: u32, depth: f64) {
-        let place = self.so_far.picture.place(pixel);
-        self.so_far.depth[place] = depth;
-        self.so_far.picture.put(pixel, id);
-    }
+        Told::<Infallible>::Continue(())
+    });
+    let mut held = DepthBuffer::<L>::begin(&input);
+    let Told::Continue(()) = DepthBuffer::<L>::run::<f64, _>(&input, &mut held, &mut listening);
+    story
 }

@@ -18,16 +18,15 @@ mod bsp_tree;
 mod coverage;
 mod depth_buffer;
 mod depth_buffer_input;
-mod depth_drawing;
 mod depth_format;
 pub mod faulty;
+mod fragment;
 mod hierarchy;
 mod lanes;
 mod occlusion;
 mod occlusion_query;
 mod painter;
 mod painter_event;
-mod painting_order;
 mod picture;
 mod precedence;
 mod ray_casting;
@@ -42,25 +41,27 @@ mod surface_list;
 mod viewport;
 
 pub use assembly::{Cull, MeshRef, assemble};
-pub use bsp::{Bsp, BspEvent, BspInput, BspOutput, BspState};
+pub use bsp::{Bsp, BspEvent, BspHeld, BspInput, BspOutput};
 pub use bsp_choice::{BspChoice, BspTooLarge};
 pub use bsp_tree::{BspNode, BspPiece, BspSide};
-pub use depth_buffer::{DepthBuffer, DepthBufferEvent, DepthBufferOutput, DepthBufferState};
+pub use depth_buffer::{
+    DepthBuffer, DepthBufferEvent, DepthBufferHeld, DepthBufferOutput, pixel_story,
+};
 pub use depth_buffer_input::{DepthBufferInput, DepthSteps};
-pub use depth_drawing::{Fragment, FragmentTally, pixel_story};
 pub use depth_format::{DepthBits, DepthFormat, DepthNumber};
+pub use fragment::{Fragment, FragmentTally};
 pub use hierarchy::Hierarchy;
 pub use lanes::{LANES, Lanes};
 pub use occlusion::{
-    Occlusion, OcclusionEvent, OcclusionInput, OcclusionObject, OcclusionOutput, OcclusionState,
+    Occlusion, OcclusionEvent, OcclusionHeld, OcclusionInput, OcclusionObject, OcclusionOutput,
     QueryResult,
 };
-pub use painter::{Painter, PainterAnswer, PainterOutput, PainterState};
+pub use painter::{Painter, PainterAnswer, PainterHeld, PainterOutput};
 pub use painter_event::{PainterEvent, PairTally};
 pub use picture::Picture;
 pub use precedence::{Occupant, PairTest};
 pub use ray_casting::{
-    RayCasting, RayCastingEvent, RayCastingInput, RayCastingOutput, RayCastingState, RayHit,
+    RayCasting, RayCastingEvent, RayCastingHeld, RayCastingInput, RayCastingOutput, RayHit,
 };
 pub use ray_plane::{Meeting, PlaneHit};
 pub use rays::{Ray, Rays};

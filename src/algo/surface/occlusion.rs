@@ -23,7 +23,7 @@
 //! use clipscope::{
 //!     algo::surface::{Occlusion, OcclusionInput, OcclusionObject, Surfaces},
 //!     geom::ViewVolume,
-//!     trace::silent,
+//!     trace::told::silent,
 //! };
 //! let volume = ViewVolume::perspective(90.0, 1.0, 1.0, 10.0)?;
 //! let wall = [[-9.0, -9.0, -3.0], [9.0, -9.0, -3.0], [0.0, 18.0, -3.0]];
@@ -36,19 +36,19 @@
 //! # Ok::<(), clipscope::geom::SpaceError>(())
 //! ```
 
-use std::sync::Arc;
-
 use serde::Serialize;
 
 use crate::{
     algo::ring::Right,
-    geom::AlignedBox,
-    trace::{Algorithm, Real},
+    trace::{
+        Real,
+        told::{Method, Silent, Tell, Told},
+    },
 };
 
 use super::{
-    DepthBufferInput, Fragment, Picture, Surfaces,
-    depth_drawing::{Drawing, Told},
+    DepthBuffer, DepthBufferHeld, DepthBufferInput, Picture, Surfaces,
+    depth_buffer::triangle,
     occlusion_query::{ask, query_box, reaches_near},
 };
 
@@ -97,9 +97,6 @@ pub enum OcclusionEvent {
         object_idx: usize,
         /// Its lowest and its highest corner, in view space; none of an object without triangles.
         bounds: Option<[[f64; 3]; 2]>,
-        /// Its pixels: from, and up to, a place in the list of the states.
-        #[serde(skip)]
-        pixels: [usize; 2],
         /// What is found.
         result: QueryResult,
     },
@@ -112,9 +109,9 @@ pub enum OcclusionEvent {
     Draw {
         /// Which object.
         object_idx: usize,
-        /// What it has written: from, and up to, a place in the list of the states.
+        /// So many fragments of it were written.
         #[serde(skip)]
-        writes: [usize; 2],
+        writes: u64,
     },
     /// No object is left.
     Done,
@@ -133,75 +130,83 @@ pub struct OcclusionOutput {
     pub n_skipped: usize,
 }
 
-/// What the picture of a step needs.
+/// What it works in.
 #[derive(Clone, PartialEq, Debug)]
-pub struct OcclusionState {
-    /// Picture and counts so far; after the end, the answer.
-    pub so_far: OcclusionOutput,
-    /// The object whose turn it is.
-    pub object_idx: Option<usize>,
-    /// Its box and the answer, once it is asked.
-    pub query: Option<(Option<[[f64; 3]; 2]>, QueryResult)>,
-    /// Every object that has been asked, in order, and the answer.
-    pub answers: Vec<(usize, QueryResult)>,
-    /// The pixels of its box, and whether it would be seen there.
-    pub asked: Vec<([u32; 2], bool)>,
+pub struct OcclusionHeld {
+    /// What has been drawn so far.
+    pub drawing: DepthBufferHeld,
     /// Objects drawn so far, in order.
     pub drawn: Vec<usize>,
-    /// Objects skipped so far.
+    /// Objects skipped so far, in order.
     pub skipped: Vec<usize>,
-    /// Is nothing left to do?
-    pub is_done: bool,
-    /// All that will be written, and all that will be asked, in order.
-    lists: Arc<Lists>,
+    /// The pixels of the box that was asked last, and whether it would be seen there.
+    pub asked: Vec<([u32; 2], bool)>,
 }
 
-/// What a run writes and asks.
-#[derive(PartialEq, Debug, Default)]
-struct Lists {
-    writes: Vec<([u32; 2], u32, f64)>,
-    pixels: Vec<([u32; 2], bool)>,
-}
-
-impl Algorithm for Occlusion {
+impl Method for Occlusion {
     type Input = OcclusionInput;
+    type Held = OcclusionHeld;
     type Output = OcclusionOutput;
     type Event = OcclusionEvent;
-    type State = OcclusionState;
 
-    fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Self::Output {
-        let output = all::<R>(input, &mut Lists::default(), &mut emit);
-        emit(OcclusionEvent::Done);
-        output
-    }
-
-    fn start(input: &Self::Input) -> Self::State {
-        let mut lists = Lists::default();
-        all::<f64>(input, &mut lists, &mut |_| {});
-        OcclusionState {
-            so_far: OcclusionOutput {
-                picture: Picture::empty(input.surfaces.size()),
-                depth: vec![f64::INFINITY; input.surfaces.n_pixels()],
-                n_drawn: 0,
-                n_skipped: 0,
-            },
-            object_idx: None,
-            query: None,
-            answers: Vec::new(),
-            asked: Vec::new(),
+    fn begin(input: &Self::Input) -> Self::Held {
+        OcclusionHeld {
+            drawing: DepthBuffer::<Right>::begin(&DepthBufferInput::new(input.surfaces.clone())),
             drawn: Vec::new(),
             skipped: Vec::new(),
-            is_done: false,
-            lists: Arc::new(lists),
+            asked: Vec::new(),
         }
     }
 
-    fn apply(state: &mut Self::State, event: Self::Event) {
-        state.apply(event);
+    /// Occluders first, then the others, each in its order.
+    fn run<R: Real, T: Tell<Self>>(
+        input: &Self::Input,
+        held: &mut Self::Held,
+        tell: &mut T,
+    ) -> Told<T::Stop> {
+        use OcclusionEvent as Event;
+        let drawing = DepthBufferInput::new(input.surfaces.clone());
+        let numbered = || input.objects.iter().enumerate();
+        let occluders = numbered().filter(|(_, object)| object.is_occluder);
+        let others = numbered().filter(|(_, object)| !object.is_occluder);
+        let n_past = held.drawn.len() + held.skipped.len();
+        for (object_idx, object) in occluders.chain(others).skip(n_past) {
+            tell.rest(held);
+            held.asked.clear();
+            if !object.is_occluder {
+                let (bounds, result) = query::<R>(input, object, held);
+                let event = Event::Query {
+                    object_idx,
+                    bounds,
+                    result,
+                };
+                tell.tell(held, event)?;
+                if result.passed == 0 && !result.unasked {
+                    held.skipped.push(object_idx);
+                    tell.tell(held, Event::Skip { object_idx })?;
+                    continue;
+                }
+            }
+            let before = held.drawing.so_far.tally.writes;
+            for id in object.ids() {
+                let Told::Continue(()) =
+                    triangle::<Right, R, Silent>(&drawing, &mut held.drawing, id, &mut Silent);
+            }
+            held.drawn.push(object_idx);
+            let writes = held.drawing.so_far.tally.writes - before;
+            tell.tell(held, Event::Draw { object_idx, writes })?;
+        }
+        tell.tell(held, Event::Done)
     }
 
-    fn finish(state: &Self::State) -> Self::Output {
-        state.so_far.clone()
+    fn output(held: Self::Held) -> Self::Output {
+        let drawing = held.drawing.so_far;
+        OcclusionOutput {
+            picture: drawing.picture,
+            depth: drawing.depth,
+            n_drawn: held.drawn.len(),
+            n_skipped: held.skipped.len(),
+        }
     }
 
     /// For each object its query and its fate; the end.
@@ -210,129 +215,28 @@ impl Algorithm for Occlusion {
     }
 }
 
-impl OcclusionState {
-    fn apply(&mut self, event: OcclusionEvent) {
-        use OcclusionEvent as Event;
-        let lists = Arc::clone(&self.lists);
-        match event {
-            Event::Query {
-                object_idx,
-                bounds,
-                pixels: [from, to],
-                result,
-            } => {
-                self.object_idx = Some(object_idx);
-                self.query = Some((bounds, result));
-                self.answers.push((object_idx, result));
-                let pixels = lists.pixels.get(from..to).unwrap_or_default();
-                self.asked = pixels.to_vec();
-            }
-            Event::Skip { object_idx } => {
-                self.skipped.push(object_idx);
-                self.so_far.n_skipped = self.skipped.len();
-            }
-            Event::Draw {
-                object_idx,
-                writes: [from, to],
-            } => {
-                if self.object_idx != Some(object_idx) {
-                    (self.query, self.object_idx) = (None, Some(object_idx));
-                    self.asked.clear();
-                }
-                for &(pixel, id, depth) in lists.writes.get(from..to).unwrap_or_default() {
-                    let place = self.so_far.picture.place(pixel);
-                    self.so_far.depth[place] = depth;
-                    self.so_far.picture.put(pixel, id);
-                }
-                self.drawn.push(object_idx);
-                self.so_far.n_drawn = self.drawn.len();
-            }
-            Event::Done => {
-                (self.object_idx, self.query) = (None, None);
-                self.asked.clear();
-                self.is_done = true;
-            }
-        }
-    }
-}
-
-/// Occluders first, then the others, each in its order.
-fn all<R: Real>(
-    input: &OcclusionInput,
-    lists: &mut Lists,
-    emit: &mut impl FnMut(OcclusionEvent),
-) -> OcclusionOutput {
-    let surfaces = &input.surfaces;
-    let drawing_input = DepthBufferInput::new(surfaces.clone());
-    let mut drawing = Drawing::<Right>::new(&drawing_input);
-    let (mut n_drawn, mut n_skipped) = (0, 0);
-    let numbered = || input.objects.iter().enumerate();
-    let occluders = numbered().filter(|(_, object)| object.is_occluder);
-    let others = numbered().filter(|(_, object)| !object.is_occluder);
-    for (object_idx, object) in occluders.chain(others) {
-        let is_hidden = !object.is_occluder && {
-            let bounds = query_box(surfaces, object.triangles(surfaces));
-            let begun = lists.pixels.len();
-            let result = query::<R>(surfaces, bounds.as_ref(), &drawing.depth, lists);
-            emit(OcclusionEvent::Query {
-                object_idx,
-                bounds: bounds.map(|bounds| [bounds.min(), bounds.max()]),
-                pixels: [begun, lists.pixels.len()],
-                result,
-            });
-            result.passed == 0 && !result.unasked
-        };
-        if is_hidden {
-            n_skipped += 1;
-            emit(OcclusionEvent::Skip { object_idx });
-            continue;
-        }
-        let begun = lists.writes.len();
-        for id in object.ids() {
-            drawing.triangle::<R>(id, &mut |told| {
-                if let Told::Fragment(Fragment {
-                    id,
-                    pixel,
-                    new,
-                    kept: true,
-                    ..
-                }) = told
-                {
-                    lists.writes.push((pixel, id, new));
-                }
-            });
-        }
-        n_drawn += 1;
-        let writes = [begun, lists.writes.len()];
-        emit(OcclusionEvent::Draw { object_idx, writes });
-    }
-    OcclusionOutput {
-        picture: drawing.picture,
-        depth: drawing.depth,
-        n_drawn,
-        n_skipped,
-    }
-}
-
+/// The corners of an object's box, and at how many pixels it would be seen.
 fn query<R: Real>(
-    surfaces: &Surfaces,
-    bounds: Option<&AlignedBox>,
-    depths: &[f64],
-    lists: &mut Lists,
-) -> QueryResult {
+    input: &OcclusionInput,
+    object: &OcclusionObject,
+    held: &mut OcclusionHeld,
+) -> (Option<[[f64; 3]; 2]>, QueryResult) {
+    let surfaces = &input.surfaces;
+    let bounds = query_box(surfaces, object.triangles(surfaces));
     let mut result = QueryResult {
         asked: 0,
         passed: 0,
-        unasked: bounds.is_some_and(|bounds| reaches_near(surfaces, bounds)),
+        unasked: bounds.is_some_and(|bounds| reaches_near(surfaces, &bounds)),
     };
-    if let Some(bounds) = bounds.filter(|_| !result.unasked) {
+    if let Some(bounds) = bounds.as_ref().filter(|_| !result.unasked) {
+        let depths = &held.drawing.so_far.depth;
         ask::<R>(surfaces, bounds, depths, |pixel, passes| {
             result.asked += 1;
             result.passed += u64::from(passes);
-            lists.pixels.push((pixel, passes));
+            held.asked.push((pixel, passes));
         });
     }
-    result
+    (bounds.map(|bounds| [bounds.min(), bounds.max()]), result)
 }
 
 impl OcclusionObject {

@@ -62,12 +62,11 @@ pub(super) fn ask<R: Real>(
     let Some(faces) = Surfaces::new(surfaces.size(), *surfaces.volume(), faces, true) else {
         return;
     };
-    let [_, height] = surfaces.size();
     for face in faces.triangles() {
         let Some(coverage) = Coverage::of::<Right>(&faces, face) else {
             continue;
         };
-        coverage.for_each_span(faces.viewport(), &(0..height), |span| {
+        coverage.for_each_span(faces.viewport(), |span| {
             let [first, end] = span.columns;
             for column in first..end {
                 let pixel = [column, span.row];

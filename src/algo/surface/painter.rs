@@ -25,7 +25,7 @@
 //! use clipscope::{
 //!     algo::surface::{Painter, PainterAnswer, Surfaces},
 //!     geom::ViewVolume,
-//!     trace::silent,
+//!     trace::told::silent,
 //! };
 //! let volume = ViewVolume::perspective(90.0, 1.0, 1.0, 10.0)?;
 //! let wall = |z: f64| [[-20.0, -20.0, z], [20.0, -20.0, z], [0.0, 40.0, z]];
@@ -38,16 +38,19 @@
 //! # Ok::<(), clipscope::geom::SpaceError>(())
 //! ```
 
-use std::{cmp::Ordering, marker::PhantomData, sync::Arc};
+use std::{cmp::Ordering, marker::PhantomData};
 
 use crate::{
     algo::ring::Right,
-    trace::{Algorithm, Real},
+    trace::{
+        Real,
+        told::{Method, Tell, Told},
+    },
 };
 
 use super::{
-    PainterEvent, PairTally, PairTest, Picture, SurfaceRules, Surfaces, coverage::Rows,
-    painting_order::Search, precedence::Occupant,
+    PainterEvent as Event, PairTally, PairTest, Picture, SurfaceRules, Surfaces, coverage::Rows,
+    precedence::Occupant,
 };
 
 /// The algorithm; see the module. `L` are its rules.
@@ -80,42 +83,60 @@ pub struct PainterOutput {
     pub tally: PairTally,
 }
 
-/// What the picture of a step needs.
+/// What it works in.
 #[derive(Clone, PartialEq, Debug)]
-pub struct PainterState {
-    /// The key, and the nearest and the farthest vertex, of each triangle so far.
-    pub keys: Vec<(u32, f64, [f64; 2])>,
-    /// The sorted list so far.
-    pub sorted: Vec<u32>,
-    /// P, the one that was asked, the test that decided, and the answer.
-    pub pair: Option<(u32, u32, PairTest, bool)>,
+pub struct PainterHeld {
+    /// Triangles with their keys, in the order of their ids; once they are sorted, the largest key first.
+    pub list: Vec<(Occupant, f64)>,
+    /// So many of the list stand where they belong.
+    pub n_sorted: usize,
     /// The first of each must come before the second, as far as it has been found.
     pub constraints: Vec<[u32; 2]>,
-    /// Those that are placed, the one painted first first.
+    /// Ids of those that are placed, the one painted first first.
     pub placed: Vec<u32>,
-    /// The cycle, where there is one.
+    /// Each must be painted before the next, and the last before the first; empty where there is an order.
     pub cycle: Vec<u32>,
     /// What has been painted so far.
     pub picture: Picture,
-    /// The one that is painted.
-    pub painting: Option<u32>,
     /// How many pairs have been asked so far.
     pub tally: PairTally,
-    /// Is nothing left to do?
-    pub is_done: bool,
-    /// What each covers.
-    rows: Arc<[Rows]>,
+    progress: Vec<Progress>,
+    /// Those that wait, each for the next, and whom each asks next.
+    waiting: Vec<(usize, usize)>,
 }
 
-impl<L: SurfaceRules> Algorithm for Painter<L> {
-    type Input = Surfaces;
-    type Output = PainterOutput;
-    type Event = PainterEvent;
-    type State = PainterState;
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Progress {
+    Untouched,
+    Waiting,
+    Placed,
+}
 
-    fn run<R: Real>(surfaces: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Self::Output {
-        use PainterEvent as Event;
-        let mut sorted: Vec<(Occupant, f64)> = Vec::new();
+impl<L: SurfaceRules> Method for Painter<L> {
+    type Input = Surfaces;
+    type Held = PainterHeld;
+    type Output = PainterOutput;
+    type Event = Event;
+
+    fn begin(surfaces: &Self::Input) -> Self::Held {
+        PainterHeld {
+            list: Vec::new(),
+            n_sorted: 0,
+            constraints: Vec::new(),
+            placed: Vec::new(),
+            cycle: Vec::new(),
+            picture: Picture::empty(surfaces.size()),
+            tally: PairTally::default(),
+            progress: Vec::new(),
+            waiting: Vec::new(),
+        }
+    }
+
+    fn run<R: Real, T: Tell<Self>>(
+        surfaces: &Self::Input,
+        held: &mut Self::Held,
+        tell: &mut T,
+    ) -> Told<T::Stop> {
         for (id, corners) in surfaces.ids().zip(surfaces.triangles()) {
             if surfaces.culls_backs() && !surfaces.shows(corners) {
                 continue;
@@ -123,102 +144,50 @@ impl<L: SurfaceRules> Algorithm for Painter<L> {
             let occupant = Occupant::new(surfaces, id, *corners);
             let depths = occupant.depths();
             let key = depths[usize::from(!L::SORTS_BY_NEAREST)];
-            emit(Event::Key { id, key, depths });
-            sorted.push((occupant, key));
+            held.list.push((occupant, key));
+            tell.tell(held, Event::Key { id, key, depths })?;
         }
-        sorted.sort_by(|(one, key), (other, other_key)| {
+        held.list.sort_by(|(one, key), (other, other_key)| {
             let by_key = R::new(*other_key).partial_cmp(&R::new(*key));
             let by_id = other.id.cmp(&one.id);
             by_key.unwrap_or(Ordering::Equal).then(by_id)
         });
-        let sorted: Vec<Occupant> = sorted.into_iter().map(|(occupant, _)| occupant).collect();
-        for occupant in &sorted {
-            emit(Event::Sort { id: occupant.id });
+        for i in 0..held.list.len() {
+            held.n_sorted = i + 1;
+            let id = held.list[i].0.id;
+            tell.tell(held, Event::Sort { id })?;
         }
-        let mut search = Search::new(surfaces, &sorted);
-        let cycle = search.all::<L, R>(&mut emit);
-        let (order, tally) = (search.placed, search.tally);
-        let answer = if let Some(cycle) = cycle {
-            for &id in &cycle {
-                emit(Event::Cycle { id });
+        held.progress = vec![Progress::Untouched; held.list.len()];
+        for first in 0..held.list.len() {
+            if held.progress[first] != Progress::Placed && held.cycle.is_empty() {
+                place::<L, R, T>(surfaces, held, first, tell)?;
             }
-            PainterAnswer::Cycle { cycle }
+        }
+        let n_painted = if held.cycle.is_empty() {
+            held.placed.len()
         } else {
-            let mut picture = Picture::empty(surfaces.size());
-            for &id in &order {
-                Rows::of(surfaces, id).paint(&mut picture, id);
-                emit(Event::Paint { id });
-            }
-            PainterAnswer::Order { order, picture }
+            0
         };
-        emit(Event::Done);
-        PainterOutput { answer, tally }
-    }
-
-    fn start(surfaces: &Self::Input) -> Self::State {
-        PainterState {
-            keys: Vec::new(),
-            sorted: Vec::new(),
-            pair: None,
-            constraints: Vec::new(),
-            placed: Vec::new(),
-            cycle: Vec::new(),
-            picture: Picture::empty(surfaces.size()),
-            painting: None,
-            tally: PairTally::default(),
-            is_done: false,
-            rows: surfaces.ids().map(|id| Rows::of(surfaces, id)).collect(),
+        for i in 0..n_painted {
+            let id = held.placed[i];
+            Rows::of(surfaces, id).paint(&mut held.picture, id);
+            tell.tell(held, Event::Paint { id })?;
         }
+        tell.tell(held, Event::Done)
     }
 
-    fn apply(state: &mut Self::State, event: Self::Event) {
-        use PainterEvent as Event;
-        match event {
-            Event::Key { id, key, depths } => state.keys.push((id, key, depths)),
-            Event::Sort { id } => state.sorted.push(id),
-            Event::Pair {
-                id,
-                other,
-                test,
-                may,
-                tally,
-            } => {
-                state.pair = Some((id, other, test, may));
-                state.tally = tally;
-            }
-            Event::Constraint { before, after } => state.constraints.push([before, after]),
-            Event::Place { id } => {
-                state.pair = None;
-                state.placed.push(id);
-            }
-            Event::Cycle { id } => state.cycle.push(id),
-            Event::Paint { id } => {
-                state.painting = Some(id);
-                if let Some(rows) = state.rows.get(id as usize) {
-                    rows.paint(&mut state.picture, id);
-                }
-            }
-            Event::Done => {
-                (state.pair, state.painting) = (None, None);
-                state.is_done = true;
-            }
-        }
-    }
-
-    fn finish(state: &Self::State) -> Self::Output {
-        let answer = if state.cycle.is_empty() {
+    fn output(held: Self::Held) -> Self::Output {
+        let answer = if held.cycle.is_empty() {
             PainterAnswer::Order {
-                order: state.placed.clone(),
-                picture: state.picture.clone(),
+                order: held.placed,
+                picture: held.picture,
             }
         } else {
-            PainterAnswer::Cycle {
-                cycle: state.cycle.clone(),
-            }
+            PainterAnswer::Cycle { cycle: held.cycle }
         };
         PainterOutput {
             answer,
-            tally: state.tally,
+            tally: held.tally,
         }
     }
 
@@ -228,4 +197,104 @@ impl<L: SurfaceRules> Algorithm for Painter<L> {
         let n = surfaces.triangles().len();
         1 + 6 * n + n * n.saturating_sub(1)
     }
+}
+
+/// Places one, and before it what must come before it.
+fn place<L: SurfaceRules, R: Real, T: Tell<Painter<L>>>(
+    surfaces: &Surfaces,
+    held: &mut PainterHeld,
+    first: usize,
+    tell: &mut T,
+) -> Told<T::Stop> {
+    held.waiting.push((first, 0));
+    held.progress[first] = Progress::Waiting;
+    while let Some(&(p, _)) = held.waiting.last() {
+        let objector = if L::KEYS_ONLY {
+            None
+        } else {
+            objector::<L, R, T>(surfaces, held, tell)?
+        };
+        let Some(q) = objector else {
+            held.waiting.pop();
+            held.progress[p] = Progress::Placed;
+            let id = held.list[p].0.id;
+            held.placed.push(id);
+            tell.tell(held, Event::Place { id })?;
+            continue;
+        };
+        let [before, after] = [q, p].map(|i| held.list[i].0.id);
+        held.constraints.push([before, after]);
+        tell.tell(held, Event::Constraint { before, after })?;
+        if held.progress[q] == Progress::Waiting {
+            let cycle = cycle(held, q);
+            for id in cycle {
+                held.cycle.push(id);
+                tell.tell(held, Event::Cycle { id })?;
+            }
+            return Told::Continue(());
+        }
+        held.progress[q] = Progress::Waiting;
+        held.waiting.push((q, 0));
+    }
+    Told::Continue(())
+}
+
+/// The next that must come before the one that waits last.
+fn objector<L: SurfaceRules, R: Real, T: Tell<Painter<L>>>(
+    surfaces: &Surfaces,
+    held: &mut PainterHeld,
+    tell: &mut T,
+) -> Told<T::Stop, Option<usize>> {
+    let Some(&(p, from)) = held.waiting.last() else {
+        return Told::Continue(None);
+    };
+    let n = held.list.len();
+    let mut next = from;
+    while next < n {
+        let q = next;
+        next += 1;
+        if q == p || held.progress[q] == Progress::Placed {
+            continue;
+        }
+        let (one, other) = (&held.list[p].0, &held.list[q].0);
+        let (may, test) = one.may_precede::<R>(other, surfaces);
+        let [id, other] = [one.id, other.id];
+        if test == PairTest::DepthExtents {
+            // All that follow are nearer still.
+            next = n;
+        }
+        held.tally.pairs += 1;
+        let tests = PairTest::ALL.iter().zip(&mut held.tally.decided);
+        for (_, decided) in tests.filter(|(known, _)| **known == test) {
+            *decided += 1;
+        }
+        tell.tell(
+            held,
+            Event::Pair {
+                id,
+                other,
+                test,
+                may,
+                tally: held.tally,
+            },
+        )?;
+        if !may {
+            if let Some((_, from)) = held.waiting.last_mut() {
+                *from = next;
+            }
+            return Told::Continue(Some(q));
+        }
+    }
+    Told::Continue(None)
+}
+
+/// Each is painted before the one that waits for it; q waits for itself.
+fn cycle(held: &PainterHeld, q: usize) -> Vec<u32> {
+    let since_q = held.waiting.iter().skip_while(|(i, _)| *i != q);
+    let mut cycle: Vec<u32> = since_q.map(|&(i, _)| held.list[i].0.id).collect();
+    cycle.reverse();
+    let smallest = cycle.iter().enumerate().min_by_key(|(_, id)| **id);
+    let turn = smallest.map_or(0, |(i, _)| i);
+    cycle.rotate_left(turn);
+    cycle
 }

@@ -24,7 +24,7 @@
 //! use clipscope::{
 //!     algo::surface::{RayCasting, RayCastingInput, Surfaces},
 //!     geom::ViewVolume,
-//!     trace::silent,
+//!     trace::told::silent,
 //! };
 //! let volume = ViewVolume::perspective(90.0, 1.0, 1.0, 10.0)?;
 //! let wall = |z: f64| [[-20.0, -20.0, z], [20.0, -20.0, z], [0.0, 40.0, z]];
@@ -37,7 +37,10 @@
 
 use serde::Serialize;
 
-use crate::trace::{Algorithm, Real};
+use crate::trace::{
+    Real,
+    told::{Method, Tell, Told},
+};
 
 use super::{Meeting, Picture, PlaneHit, Ray, Rays, Surfaces, ray_plane::RayTriangle};
 
@@ -113,114 +116,74 @@ pub struct RayCastingOutput {
     pub n_asked: u64,
 }
 
-/// What the picture of a step needs.
+/// What it works in.
 #[derive(Clone, PartialEq, Debug)]
-pub struct RayCastingState {
-    /// Picture so far; after the end, the answer.
+pub struct RayCastingHeld {
+    /// Picture, depths and questions of all pixels that are done; after the end, the answer.
     pub so_far: RayCastingOutput,
-    /// The pixel whose turn it is, and its ray; after the end, the last one where only one is asked for.
-    pub pixel: Option<([u32; 2], Ray)>,
-    /// Every triangle that this ray has been asked about, in order.
-    pub asked: Vec<(u32, PlaneHit)>,
-    /// All that it has hit so far.
-    pub hits: Vec<RayHit>,
-    /// The nearest of them.
+    /// The nearest hit of the ray in hand, or of the last one.
     pub nearest: Option<RayHit>,
-    /// Is nothing left to do?
-    pub is_done: bool,
 }
 
-impl Algorithm for RayCasting {
+impl Method for RayCasting {
     type Input = RayCastingInput;
+    type Held = RayCastingHeld;
     type Output = RayCastingOutput;
     type Event = RayCastingEvent;
-    type State = RayCastingState;
 
-    fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Self::Output {
+    #[inline]
+    fn begin(input: &Self::Input) -> Self::Held {
+        RayCastingHeld {
+            so_far: RayCastingOutput::empty(&input.surfaces),
+            nearest: None,
+        }
+    }
+
+    #[inline]
+    fn run<R: Real, T: Tell<Self>>(
+        input: &Self::Input,
+        held: &mut Self::Held,
+        tell: &mut T,
+    ) -> Told<T::Stop> {
         use RayCastingEvent as Event;
         let surfaces = &input.surfaces;
         let rays = Rays::of(surfaces);
         let triangles: Vec<RayTriangle> = ray_triangles(surfaces).collect();
-        let mut output = RayCastingOutput::empty(surfaces);
         for pixel in input.pixels() {
             let ray = rays.through(pixel);
-            emit(Event::Pixel { pixel, ray });
             let mut nearest: Option<RayHit> = None;
+            held.nearest = nearest;
+            tell.tell(held, Event::Pixel { pixel, ray })?;
             for triangle in &triangles {
                 let (id, found) = (triangle.id, triangle.ask::<R>(surfaces, &rays, &ray));
-                output.n_asked += 1;
                 let hit = found.hit::<R>(id, &rays);
                 let is_nearest = hit.is_some_and(|hit| hit.is_nearer::<R>(nearest.as_ref()));
                 if is_nearest {
                     nearest = hit;
+                    held.nearest = nearest;
                 }
-                emit(Event::Ask {
+                let event = Event::Ask {
                     id,
                     found,
                     depth: hit.map(|hit| hit.depth),
                     nearest: is_nearest,
-                });
+                };
+                tell.tell(held, event)?;
             }
-            output.see(pixel, nearest);
-            emit(Event::Seen {
+            held.so_far.n_asked += triangles.len() as u64;
+            held.so_far.see(pixel, nearest);
+            let event = Event::Seen {
                 pixel,
                 hit: nearest,
-                n_asked: output.n_asked,
-            });
+                n_asked: held.so_far.n_asked,
+            };
+            tell.tell(held, event)?;
         }
-        emit(Event::Done);
-        output
+        tell.tell(held, Event::Done)
     }
 
-    fn start(input: &Self::Input) -> Self::State {
-        RayCastingState {
-            so_far: RayCastingOutput::empty(&input.surfaces),
-            pixel: None,
-            asked: Vec::new(),
-            hits: Vec::new(),
-            nearest: None,
-            is_done: false,
-        }
-    }
-
-    fn apply(state: &mut Self::State, event: Self::Event) {
-        use RayCastingEvent as Event;
-        match event {
-            Event::Pixel { pixel, ray } => {
-                state.pixel = Some((pixel, ray));
-                state.asked.clear();
-                state.hits.clear();
-                state.nearest = None;
-            }
-            Event::Ask {
-                id,
-                found,
-                depth,
-                nearest,
-            } => {
-                state.asked.push((id, found));
-                if let (Some(t), Some(depth)) = (found.t, depth) {
-                    let hit = RayHit { id, t, depth };
-                    state.hits.push(hit);
-                    if nearest {
-                        state.nearest = Some(hit);
-                    }
-                }
-            }
-            Event::Seen {
-                pixel,
-                hit,
-                n_asked,
-            } => {
-                state.so_far.see(pixel, hit);
-                state.so_far.n_asked = n_asked;
-            }
-            Event::Done => state.is_done = true,
-        }
-    }
-
-    fn finish(state: &Self::State) -> Self::Output {
-        state.so_far.clone()
+    fn output(held: Self::Held) -> Self::Output {
+        held.so_far
     }
 
     /// For each pixel its turn, every triangle, and what is seen; the end.

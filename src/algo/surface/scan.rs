@@ -10,7 +10,10 @@
 //!
 //! Where an edge passes a row's middle is stepped in whole numbers with a remainder, as Bresenham does: no rounding.
 
-use std::ops::Range;
+use std::{
+    convert::Infallible,
+    ops::{ControlFlow, Range},
+};
 
 use super::{
     ScreenTriangle, Viewport,
@@ -152,15 +155,29 @@ fn fill<const N: usize>(
 
 /// Calls back with every row, and the columns that the triangle covers there.
 #[inline]
-pub(super) fn for_each_span<const N: usize>(
+fn for_each_span<const N: usize>(
     triangle: &ScreenTriangle<N>,
     viewport: &Viewport,
     rows: &Range<u32>,
     mut span: impl FnMut(u32, Range<u32>),
 ) {
+    let ControlFlow::Continue(()) = try_for_each_span(triangle, viewport, rows, |row, columns| {
+        span(row, columns);
+        ControlFlow::<Infallible>::Continue(())
+    });
+}
+
+/// The same, until the callback breaks off.
+#[inline]
+pub(super) fn try_for_each_span<const N: usize, S>(
+    triangle: &ScreenTriangle<N>,
+    viewport: &Viewport,
+    rows: &Range<u32>,
+    mut span: impl FnMut(u32, Range<u32>) -> ControlFlow<S>,
+) -> ControlFlow<S> {
     let [first, turn, end] = triangle.rows;
     if first >= rows.end || end <= rows.start || first == end {
-        return;
+        return ControlFlow::Continue(());
     }
     let [top, middle, bottom] = triangle.corners;
     let start = first.max(rows.start);
@@ -182,12 +199,13 @@ pub(super) fn for_each_span<const N: usize>(
                 [short.column, long.column]
             };
             if left < right {
-                span(row, left as u32..right as u32);
+                span(row, left as u32..right as u32)?;
             }
             long.step();
             short.step();
         }
     }
+    ControlFlow::Continue(())
 }
 
 /// An edge, row by row: the first column whose middle does not lie to its left.

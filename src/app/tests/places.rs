@@ -46,10 +46,11 @@ fn for_each_step(bench: &mut Bench, mut what: impl FnMut(&mut Bench, &str)) {
 fn height_of_inspector(bench: &mut Bench, ui: &mut Ui) -> f32 {
     let room = Rect::from_min_size(ui.max_rect().min, vec2(INSPECTOR.x, 10_000.0));
     let mut stage = std::mem::take(&mut bench.app.stage);
-    let model = bench.app.model(SIZE);
+    bench.app.shown.size = SIZE;
+    bench.app.shown.measures = bench.app.measures();
     let inner = UiBuilder::new().max_rect(room);
     let shown = ui.scope_builder(inner, |ui| {
-        inspector::content(&model, ui, &mut stage, INSPECTOR.y, &mut Vec::new());
+        inspector::content(&bench.app, ui, &mut stage, INSPECTOR.y, &mut Vec::new());
     });
     bench.app.stage = stage;
     shown.response.rect.height()

@@ -3,17 +3,14 @@
 mod reader;
 mod solve;
 
-use crate::{
-    algo::surface::{Bsp, DepthBuffer, Painter, RayCasting},
-    labs::space::OnScene,
-};
+use crate::algo::surface::{Bsp, DepthBuffer, Painter, RayCasting};
 
 use super::Solver;
 
 /// The lab's methods that have one case each; those that are wrong on purpose left out.
 pub(super) static SOLVERS: [Solver; 4] = [
-    Solver::of::<OnScene<DepthBuffer>>(),
-    Solver::of::<OnScene<RayCasting>>(),
-    Solver::of::<OnScene<Painter>>(),
-    Solver::of::<OnScene<Bsp>>(),
+    Solver::told::<DepthBuffer>(),
+    Solver::told::<RayCasting>(),
+    Solver::told::<Painter>(),
+    Solver::told::<Bsp>(),
 ];

@@ -1,5 +1,7 @@
 //! What all of the lab's cases give.
 
+use std::{convert::Infallible, ops::ControlFlow};
+
 use crate::{
     algo::surface::Surfaces,
     case::{
@@ -7,7 +9,7 @@ use crate::{
         volume::read_volume,
     },
     text::{Formula, Message, Value},
-    trace::Algorithm,
+    trace::told::{Listening, Method},
 };
 
 /// In the order in which they are checked.
@@ -54,14 +56,18 @@ pub fn read_surfaces(fields: &Fields<'_>) -> Result<(Surfaces, Told), Refusal> {
 }
 
 /// Refuses a report of too many steps.
-pub fn check_steps<A: Algorithm>(input: &A::Input, detail: Detail) -> Result<(), Refusal> {
+pub fn check_steps<M: Method>(input: &M::Input, detail: Detail) -> Result<(), Refusal> {
     let most = detail.limit(MOST_IN_REPORT);
     // The bound may be far above what there will be.
-    if A::max_events(input) <= most {
+    if M::max_events(input) <= most {
         return Ok(());
     }
     let mut n_steps = 0;
-    A::run::<f64>(input, |_| n_steps += 1);
+    let mut counting = Listening(|_: &M::Held, _| {
+        n_steps += 1;
+        ControlFlow::<Infallible>::Continue(())
+    });
+    let ControlFlow::Continue(()) = M::run::<f64, _>(input, &mut M::begin(input), &mut counting);
     if n_steps <= most {
         return Ok(());
     }

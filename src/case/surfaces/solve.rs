@@ -6,21 +6,20 @@ use crate::{
         DepthBufferOutput, Painter, PainterAnswer, PainterOutput, Picture, RayCasting,
         RayCastingInput, RayCastingOutput,
     },
-    case::{Code, Field, Fields, Path, Refusal, Solve, Told},
-    labs::space::OnScene,
+    case::{Code, Field, Fields, Path, Refusal, SolveTold, Told},
     text::Message,
 };
 
 use super::reader::{FIELDS, check_steps, read_surfaces};
 
-impl Solve for OnScene<DepthBuffer> {
+impl SolveTold for DepthBuffer {
     const FIELDS: &'static [Field] = FIELDS;
 
     fn read(fields: &Fields<'_>) -> Result<(Self::Input, Told), Refusal> {
         let (surfaces, told) = read_surfaces(fields)?;
         let input = DepthBufferInput::new(surfaces);
         check_steps::<DepthBuffer>(&input, fields.detail())?;
-        Ok((input.into(), told))
+        Ok((input, told))
     }
 
     fn verdict(output: &DepthBufferOutput) -> Message {
@@ -28,7 +27,7 @@ impl Solve for OnScene<DepthBuffer> {
     }
 }
 
-impl Solve for OnScene<RayCasting> {
+impl SolveTold for RayCasting {
     const FIELDS: &'static [Field] = FIELDS;
 
     fn read(fields: &Fields<'_>) -> Result<(Self::Input, Told), Refusal> {
@@ -38,7 +37,7 @@ impl Solve for OnScene<RayCasting> {
             pixel: None,
         };
         check_steps::<RayCasting>(&input, fields.detail())?;
-        Ok((input.into(), told))
+        Ok((input, told))
     }
 
     fn verdict(output: &RayCastingOutput) -> Message {
@@ -46,13 +45,13 @@ impl Solve for OnScene<RayCasting> {
     }
 }
 
-impl Solve for OnScene<Painter> {
+impl SolveTold for Painter {
     const FIELDS: &'static [Field] = FIELDS;
 
     fn read(fields: &Fields<'_>) -> Result<(Self::Input, Told), Refusal> {
         let (surfaces, told) = read_surfaces(fields)?;
         check_steps::<Painter>(&surfaces, fields.detail())?;
-        Ok((surfaces.into(), told))
+        Ok((surfaces, told))
     }
 
     fn verdict(output: &PainterOutput) -> Message {
@@ -67,7 +66,7 @@ impl Solve for OnScene<Painter> {
     }
 }
 
-impl Solve for OnScene<Bsp> {
+impl SolveTold for Bsp {
     const FIELDS: &'static [Field] = FIELDS;
 
     fn read(fields: &Fields<'_>) -> Result<(Self::Input, Told), Refusal> {
@@ -79,7 +78,7 @@ impl Solve for OnScene<Bsp> {
             Refusal::at(Code::TooLarge, &Path::Field("triangles"), problem)
         })?;
         check_steps::<Bsp>(&input, fields.detail())?;
-        Ok((input.into(), told))
+        Ok((input, told))
     }
 
     fn verdict(output: &BspOutput) -> Message {

@@ -1,8 +1,13 @@
 //! Edges of solids: outlines, creases, and what is behind.
 
-use crate::figure::{Edge3, Mark, Role, Shape};
-
-use super::{Seen, light};
+use super::{
+    super::{
+        mark::{Mark, Shape},
+        role::Role,
+        space::Edge3,
+    },
+    Seen, light,
+};
 
 /// What an edge is, as it is seen.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -10,13 +10,10 @@ use std::ops::Range;
 
 use glam::DVec3;
 
-use crate::{
-    algo::volume::clipped,
-    figure::{Facet, lens::Optics},
-    geom::Plane,
-};
+use crate::{algo::volume::clipped, geom::Plane};
 
 use super::{
+    super::{lens::Optics, space::Facet},
     bounds::Bounds,
     grid::{Found, Grid},
     interval::{inside, union},

@@ -1,8 +1,15 @@
 //! Marks of space as marks of a plane.
 
-use crate::figure::{Label, Mark, Mark3, Role, Shape, Shape3};
-
-use super::{Seen, facets::cut_at, light};
+use super::{
+    super::{
+        mark::{Label, Mark, Shape},
+        role::Role,
+        space::{Mark3, Shape3},
+    },
+    Seen,
+    facets::cut_at,
+    light,
+};
 
 /// Lines of construction: widths in points, and how strong.
 const FINE: (f32, f32) = (1.2, 1.0);

@@ -17,7 +17,11 @@ mod tests;
 
 use glam::DVec3;
 
-use super::{Edge3, Lens, Mark, Space, Weight, lens::Optics};
+use super::{
+    lens::{Lens, Optics},
+    mark::{Mark, Weight},
+    space::{Edge3, Space},
+};
 
 use facets::FacetsInView;
 pub(crate) use interval::{between, complement, inside};

@@ -3,11 +3,13 @@
 use glam::DVec3;
 
 use super::*;
-use crate::{
-    figure::{
-        Edge3, Facet, Link, Mark3, Role, Seer, Shape, Shape3, SolidMesh, SolidPicture, Solids,
-    },
-    geom::{Camera, Matrix, Orbit, Solid, ViewVolume},
+use crate::geom::{Camera, Matrix, Orbit, Solid, ViewVolume};
+
+use super::super::{
+    mark::Shape,
+    role::{Link, Role},
+    solids::{SolidMesh, SolidPicture, Solids},
+    space::{Edge3, Facet, Mark3, Seer, Shape3},
 };
 
 /// A cube and an octahedron that reach into each other, and a ring behind them.

@@ -2,9 +2,16 @@
 
 use std::sync::Arc;
 
-use crate::figure::{Edge3, Facet, Lens, Mark, Mark3, Role, Shape, Shape3, Solids, Space};
-
-use super::Seen;
+use super::{
+    super::{
+        lens::Lens,
+        mark::{Mark, Shape},
+        role::Role,
+        solids::Solids,
+        space::{Edge3, Facet, Mark3, Shape3, Space},
+    },
+    Seen,
+};
 
 /// More edges than these are not drawn one by one.
 const MOST_EDGES: usize = 3_000;

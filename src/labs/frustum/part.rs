@@ -162,7 +162,7 @@ mod tests {
     use super::super::first_scene;
     use crate::{
         figure::Link,
-        labs::{Document, space::Scene},
+        labs::{Answers, Document, space::Scene},
     };
 
     /// Moves its segment and triangle aside, so that other planes decide.

@@ -19,10 +19,10 @@ use crate::{
     },
     geom::{Orbit, Solid},
     labs::{
-        Lab,
+        Entry, Lab,
         space::{
             MethodInfo, Model, Object, OnScene, Opening, Scene, SpaceDemo, SpaceLab, SpaceTelling,
-            TaughtCamera,
+            TaughtCamera, demo,
         },
     },
 };
@@ -47,21 +47,21 @@ pub static FRUSTUM: SpaceLab<Scene> = SpaceLab {
 /// The same, for whoever knows no lab by name.
 pub static LAB: &dyn Lab = &FRUSTUM;
 
-const fn info<A: SpaceDemo>() -> MethodInfo<Scene> {
-    MethodInfo::of::<A>(&FRUSTUM)
+const fn info<A: SpaceDemo>() -> Entry<MethodInfo> {
+    demo::entry::<A>(&FRUSTUM)
 }
 
-const fn told<M: SpaceTelling>() -> MethodInfo<Scene> {
-    MethodInfo::told::<M>(&FRUSTUM)
+const fn told<M: SpaceTelling>() -> Entry<MethodInfo> {
+    demo::told::<M>(&FRUSTUM)
 }
 
 /// Every method, in the order in which they are taught; the mistakes last.
-pub static METHODS: [MethodInfo<Scene>; 28] = [
-    info::<OnScene<PointPlanes>>(),
+pub static METHODS: [Entry<MethodInfo>; 28] = [
+    told::<PointPlanes>(),
     told::<SphereCull>(),
-    info::<OnScene<BoxCull>>(),
-    info::<OnScene<BackFace>>(),
-    info::<OnScene<Funnel>>(),
+    told::<BoxCull>(),
+    told::<BackFace>(),
+    told::<Funnel>(),
     told::<CohenSutherland3d>(),
     told::<LiangBarsky3d>(),
     told::<PlaneLine>(),
@@ -71,13 +71,13 @@ pub static METHODS: [MethodInfo<Scene>; 28] = [
     info::<OnScene<IntersectionPolygon<WithTexture>>>(),
     info::<OnScene<IntersectionPolygon<EvenOnScreen>>>(),
     info::<OnScene<HomogeneousTriangle<Option<[f64; 2]>>>>(),
-    info::<OnScene<ViewingPipeline>>(),
-    info::<OnScene<LineToPixels>>(),
-    info::<OnScene<Funnel<OneAngle>>>(),
-    info::<OnScene<Funnel<TurnsSign>>>(),
-    info::<OnScene<Funnel<AroundOrigin>>>(),
-    info::<OnScene<Funnel<Clockwise>>>(),
-    info::<OnScene<Funnel<ConstantView>>>(),
+    told::<ViewingPipeline>(),
+    told::<LineToPixels>(),
+    told::<Funnel<OneAngle>>(),
+    told::<Funnel<TurnsSign>>(),
+    told::<Funnel<AroundOrigin>>(),
+    told::<Funnel<Clockwise>>(),
+    told::<Funnel<ConstantView>>(),
     told::<DividedLine>(),
     info::<OnScene<PlaneAtATime<MissesEdge>>>(),
     info::<OnScene<IntersectionPolygon<DropsOnPlane>>>(),

@@ -3,26 +3,17 @@
 use std::sync::Arc;
 
 use crate::{
-    figure::{Link, Mark, Run, Shape},
-    geom::Point,
-    labs::{Click, Document, Handle, Lab, MethodCard, Own, Verdict},
+    figure::{Run, Shape},
+    labs::{Click, Document, Handle, Lab, MethodCard, Own},
     text::{Diagnostic, Message},
     trace::Counts,
 };
 
 use super::{
     LAB, Method, Scene,
-    backdrop::{MAX_FITTED, backdrop, bounds},
-    change::{beside, clicked, other_under, under},
-    verdict::{segment_link, verdict},
+    backdrop::MAX_FITTED,
+    change::{beside, clicked, other_under},
 };
-
-impl Scene {
-    /// The methods on stage.
-    fn on_stage(&self) -> impl Iterator<Item = Method> {
-        [Some(self.method), self.compare].into_iter().flatten()
-    }
-}
 
 impl Document for Scene {
     fn lab(&self) -> &'static dyn Lab {
@@ -34,10 +25,7 @@ impl Document for Scene {
     }
 
     fn set_method(&mut self, id: &str) {
-        if let Some(method) = Method::by_id(id) {
-            self.method = method;
-            self.compare = self.compare.filter(|&other| other != method);
-        }
+        self.method.change(&mut self.compare, id);
     }
 
     fn set_compare(&mut self, id: Option<&str>) {
@@ -45,7 +33,7 @@ impl Document for Scene {
     }
 
     fn record(&self) -> Vec<Box<dyn Run>> {
-        let record = |method: Method| method.info().record(self, self.focused());
+        let record = |method: Method| (method.info().record)(self, self.focused());
         self.on_stage().map(record).collect()
     }
 
@@ -53,7 +41,7 @@ impl Document for Scene {
     fn baseline(&self) -> Option<(&'static MethodCard, Counts)> {
         let plainest = Method::all().next();
         let method = plainest.filter(|&method| method != self.method)?;
-        Some((method.card(), method.info().cost(self, self.focused()).1))
+        Some((method.card(), (method.info().cost)(self, self.focused())))
     }
 
     fn cost_of_all(&self, column: usize) -> Option<Message> {
@@ -62,7 +50,7 @@ impl Document for Scene {
             return None;
         }
         let segments = self.segments().iter();
-        let cost: Counts = segments.map(|&s| method.info().cost(self, s).1).sum();
+        let cost: Counts = segments.map(|&s| (method.info().cost)(self, s)).sum();
         let message = Message::new("cost-of-all-segments").with("count", n);
         let kinds = [
             ("divisions", cost.div),
@@ -72,35 +60,6 @@ impl Document for Scene {
         ];
         let with = |message: Message, (kind, n)| message.with(kind, n as usize);
         Some(kinds.into_iter().fold(message, with))
-    }
-
-    fn asked(&self, click: &Click<'_>) -> Option<Link> {
-        under(self, click).map(segment_link)
-    }
-
-    fn verdict(&self, about: Link, run: &dyn Run) -> Option<Verdict> {
-        verdict(self, about, run)
-    }
-
-    fn backdrop(&self, column: usize, at_end: bool) -> Vec<Mark> {
-        let method = self.on_stage().nth(column).unwrap_or(self.method);
-        backdrop(self, method, at_end)
-    }
-
-    fn bounds(&self) -> [[f64; 2]; 2] {
-        bounds(self)
-    }
-
-    fn handles(&self) -> Vec<Handle> {
-        self.all_handles()
-    }
-
-    fn position(&self, handle: Handle) -> Option<[f64; 3]> {
-        self.position_of(handle)
-    }
-
-    fn drag(&mut self, handle: Handle, [x, y, _]: [f64; 3]) -> Result<(), Diagnostic> {
-        self.drag_handle(handle, Point::new(x, y)?)
     }
 
     fn add(&mut self, _after: Option<Handle>) -> Result<Option<Handle>, Diagnostic> {

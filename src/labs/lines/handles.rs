@@ -3,7 +3,7 @@
 use crate::{
     algo::line::End,
     geom::{ConvexPolygon, Point, Segment},
-    labs::{Handle, HandleKind, window_handles},
+    labs::{Handle, HandleKind, Hands, window_handles},
     text::{Diagnostic, Message},
 };
 
@@ -40,8 +40,8 @@ pub fn end(end: End) -> Handle {
     END[end.idx()].at([0, 0])
 }
 
-impl Scene {
-    pub(super) fn all_handles(&self) -> Vec<Handle> {
+impl Hands for Scene {
+    fn handles(&self) -> Vec<Handle> {
         let mut handles = End::BOTH.map(end).to_vec();
         handles.push(SEGMENT.at([0, 0]));
         match self.polygon_in_use() {
@@ -53,7 +53,7 @@ impl Scene {
         handles
     }
 
-    pub(super) fn position_of(&self, handle: Handle) -> Option<[f64; 3]> {
+    fn position(&self, handle: Handle) -> Option<[f64; 3]> {
         let focused = self.focused();
         let [i, _] = handle.idx();
         let at = if let Some(end) = end_of(handle) {
@@ -68,7 +68,8 @@ impl Scene {
         Some([at[0], at[1], 0.0])
     }
 
-    pub(super) fn drag_handle(&mut self, handle: Handle, to: Point) -> Result<(), Diagnostic> {
+    fn drag(&mut self, handle: Handle, [x, y, _]: [f64; 3]) -> Result<(), Diagnostic> {
+        let to = Point::new(x, y)?;
         let Segment { p1, p2 } = self.focused();
         let [i, _] = handle.idx();
         if let Some(end) = end_of(handle) {
@@ -89,7 +90,9 @@ impl Scene {
         }
         Ok(())
     }
+}
 
+impl Scene {
     fn drag_vertex(&mut self, vertex_idx: usize, to: Point) -> Result<(), Diagnostic> {
         if let Some(clip) = self.polygon_in_use() {
             let mut outline: Vec<[f64; 2]> = clip.clone().into();

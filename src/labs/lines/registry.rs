@@ -1,32 +1,63 @@
-//! The methods of this lab. To add one: a file in `algo::line`, its [`LineTelling`] here beside the
+//! The lab and its methods. To add one: a file in `algo::line`, its [`LineTelling`] here beside the
 //! others, one line below.
 
 use crate::{
     algo::line,
     geom::Segment,
-    labs::{Carded, Listed, MethodCard, telling::Recorded},
+    labs::{self, Entry, Lab, Listed, MethodCard, telling::Recorded, window_handles},
     trace::{
         Counted, Counts,
         told::{held_after, silent},
     },
 };
 
-use super::{LineTelling, MethodInfo, Pass, Scene, verdict::decided};
+use super::{LineTelling, Method, MethodInfo, Pass, Scene, verdict::decided};
 
-const fn info<M: LineTelling>() -> MethodInfo<Scene> {
-    MethodInfo {
+/// Segments against a window.
+pub static LAB: &dyn Lab = &Lines;
+
+struct Lines;
+
+impl Lab for Lines {
+    fn id(&self) -> &'static str {
+        "lines"
+    }
+
+    fn name_key(&self) -> &'static str {
+        "lab-lines"
+    }
+
+    fn about_key(&self) -> &'static str {
+        "lab-lines-about"
+    }
+
+    fn methods(&self) -> Vec<&'static MethodCard> {
+        Method::all().map(Method::card).collect()
+    }
+
+    fn first_scene(&self) -> labs::Scene {
+        Scene::first().into()
+    }
+
+    fn lock_groups(&self) -> &'static [&'static str] {
+        &["p1", "p2", "segment", window_handles::GROUP, "clip"]
+    }
+}
+
+const fn info<M: LineTelling>() -> Entry<MethodInfo> {
+    Entry {
         card: MethodCard::told::<M>(),
-        takes_polygon: M::TAKES_POLYGON,
-        writes_codes: M::WRITES_CODES,
-        record: |scene, segment| Box::new(Recorded::<M>::new(M::input(scene, segment), None)),
-        clip: |scene, segment| silent::<M>(&M::input(scene, segment)),
-        cost: |scene, segment| {
-            let input = M::input(scene, segment);
-            let (held, counts) = Counts::of(|| held_after::<M, Counted>(&input));
-            (M::output(held), counts)
+        info: MethodInfo {
+            takes_polygon: M::TAKES_POLYGON,
+            writes_codes: M::WRITES_CODES,
+            record: |scene, segment| Box::new(Recorded::<M>::new(M::input(scene, segment), None)),
+            cost: |scene, segment| {
+                let input = M::input(scene, segment);
+                Counts::of(|| held_after::<M, Counted>(&input)).1
+            },
+            decided: decided::<M>,
+            pass: pass::<M>,
         },
-        decided: decided::<M>,
-        pass: pass::<M>,
     }
 }
 
@@ -40,7 +71,7 @@ fn pass<M: LineTelling>(scene: &Scene, segments: &[Segment]) -> Pass {
 }
 
 /// Every method, in the order in which they are taught.
-pub static METHODS: [MethodInfo<Scene>; 5] = [
+pub static METHODS: [Entry<MethodInfo>; 5] = [
     info::<line::BruteForce>(),
     info::<line::CohenSutherland>(),
     info::<line::LiangBarsky>(),
@@ -48,14 +79,8 @@ pub static METHODS: [MethodInfo<Scene>; 5] = [
     info::<line::NichollLeeNicholl>(),
 ];
 
-impl Carded for MethodInfo<Scene> {
-    fn card(&self) -> &MethodCard {
-        &self.card
-    }
-}
-
-impl Listed for MethodInfo<Scene> {
-    fn all() -> &'static [Self] {
+impl Listed for MethodInfo {
+    fn all() -> &'static [Entry<Self>] {
         &METHODS
     }
 }

@@ -1,20 +1,52 @@
-//! The lines lab's document: what is clipped against what, and by which method.
+//! The lines lab's document: what is clipped against what, and by which method; and what the lab knows of a method.
 
 use std::fmt;
 
 use crate::{
     algo::line::BitOrder,
-    geom::{ConvexPolygon, Segment, Window},
-    text::{Diagnostic, Message},
+    figure::Run,
+    geom::{ConvexPolygon, HalfPlane, Segment, Window},
+    text::{Diagnostic, Message, Value},
+    trace::Counts,
 };
-
-use super::MethodInfo;
 
 /// More segments than this are refused: a frame could not draw them in time, nor a file be read.
 pub const MAX_SEGMENTS: usize = 1_000_000;
 
 /// One of the lab's methods.
-pub type Method = crate::labs::Method<MethodInfo<Scene>>;
+pub type Method = crate::labs::Method<MethodInfo>;
+
+/// What the lab knows of a method without running it.
+pub struct MethodInfo {
+    /// Can it clip against any convex polygon?
+    pub takes_polygon: bool,
+    /// Does it write outcodes, so that the order of their bits matters?
+    pub writes_codes: bool,
+    /// Runs it on one segment of a scene.
+    pub record: fn(&Scene, Segment) -> Box<dyn Run>,
+    /// How many operations it takes for one segment of a scene, without recording the steps.
+    pub cost: fn(&Scene, Segment) -> Counts,
+    /// The test that decides one segment's fate.
+    pub decided: fn(&Scene, Segment) -> Decided,
+    /// Clips all these segments silently each time it is called.
+    pub pass: fn(&Scene, &[Segment]) -> Pass,
+}
+
+/// What decided a segment's fate in one method's run.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Decided {
+    /// The step of the test that decided it.
+    pub step: usize,
+    /// The border that rejects it.
+    pub rejected_by: Option<usize>,
+    /// The borders that it comes in and goes out by, where it comes in only after it has gone out.
+    pub between: Option<[Value; 2]>,
+    /// The borders of what this method clips against, and their names.
+    pub borders: Vec<(HalfPlane, Value)>,
+}
+
+/// Clips a batch, the same one each time it is called; the number of segments that are visible.
+pub type Pass = Box<dyn FnMut() -> usize>;
 
 /// Always valid: at least one segment, and the focus is one of them.
 #[derive(Clone, PartialEq, Debug)]
@@ -103,6 +135,11 @@ impl Scene {
         Self::new(method, window, vec![segment]).expect("one segment")
     }
 
+    /// The methods on stage.
+    pub fn on_stage(&self) -> impl Iterator<Item = Method> {
+        [Some(self.method), self.compare].into_iter().flatten()
+    }
+
     /// At least one.
     #[must_use]
     pub fn segments(&self) -> &[Segment] {
@@ -169,10 +206,8 @@ impl Scene {
     /// The convex region, where there is one and a method on stage can use it.
     #[must_use]
     pub fn polygon_in_use(&self) -> Option<&ConvexPolygon> {
-        let used = |method: Method| method.info().takes_polygon;
-        self.clip
-            .as_ref()
-            .filter(|_| used(self.method) || self.compare.is_some_and(used))
+        let is_used = self.on_stage().any(|method| method.info().takes_polygon);
+        self.clip.as_ref().filter(|_| is_used)
     }
 
     /// The convex region, or the window's outline where there is none.

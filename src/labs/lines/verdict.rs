@@ -7,7 +7,7 @@ use crate::{
     figure::{Decides, Link, Run},
     geom::{Edge, HalfPlane, Segment},
     labs::{
-        Verdict,
+        Answers, Click, Verdict,
         telling::{At, Named},
         words::{edge_link, edge_name},
     },
@@ -17,8 +17,9 @@ use crate::{
 
 use super::{
     LineTelling, Scene,
-    method_info::Decided,
+    change::under,
     methods::{polygon_edge_link, polygon_edge_name},
+    scene::Decided,
 };
 
 /// Runs a method on a segment, and sees which test decides: the last one.
@@ -74,47 +75,53 @@ fn borders<M: LineTelling>(scene: &Scene) -> Vec<(HalfPlane, Value, Link)> {
     }
 }
 
-/// The verdict on the segment in focus, by the method that is stepped.
-pub fn verdict(scene: &Scene, about: Link, run: &dyn Run) -> Option<Verdict> {
-    let segment = scene.focused();
-    if about != segment_link(scene.focus()) {
-        return None;
+impl Answers for Scene {
+    fn asked(&self, click: &Click<'_>) -> Option<Link> {
+        under(self, click).map(segment_link)
     }
-    let decided = scene.method.info().decided(scene, segment);
-    let (planes, names): (Vec<HalfPlane>, Vec<Value>) = decided.borders.into_iter().unzip();
-    let corners = scene.region(scene.method);
-    let corners = corners.vertices();
-    let between = decided.between.map(|[enters, leaves]| {
-        let message = Message::new("verdict-line-between").with("enters", enters);
-        message.with("leaves", leaves)
-    });
-    let turn = match decided.rejected_by {
-        Some(border_idx) => {
-            let by = least_move_in(&planes, corners, &segment, border_idx);
-            let message = Message::new(match by {
-                Some(by) if by >= 0.0 => "verdict-line-in",
-                Some(_) => "verdict-line-back",
-                None => "verdict-line-never",
-            });
-            let message = message.with("move", by.unwrap_or_default().abs());
-            message.with("edge", names.get(border_idx)?.clone())
+
+    /// The verdict on the segment in focus, by the method that is stepped.
+    fn verdict(&self, about: Link, run: &dyn Run) -> Option<Verdict> {
+        let segment = self.focused();
+        if about != segment_link(self.focus()) {
+            return None;
         }
-        None => {
-            let turn = least_move_out(&planes, corners, &segment)?;
-            let key = if turn.by < 0.0 {
-                "verdict-line-out"
-            } else {
-                "verdict-line-touch"
-            };
-            let message = Message::new(key).with("move", turn.by.abs());
-            message.with("edge", names.get(turn.border_idx)?.clone())
-        }
-    };
-    Some(Verdict {
-        why: run.caption(decided.step),
-        notes: between.into_iter().chain([turn]).collect(),
-        step: Some(decided.step),
-    })
+        let decided = (self.method.info().decided)(self, segment);
+        let (planes, names): (Vec<HalfPlane>, Vec<Value>) = decided.borders.into_iter().unzip();
+        let corners = self.region(self.method);
+        let corners = corners.vertices();
+        let between = decided.between.map(|[enters, leaves]| {
+            let message = Message::new("verdict-line-between").with("enters", enters);
+            message.with("leaves", leaves)
+        });
+        let turn = match decided.rejected_by {
+            Some(border_idx) => {
+                let by = least_move_in(&planes, corners, &segment, border_idx);
+                let message = Message::new(match by {
+                    Some(by) if by >= 0.0 => "verdict-line-in",
+                    Some(_) => "verdict-line-back",
+                    None => "verdict-line-never",
+                });
+                let message = message.with("move", by.unwrap_or_default().abs());
+                message.with("edge", names.get(border_idx)?.clone())
+            }
+            None => {
+                let turn = least_move_out(&planes, corners, &segment)?;
+                let key = if turn.by < 0.0 {
+                    "verdict-line-out"
+                } else {
+                    "verdict-line-touch"
+                };
+                let message = Message::new(key).with("move", turn.by.abs());
+                message.with("edge", names.get(turn.border_idx)?.clone())
+            }
+        };
+        Some(Verdict {
+            why: run.caption(decided.step),
+            notes: between.into_iter().chain([turn]).collect(),
+            step: Some(decided.step),
+        })
+    }
 }
 
 /// What is asked about where a segment is clicked.

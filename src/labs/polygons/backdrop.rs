@@ -3,18 +3,28 @@
 use crate::{
     figure::{Mark, Role, Shape},
     geom::{Polygon, extent},
+    labs::Backdrop,
 };
 
 use super::{GivenSubject, Method, Scene};
 
-/// The clip region of `method`, if it has one, and the subject's outlines as they were given.
-#[must_use]
-pub fn backdrop(scene: &Scene, method: Method, at_end: bool) -> Vec<Mark> {
-    let clip = region(scene, method).map(|clip| vec![outline(&clip)]);
-    let clip = clip.map(|clip| Mark::new(Role::Ink, Shape::Area(clip)).linked("window"));
-    clip.into_iter()
-        .chain(subject(scene, method, at_end))
-        .collect()
+impl Backdrop for Scene {
+    /// The clip region of `method`, if it has one, and the subject's outlines as they were given.
+    fn backdrop(&self, column: usize, at_end: bool) -> Vec<Mark> {
+        let method = self.on_stage().nth(column).unwrap_or(self.method);
+        let clip = region(self, method).map(|clip| vec![outline(&clip)]);
+        let clip = clip.map(|clip| Mark::new(Role::Ink, Shape::Area(clip)).linked("window"));
+        clip.into_iter()
+            .chain(subject(self, method, at_end))
+            .collect()
+    }
+
+    /// The world rectangle that holds everything.
+    fn bounds(&self) -> [[f64; 2]; 2] {
+        let clip = region(self, self.method);
+        let rings = self.rings().chain(&clip);
+        extent(rings.flat_map(|ring| ring.vertices().iter().copied()))
+    }
 }
 
 /// What is not covered by the result, or by the list that a method works on, has been cut off.
@@ -36,14 +46,6 @@ fn subject(scene: &Scene, method: Method, at_end: bool) -> Vec<Mark> {
         .into_iter()
         .map(|mark| mark.linked("subject"))
         .collect()
-}
-
-/// The world rectangle that holds everything.
-#[must_use]
-pub fn bounds(scene: &Scene) -> [[f64; 2]; 2] {
-    let clip = region(scene, scene.method);
-    let rings = scene.rings().chain(&clip);
-    extent(rings.flat_map(|ring| ring.vertices().iter().copied()))
 }
 
 /// What `method` clips against, if it clips.

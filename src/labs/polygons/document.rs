@@ -3,25 +3,18 @@
 use std::sync::Arc;
 
 use crate::{
-    figure::{Link, Mark, Run},
-    geom::{Point, Polygon},
-    labs::{ChangeOf, Click, Document, Handle, Lab, MethodCard, Own, Verdict},
+    figure::Run,
+    geom::Polygon,
+    labs::{ChangeOf, Click, Document, Handle, Lab, MethodCard, Own},
     text::Diagnostic,
 };
 
 use super::{
     LAB, Method, PolygonsChange, Scene,
-    backdrop::{backdrop, bounds},
     change::{clicked, vertex_of},
-    verdict::{asked, verdict},
 };
 
 impl Scene {
-    /// The methods on stage.
-    fn on_stage(&self) -> impl Iterator<Item = Method> {
-        [Some(self.method), self.compare].into_iter().flatten()
-    }
-
     /// The clip polygon, where there is one and a method on stage clips.
     #[must_use]
     pub fn clip_in_use(&self) -> Option<&Polygon> {
@@ -57,10 +50,7 @@ impl Document for Scene {
     }
 
     fn set_method(&mut self, id: &str) {
-        if let Some(method) = Method::by_id(id) {
-            self.method = method;
-            self.compare = self.compare.filter(|&other| other != method);
-        }
+        self.method.change(&mut self.compare, id);
     }
 
     fn set_compare(&mut self, id: Option<&str>) {
@@ -68,41 +58,12 @@ impl Document for Scene {
     }
 
     fn record(&self) -> Vec<Box<dyn Run>> {
-        let record = |method: Method| method.info().record(self);
+        let record = |method: Method| (method.info().record)(self);
         self.on_stage().map(record).collect()
     }
 
-    fn asked(&self, click: &Click<'_>) -> Option<Link> {
-        asked(self, click)
-    }
-
-    fn verdict(&self, about: Link, run: &dyn Run) -> Option<Verdict> {
-        verdict(self, about, run)
-    }
-
     fn takes(&self, id: &str) -> bool {
-        Method::by_id(id).is_some_and(|method| method.info().takes(self))
-    }
-
-    fn backdrop(&self, column: usize, at_end: bool) -> Vec<Mark> {
-        let method = self.on_stage().nth(column).unwrap_or(self.method);
-        backdrop(self, method, at_end)
-    }
-
-    fn bounds(&self) -> [[f64; 2]; 2] {
-        bounds(self)
-    }
-
-    fn handles(&self) -> Vec<Handle> {
-        self.all_handles()
-    }
-
-    fn position(&self, handle: Handle) -> Option<[f64; 3]> {
-        self.position_of(handle)
-    }
-
-    fn drag(&mut self, handle: Handle, [x, y, _]: [f64; 3]) -> Result<(), Diagnostic> {
-        self.drag_handle(handle, Point::new(x, y)?)
+        Method::by_id(id).is_some_and(|method| (method.info().takes)(self))
     }
 
     fn add(&mut self, after: Option<Handle>) -> Result<Option<Handle>, Diagnostic> {

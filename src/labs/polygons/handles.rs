@@ -3,7 +3,7 @@
 use crate::{
     figure::Link,
     geom::{Point, Polygon, extent},
-    labs::{Handle, HandleKind, window_handles},
+    labs::{Handle, HandleKind, Hands, window_handles},
     text::{Diagnostic, Message},
 };
 
@@ -89,6 +89,43 @@ impl SceneVertex {
     }
 }
 
+impl Hands for Scene {
+    fn handles(&self) -> Vec<Handle> {
+        let mut handles: Vec<Handle> = self.subject_vertices().map(SceneVertex::handle).collect();
+        handles.push(SUBJECT.at([0, 0]));
+        handles.extend(self.clip_vertices().map(SceneVertex::handle));
+        if self.clips() && self.clip_in_use().is_none() {
+            handles.extend(window_handles::handles());
+        }
+        handles
+    }
+
+    fn position(&self, handle: Handle) -> Option<[f64; 3]> {
+        let [x, y] = if let Some(vertex) = SceneVertex::of(handle) {
+            self.ring_of(vertex)?.vertices()[vertex.idx()].to_array()
+        } else if handle.is(&SUBJECT) {
+            self.middle()
+        } else {
+            return window_handles::position(handle, &self.window);
+        };
+        Some([x, y, 0.0])
+    }
+
+    fn drag(&mut self, handle: Handle, [x, y, _]: [f64; 3]) -> Result<(), Diagnostic> {
+        let to = Point::new(x, y)?;
+        if let Some(vertex) = SceneVertex::of(handle) {
+            if let Some(ring) = self.ring_mut(vertex) {
+                ring.set_vertex(vertex.idx(), to);
+            }
+        } else if handle.is(&SUBJECT) {
+            self.drag_subject(to)?;
+        } else {
+            self.window = window_handles::dragged(handle, &self.window, to)?;
+        }
+        Ok(())
+    }
+}
+
 impl Scene {
     /// The outline that a vertex belongs to, where the scene has that vertex: a handle may be older than the scene.
     #[must_use]
@@ -126,40 +163,6 @@ impl Scene {
     pub(super) fn clip_vertices(&self) -> impl Iterator<Item = SceneVertex> {
         let n = self.clip_in_use().map_or(0, |clip| clip.vertices().len());
         (0..n).map(SceneVertex::Clip)
-    }
-
-    pub(super) fn all_handles(&self) -> Vec<Handle> {
-        let mut handles: Vec<Handle> = self.subject_vertices().map(SceneVertex::handle).collect();
-        handles.push(SUBJECT.at([0, 0]));
-        handles.extend(self.clip_vertices().map(SceneVertex::handle));
-        if self.clips() && self.clip_in_use().is_none() {
-            handles.extend(window_handles::handles());
-        }
-        handles
-    }
-
-    pub(super) fn position_of(&self, handle: Handle) -> Option<[f64; 3]> {
-        let [x, y] = if let Some(vertex) = SceneVertex::of(handle) {
-            self.ring_of(vertex)?.vertices()[vertex.idx()].to_array()
-        } else if handle.is(&SUBJECT) {
-            self.middle()
-        } else {
-            return window_handles::position(handle, &self.window);
-        };
-        Some([x, y, 0.0])
-    }
-
-    pub(super) fn drag_handle(&mut self, handle: Handle, to: Point) -> Result<(), Diagnostic> {
-        if let Some(vertex) = SceneVertex::of(handle) {
-            if let Some(ring) = self.ring_mut(vertex) {
-                ring.set_vertex(vertex.idx(), to);
-            }
-        } else if handle.is(&SUBJECT) {
-            self.drag_subject(to)?;
-        } else {
-            self.window = window_handles::dragged(handle, &self.window, to)?;
-        }
-        Ok(())
     }
 
     /// Where the handle of the whole subject lies: the middle of its box.

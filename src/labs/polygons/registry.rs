@@ -1,51 +1,95 @@
-//! The methods of this lab. To add one: a file in `algo::polygon`, its [`PolygonDemo`] beside the others, one
+//! The lab and its methods. To add one: a file in `algo::polygon`, its [`PolygonDemo`] beside the others, one
 //! line below.
 
 use crate::{
     algo::polygon,
-    labs::{Carded, Listed, MethodCard},
+    labs::{self, Entry, Lab, Listed, MethodCard, OutlineKind, window_handles},
 };
 
 use super::{
-    MethodInfo, PolygonDemo, PolygonTelling, Scene,
+    Method, MethodInfo, PolygonDemo, PolygonTelling, Scene,
+    change::OUTLINES,
     methods::faulty,
     verdict::{fate, fate_told, found, found_told},
 };
 
-const fn info<A: PolygonDemo>() -> MethodInfo<Scene> {
-    MethodInfo {
-        card: MethodCard::of::<A>(),
-        clips: A::CLIPS,
-        carries_texture: A::CARRIES_TEXTURE,
-        given: A::GIVEN,
-        knows_holes: A::KNOWS_HOLES,
-        record: |scene| A::record(scene).unwrap_or_else(|refusal| refusal.run(scene, A::SUBJECT)),
-        takes: |scene| A::input(scene).is_ok(),
-        fate: fate::<A>,
-        found: found::<A>,
+/// A polygon against a window or another polygon.
+pub static LAB: &dyn Lab = &Polygons;
+
+struct Polygons;
+
+impl Lab for Polygons {
+    fn id(&self) -> &'static str {
+        "polygons"
+    }
+
+    fn name_key(&self) -> &'static str {
+        "lab-polygons"
+    }
+
+    fn about_key(&self) -> &'static str {
+        "lab-polygons-about"
+    }
+
+    fn methods(&self) -> Vec<&'static MethodCard> {
+        Method::all().map(Method::card).collect()
+    }
+
+    fn first_scene(&self) -> labs::Scene {
+        Scene::first().into()
+    }
+
+    fn lock_groups(&self) -> &'static [&'static str] {
+        &["polygon", window_handles::GROUP, "clip"]
+    }
+
+    fn outlines(&self) -> &'static [OutlineKind] {
+        &OUTLINES
     }
 }
 
-const fn told<M: PolygonTelling>() -> MethodInfo<Scene> {
-    MethodInfo {
+const fn info<A: PolygonDemo>() -> Entry<MethodInfo> {
+    Entry {
+        card: MethodCard::of::<A>(),
+        info: MethodInfo {
+            clips: A::CLIPS,
+            carries_texture: A::CARRIES_TEXTURE,
+            given: A::GIVEN,
+            knows_holes: A::KNOWS_HOLES,
+            record: |scene| {
+                A::record(scene).unwrap_or_else(|refusal| refusal.run(scene, A::SUBJECT))
+            },
+            takes: |scene| A::input(scene).is_ok(),
+            fate: fate::<A>,
+            found: found::<A>,
+        },
+    }
+}
+
+const fn told<M: PolygonTelling>() -> Entry<MethodInfo> {
+    Entry {
         card: MethodCard::told::<M>(),
-        clips: M::CLIPS,
-        carries_texture: M::CARRIES_TEXTURE,
-        given: M::GIVEN,
-        knows_holes: M::KNOWS_HOLES,
-        record: |scene| M::record(scene).unwrap_or_else(|refusal| refusal.run(scene, M::SUBJECT)),
-        takes: |scene| M::input(scene).is_ok(),
-        fate: fate_told::<M>,
-        found: found_told::<M>,
+        info: MethodInfo {
+            clips: M::CLIPS,
+            carries_texture: M::CARRIES_TEXTURE,
+            given: M::GIVEN,
+            knows_holes: M::KNOWS_HOLES,
+            record: |scene| {
+                M::record(scene).unwrap_or_else(|refusal| refusal.run(scene, M::SUBJECT))
+            },
+            takes: |scene| M::input(scene).is_ok(),
+            fate: fate_told::<M>,
+            found: found_told::<M>,
+        },
     }
 }
 
 /// Every method, in the order in which they are taught.
-pub static METHODS: [MethodInfo<Scene>; 10] = [
+pub static METHODS: [Entry<MethodInfo>; 10] = [
     info::<polygon::SutherlandHodgman>(),
     info::<polygon::Pipeline>(),
-    info::<polygon::weiler_atherton::WeilerAtherton>(),
-    info::<polygon::EarClipping>(),
+    told::<polygon::weiler_atherton::WeilerAtherton>(),
+    told::<polygon::EarClipping>(),
     info::<polygon::TriangulateAndClip>(),
     info::<faulty::OnBorder>(),
     info::<faulty::Open>(),
@@ -54,14 +98,8 @@ pub static METHODS: [MethodInfo<Scene>; 10] = [
     info::<faulty::EndBeforeCrossing>(),
 ];
 
-impl Carded for MethodInfo<Scene> {
-    fn card(&self) -> &MethodCard {
-        &self.card
-    }
-}
-
-impl Listed for MethodInfo<Scene> {
-    fn all() -> &'static [Self] {
+impl Listed for MethodInfo {
+    fn all() -> &'static [Entry<Self>] {
         &METHODS
     }
 }

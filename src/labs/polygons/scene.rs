@@ -1,13 +1,12 @@
-//! The polygons lab's document: what is clipped against what, and by which method.
+//! The polygons lab's document: what is clipped against what, and by which method; and what the lab knows of a method.
 
 use std::fmt;
 
 use crate::{
+    figure::Run,
     geom::{Point, Polygon, Window},
     text::{Diagnostic, Message},
 };
-
-use super::MethodInfo;
 
 /// More vertices than this, holes and clip polygon included, are refused: a frame could not draw them in time.
 pub const MAX_VERTICES: usize = 20_000;
@@ -40,7 +39,66 @@ impl Texture {
 }
 
 /// One of the lab's methods.
-pub type Method = crate::labs::Method<MethodInfo<Scene>>;
+pub type Method = crate::labs::Method<MethodInfo>;
+
+/// How the subject is seen under a method's drawing, before its end.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum GivenSubject {
+    /// As it is.
+    Whole,
+    /// As cut off, but for what the drawing outlines: the list that the method works on.
+    CutOff,
+}
+
+/// What becomes of a vertex of the subject.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct VertexFate {
+    /// The step that decided it.
+    pub step: usize,
+    /// Is it kept?
+    pub is_kept: bool,
+    /// The clip edge that was asked there, where one is asked at a time.
+    pub border: Option<usize>,
+}
+
+/// Something that a run finds on its way, and the step at which it does.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Found {
+    /// An intersection.
+    Crossing {
+        /// At which step.
+        step: usize,
+        /// Where.
+        at: Point,
+    },
+    /// A piece of the answer.
+    Piece {
+        /// At which step.
+        step: usize,
+        /// Around it.
+        outline: Vec<Point>,
+    },
+}
+
+/// What the lab knows of a method without running it.
+pub struct MethodInfo {
+    /// Does it clip: against the window, or a clip polygon in its place?
+    pub clips: bool,
+    /// Does it carry texture coordinates along?
+    pub carries_texture: bool,
+    /// How the subject is seen while it works.
+    pub given: GivenSubject,
+    /// Does it know holes?
+    pub knows_holes: bool,
+    /// Runs it on a scene; where it cannot take it, the run has no steps and says why.
+    pub record: fn(&Scene) -> Box<dyn Run>,
+    /// Can it take a scene?
+    pub takes: fn(&Scene) -> bool,
+    /// What becomes of a vertex of the subject that lies there.
+    pub fate: fn(&Scene, Point) -> Option<VertexFate>,
+    /// The intersections and the pieces that its run finds.
+    pub found: fn(&Scene) -> Vec<Found>,
+}
 
 /// Always valid: every outline has three finite vertices or more. What a method asks beyond that, such as a
 /// convex clip polygon, it checks itself, and says what is wrong on stage.
@@ -116,6 +174,11 @@ impl Scene {
         let parts = method.zip(window.ok()).zip(subject.ok());
         let ((method, window), subject) = parts.expect("constants that are valid");
         Self::new(method, window, subject)
+    }
+
+    /// The methods on stage.
+    pub fn on_stage(&self) -> impl Iterator<Item = Method> {
+        [Some(self.method), self.compare].into_iter().flatten()
     }
 
     /// The clip polygon, or the window's outline where there is none.

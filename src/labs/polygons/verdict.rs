@@ -8,7 +8,7 @@ use crate::{
     },
     figure::{Caption, Link, Run},
     geom::{Location, Point, Segment, locate},
-    labs::{Click, Verdict, words::vertex_name},
+    labs::{Answers, Click, Verdict, words::vertex_name},
     text::Message,
     trace::told::Recording,
 };
@@ -16,8 +16,8 @@ use crate::{
 use super::{
     PolygonDemo, PolygonTelling, Scene,
     handles::corner_link,
-    method_info::{Found, VertexFate},
     methods::{clip_edge_name, region},
+    scene::{Found, VertexFate},
 };
 
 /// What becomes of a vertex of the subject that lies there; none where the run never says.
@@ -96,44 +96,46 @@ pub fn found_told<M: PolygonTelling>(scene: &Scene) -> Vec<Found> {
     found
 }
 
-/// The intersection that a click is on, or the piece that it is in.
-pub fn asked(scene: &Scene, click: &Click<'_>) -> Option<Link> {
-    let [x, y, _] = click.at;
-    let at = Point::new(x, y).ok()?;
-    let found = scene.method.info().found(scene);
-    let near = found.iter().enumerate().filter_map(|(i, found)| {
-        let distance = match found {
-            Found::Crossing { at: there, .. } => (there.x() - x).hypot(there.y() - y),
-            Found::Piece { .. } => return None,
+impl Answers for Scene {
+    /// The intersection that a click is on, or the piece that it is in.
+    fn asked(&self, click: &Click<'_>) -> Option<Link> {
+        let [x, y, _] = click.at;
+        let at = Point::new(x, y).ok()?;
+        let found = (self.method.info().found)(self);
+        let near = found.iter().enumerate().filter_map(|(i, found)| {
+            let distance = match found {
+                Found::Crossing { at: there, .. } => (there.x() - x).hypot(there.y() - y),
+                Found::Piece { .. } => return None,
+            };
+            (distance <= click.reach).then_some((distance, i))
+        });
+        let crossing = near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, i)| i);
+        let piece = || {
+            found.iter().position(|found| match found {
+                Found::Crossing { .. } => false,
+                Found::Piece { outline, .. } => locate(outline, at) == Location::Inside,
+            })
         };
-        (distance <= click.reach).then_some((distance, i))
-    });
-    let crossing = near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, i)| i);
-    let piece = || {
-        found.iter().position(|found| match found {
-            Found::Crossing { .. } => false,
-            Found::Piece { outline, .. } => locate(outline, at) == Location::Inside,
-        })
-    };
-    crossing.or_else(piece).map(found_link)
-}
-
-/// The verdict on what was clicked, by the method that is stepped.
-pub fn verdict(scene: &Scene, about: Link, run: &dyn Run) -> Option<Verdict> {
-    let vertices = scene.subject.vertices();
-    if let Some(vertex_idx) = (0..vertices.len()).find(|&i| about == corner_link(i)) {
-        return vertex_verdict(scene, vertex_idx, run);
+        crossing.or_else(piece).map(found_link)
     }
-    let found = scene.method.info().found(scene);
-    let idx = (0..found.len()).find(|&i| about == found_link(i))?;
-    let step = match found[idx] {
-        Found::Crossing { step, .. } | Found::Piece { step, .. } => step,
-    };
-    Some(Verdict {
-        why: run.caption(step),
-        notes: Vec::new(),
-        step: Some(step),
-    })
+
+    /// The verdict on what was clicked, by the method that is stepped.
+    fn verdict(&self, about: Link, run: &dyn Run) -> Option<Verdict> {
+        let vertices = self.subject.vertices();
+        if let Some(vertex_idx) = (0..vertices.len()).find(|&i| about == corner_link(i)) {
+            return vertex_verdict(self, vertex_idx, run);
+        }
+        let found = (self.method.info().found)(self);
+        let idx = (0..found.len()).find(|&i| about == found_link(i))?;
+        let step = match found[idx] {
+            Found::Crossing { step, .. } | Found::Piece { step, .. } => step,
+        };
+        Some(Verdict {
+            why: run.caption(step),
+            notes: Vec::new(),
+            step: Some(step),
+        })
+    }
 }
 
 fn vertex_verdict(scene: &Scene, vertex_idx: usize, run: &dyn Run) -> Option<Verdict> {
@@ -142,7 +144,7 @@ fn vertex_verdict(scene: &Scene, vertex_idx: usize, run: &dyn Run) -> Option<Ver
         return None;
     }
     let at = scene.subject.vertices()[vertex_idx];
-    let Some(fate) = info.fate(scene, at) else {
+    let Some(fate) = (info.fate)(scene, at) else {
         let message = Message::new("verdict-vertex-passed-by");
         return Some(Verdict {
             why: Caption::new(message.with("vertex", vertex_name(vertex_idx))),
@@ -231,7 +233,7 @@ mod tests {
 
     fn is_kept(scene: &Scene, vertex_idx: usize) -> Option<bool> {
         let at = scene.subject.vertices()[vertex_idx];
-        let fate = scene.method.info().fate(scene, at);
+        let fate = (scene.method.info().fate)(scene, at);
         fate.map(|fate| fate.is_kept)
     }
 
@@ -250,7 +252,7 @@ mod tests {
             let planes = region.half_planes();
             for vertex_idx in 0..40 {
                 let at = scene.subject.vertices()[vertex_idx];
-                let fate = scene.method.info().fate(scene, at).expect("each is asked");
+                let fate = (scene.method.info().fate)(scene, at).expect("each is asked");
                 let Some((border_idx, by)) = turn(scene, &region, at, fate) else {
                     continue;
                 };
@@ -281,14 +283,16 @@ mod tests {
         for card in scene.lab().methods() {
             scene.set_method(card.id);
             let runs = scene.record();
-            let found = scene.method.info().found(scene);
+            let found = (scene.method.info().found)(scene);
             assert!(!found.is_empty(), "{}", card.id);
             for idx in 0..found.len() {
-                let told = verdict(scene, found_link(idx), &*runs[0]).expect("it is told");
+                let told = scene
+                    .verdict(found_link(idx), &*runs[0])
+                    .expect("it is told");
                 assert!((1..=runs[0].n_steps()).contains(&told.step.expect("at a step")));
             }
             for vertex_idx in 0..scene.subject.vertices().len() {
-                let told = verdict(scene, corner_link(vertex_idx), &*runs[0]);
+                let told = scene.verdict(corner_link(vertex_idx), &*runs[0]);
                 assert_eq!(told.is_some(), scene.method.info().clips, "{}", card.id);
             }
         }

@@ -5,12 +5,12 @@ use std::sync::Arc;
 use crate::{
     figure::{Link, Run},
     labs::{
-        self, Demo, MethodCard, Verdict,
+        self, Demo, Entry, MethodCard, Verdict,
         telling::{Recorded, Telling},
     },
 };
 
-use super::{FaceFate, MethodInfo, Scene, SpaceLab, Subject, stage::Scenery};
+use super::{MethodInfo, Scene, SpaceLab, Subject, stage::Scenery};
 
 /// A method of this lab.
 pub trait SpaceDemo: Demo {
@@ -25,11 +25,6 @@ pub trait SpaceDemo: Demo {
 
     /// Its card, where this scene changes its pseudocode.
     fn card(_: &Scene) -> Option<&'static MethodCard> {
-        None
-    }
-
-    /// The step that decided the fate of a face of the object in focus, and what was asked there.
-    fn face_fate(_: &Scene, _face_idx: usize) -> Option<FaceFate> {
         None
     }
 
@@ -60,11 +55,6 @@ pub trait SpaceTelling: Telling<Scenery = Scenery> {
         None
     }
 
-    /// The step that decided the fate of a face of the object in focus, and what was asked there.
-    fn face_fate(_: &Scene, _face_idx: usize) -> Option<FaceFate> {
-        None
-    }
-
     /// What decided the fate of a part of what it clips, in a run of it.
     fn verdict(_: &Scene, _about: Link, _run: &dyn Run) -> Option<Verdict> {
         None
@@ -81,32 +71,34 @@ pub fn scenery_of(scene: &Scene) -> Option<Arc<Scenery>> {
     Some(Arc::new(Scenery::new(scene)))
 }
 
-impl MethodInfo<Scene> {
-    /// Of a method of this lab that is told by a table.
-    pub(in crate::labs) const fn told<M: SpaceTelling>(lab: &'static SpaceLab<Scene>) -> Self {
-        Self {
-            lab,
-            card: MethodCard::told::<M>(),
-            card_on: M::card,
-            subject: M::SUBJECT,
-            tells_faces: M::TELLS_FACES,
-            record: M::record,
-            face_fate: M::face_fate,
-            verdict: M::verdict,
-        }
-    }
+/// The line of a method that is told by a table, in the table of its lab.
+pub(in crate::labs) const fn told<A: SpaceTelling>(
+    lab: &'static SpaceLab<Scene>,
+) -> Entry<MethodInfo> {
+    let info = MethodInfo {
+        lab,
+        card_on: A::card,
+        subject: A::SUBJECT,
+        tells_faces: A::TELLS_FACES,
+        record: A::record,
+        verdict: A::verdict,
+    };
+    let card = MethodCard::told::<A>();
+    Entry { card, info }
+}
 
-    /// Of a method of this lab.
-    pub(in crate::labs) const fn of<A: SpaceDemo>(lab: &'static SpaceLab<Scene>) -> Self {
-        Self {
-            lab,
-            card: MethodCard::of::<A>(),
-            card_on: A::card,
-            subject: A::SUBJECT,
-            tells_faces: A::TELLS_FACES,
-            record: A::record,
-            face_fate: A::face_fate,
-            verdict: A::verdict,
-        }
-    }
+/// The line of a method in the table of its lab.
+pub(in crate::labs) const fn entry<A: SpaceDemo>(
+    lab: &'static SpaceLab<Scene>,
+) -> Entry<MethodInfo> {
+    let info = MethodInfo {
+        lab,
+        card_on: A::card,
+        subject: A::SUBJECT,
+        tells_faces: A::TELLS_FACES,
+        record: A::record,
+        verdict: A::verdict,
+    };
+    let card = MethodCard::of::<A>();
+    Entry { card, info }
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     figure::{Link, Mark, Raster, Run},
-    labs::{self, Click, Document, Handle, Lab, MethodCard, Own, Verdict},
+    labs::{self, Answers, Backdrop, Click, Document, Handle, Lab, MethodCard, Own, Verdict},
     text::{Diagnostic, Value},
 };
 
@@ -68,6 +68,30 @@ impl Scene {
     }
 }
 
+impl Backdrop for Scene {
+    /// Everything is in the views: what is seen depends on the step.
+    fn backdrop(&self, _: usize, _: bool) -> Vec<Mark> {
+        Vec::new()
+    }
+
+    /// Of a picture in space.
+    fn bounds(&self) -> [[f64; 2]; 2] {
+        [[-1.0; 2], [1.0; 2]]
+    }
+}
+
+impl Answers for Scene {
+    /// In the camera's picture, about the pixel; elsewhere about what is there.
+    fn asked(&self, click: &Click<'_>) -> Option<Link> {
+        click.picture.map(|at| pixel_link(self, at)).or(click.link)
+    }
+
+    fn verdict(&self, about: Link, run: &dyn Run) -> Option<Verdict> {
+        let info = self.method.info();
+        (info.verdict)(self, about, run).or_else(|| (info.lab.verdict)(self, about, run))
+    }
+}
+
 impl Document for Scene {
     fn lab(&self) -> &'static dyn Lab {
         self.method.info().lab
@@ -104,38 +128,6 @@ impl Document for Scene {
     fn record(&self) -> Vec<Box<dyn Run>> {
         let record = |method: Method| (method.info().record)(self);
         self.on_stage().map(record).collect()
-    }
-
-    /// In the camera's picture, about the pixel; elsewhere about what is there.
-    fn asked(&self, click: &Click<'_>) -> Option<Link> {
-        click.picture.map(|at| pixel_link(self, at)).or(click.link)
-    }
-
-    fn verdict(&self, about: Link, run: &dyn Run) -> Option<Verdict> {
-        let info = self.method.info();
-        (info.verdict)(self, about, run).or_else(|| (info.lab.verdict)(self, about, run))
-    }
-
-    /// Everything is in the views: what is seen depends on the step.
-    fn backdrop(&self, _: usize, _: bool) -> Vec<Mark> {
-        Vec::new()
-    }
-
-    /// Of a picture in space.
-    fn bounds(&self) -> [[f64; 2]; 2] {
-        [[-1.0; 2], [1.0; 2]]
-    }
-
-    fn handles(&self) -> Vec<Handle> {
-        self.all_handles()
-    }
-
-    fn position(&self, handle: Handle) -> Option<[f64; 3]> {
-        self.position_of(handle)
-    }
-
-    fn drag(&mut self, handle: Handle, to: [f64; 3]) -> Result<(), Diagnostic> {
-        self.drag_handle(handle, to)
     }
 
     fn add(&mut self, _after: Option<Handle>) -> Result<Option<Handle>, Diagnostic> {

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::{
     geom::Camera,
-    labs::{Handle, HandleKind, Motion},
+    labs::{Handle, HandleKind, Hands, Motion},
     text::{Diagnostic, Message},
 };
 
@@ -65,8 +65,8 @@ pub fn object(object_idx: usize) -> Handle {
     OBJECT.at([object_idx, 0])
 }
 
-impl Scene {
-    pub(super) fn all_handles(&self) -> Vec<Handle> {
+impl Hands for Scene {
+    fn handles(&self) -> Vec<Handle> {
         let mut handles: Vec<Handle> = Vec::new();
         if self.asks(Subject::Point) {
             handles.push(POINT.at([0, 0]));
@@ -92,7 +92,7 @@ impl Scene {
         handles
     }
 
-    pub(super) fn position_of(&self, handle: Handle) -> Option<[f64; 3]> {
+    fn position(&self, handle: Handle) -> Option<[f64; 3]> {
         let [position, target, _] = self.camera.places();
         let [near, far] = self.camera.depths();
         let camera = self.camera.camera();
@@ -124,7 +124,7 @@ impl Scene {
         })
     }
 
-    pub(super) fn drag_handle(&mut self, handle: Handle, to: [f64; 3]) -> Result<(), Diagnostic> {
+    fn drag(&mut self, handle: Handle, to: [f64; 3]) -> Result<(), Diagnostic> {
         let camera = self.camera;
         let [position, target, up] = camera.places();
         let [near, far] = camera.depths();

@@ -4,7 +4,6 @@
 mod change;
 pub(in crate::labs) mod demo;
 mod document;
-mod face_fate;
 mod handles;
 mod object;
 mod on_scene;
@@ -13,21 +12,18 @@ mod raster_plan;
 mod scene;
 pub(in crate::labs) mod screen;
 pub(in crate::labs) mod soup;
-mod space_lab;
 pub(in crate::labs) mod stage;
 mod street;
 mod subject;
 mod taught_camera;
 
 pub use change::{CameraNumber, SpaceChange};
-pub use face_fate::{FaceFate, FaceTest};
 pub use object::{Model, NamedMesh, Object, Picture};
 pub use on_scene::{OnScene, OnSceneInput};
 pub use raster_plan::{RasterPlan, Tones};
-pub use scene::{MAX_OBJECTS, Method, Scene, SceneError};
-pub use space_lab::{MethodInfo, SpaceLab};
+pub use scene::{MAX_OBJECTS, Method, MethodInfo, Scene, SceneError, SpaceLab};
 pub use street::street;
-pub use subject::{Places, Subject};
+pub use subject::{FaceFate, FaceTest, Places, Subject};
 pub use taught_camera::{Opening, TaughtCamera};
 
 pub(in crate::labs) use demo::{SpaceDemo, SpaceTelling, scenery_of};

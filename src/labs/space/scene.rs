@@ -1,19 +1,70 @@
-//! What the labs in three dimensions work on: a camera, and what it may see.
+//! What the labs in three dimensions work on: a camera, and what it may see; and what tells such a lab from the others.
 
 use std::fmt;
 
 use crate::{
+    figure::{Link, Run},
     geom::{Camera, Orbit},
+    labs::{self, Entry, MethodCard, Verdict},
     text::{Diagnostic, Message},
 };
 
-use super::{MethodInfo, Object, Places, RasterPlan, TaughtCamera};
+use super::{Object, Places, RasterPlan, Subject, TaughtCamera};
 
 /// More objects than this are refused: a frame could not draw them in time.
 pub const MAX_OBJECTS: usize = 10_000;
 
 /// A method of one of these labs.
-pub type Method = crate::labs::Method<MethodInfo<Scene>>;
+pub type Method = labs::Method<MethodInfo>;
+
+/// What tells such a lab from the others of its kind; all have the same scenes, `S`.
+pub struct SpaceLab<S: 'static> {
+    /// As lesson files spell it.
+    pub id: &'static str,
+    /// Catalogue key of its name.
+    pub name_key: &'static str,
+    /// Catalogue key of what it is about.
+    pub about_key: &'static str,
+    /// Groups of handles that a lesson can lock.
+    pub lock_groups: &'static [&'static str],
+    /// So many methods have room beside another.
+    pub most_beside: usize,
+    /// Its methods, in the order in which they are taught.
+    pub methods: fn() -> &'static [Entry<MethodInfo>],
+    /// What it opens on where there is no lesson.
+    pub first_scene: fn() -> S,
+    /// Its verdict on what the method that runs has none on.
+    pub verdict: fn(&S, Link, &dyn Run) -> Option<Verdict>,
+}
+
+impl<S> SpaceLab<S> {
+    /// Its methods, in the order in which they are taught.
+    pub fn all(&self) -> impl ExactSizeIterator<Item = Method> + use<S> {
+        (self.methods)().iter().map(Method::of)
+    }
+
+    /// The method with this id.
+    #[must_use]
+    pub fn method(&self, id: &str) -> Option<Method> {
+        self.all().find(|method| method.card().id == id)
+    }
+}
+
+/// What its lab knows of a method without running it.
+pub struct MethodInfo {
+    /// Whose it is.
+    pub lab: &'static SpaceLab<Scene>,
+    /// Its card for a scene that changes its pseudocode.
+    pub card_on: fn(&Scene) -> Option<&'static MethodCard>,
+    /// What it is about.
+    pub subject: Subject,
+    /// Can it say what became of a face of the object in focus?
+    pub tells_faces: bool,
+    /// Runs it on a scene.
+    pub record: fn(&Scene) -> Box<dyn Run>,
+    /// What decided the fate of something, in a run of it; none where only the lab knows.
+    pub verdict: fn(&Scene, Link, &dyn Run) -> Option<Verdict>,
+}
 
 /// Always valid: at least one object, the focus is one of them, face and vertex are that object's.
 #[derive(Clone, PartialEq, Debug)]

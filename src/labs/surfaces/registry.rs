@@ -1,4 +1,4 @@
-//! The lab and its methods. To add one: a file in `algo::surface`, its [`SpaceDemo`] in `methods/` beside the others, one
+//! The lab and its methods. To add one: a file in `algo::surface`, its [`SpaceTelling`] in `methods/` beside the others, one
 //! line below.
 
 use std::sync::Arc;
@@ -12,10 +12,10 @@ use crate::{
     },
     geom::{Mesh, Orbit},
     labs::{
-        Lab,
+        Entry, Lab,
         space::{
-            MethodInfo, Model, NamedMesh, Object, OnScene, Opening, Scene, SpaceLab, TaughtCamera,
-            demo::SpaceDemo,
+            MethodInfo, Model, NamedMesh, Object, Opening, Scene, SpaceLab, SpaceTelling,
+            TaughtCamera, demo,
         },
     },
 };
@@ -38,23 +38,23 @@ pub static SURFACES: SpaceLab<Scene> = SpaceLab {
 /// The same, for whoever knows no lab by name.
 pub static LAB: &dyn Lab = &SURFACES;
 
-const fn info<A: SpaceDemo>() -> MethodInfo<Scene> {
-    MethodInfo::of::<A>(&SURFACES)
+const fn told<M: SpaceTelling>() -> Entry<MethodInfo> {
+    demo::told::<M>(&SURFACES)
 }
 
 /// Every method, in the order in which they are taught; the mistakes last.
-pub static METHODS: [MethodInfo<Scene>; 11] = [
-    info::<OnScene<DepthBuffer>>(),
-    info::<OnScene<RayCasting>>(),
-    info::<OnScene<Painter>>(),
-    info::<OnScene<Bsp>>(),
-    info::<OnScene<Occlusion>>(),
-    info::<OnScene<DepthBuffer<ClearsToNear>>>(),
-    info::<OnScene<DepthBuffer<TurnsComparison>>>(),
-    info::<OnScene<DepthBuffer<WritesAlways>>>(),
-    info::<OnScene<DepthBuffer<StraightDistance>>>(),
-    info::<OnScene<Painter<NearestKeys>>>(),
-    info::<OnScene<Painter<KeysOnly>>>(),
+pub static METHODS: [Entry<MethodInfo>; 11] = [
+    told::<DepthBuffer>(),
+    told::<RayCasting>(),
+    told::<Painter>(),
+    told::<Bsp>(),
+    told::<Occlusion>(),
+    told::<DepthBuffer<ClearsToNear>>(),
+    told::<DepthBuffer<TurnsComparison>>(),
+    told::<DepthBuffer<WritesAlways>>(),
+    told::<DepthBuffer<StraightDistance>>(),
+    told::<Painter<NearestKeys>>(),
+    told::<Painter<KeysOnly>>(),
 ];
 
 /// What the lab opens on where there is no lesson: two triangles, one through the other.

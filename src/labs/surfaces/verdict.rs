@@ -14,7 +14,7 @@ use crate::{
         },
     },
     text::{Message, Value},
-    trace::silent,
+    trace::told::silent,
 };
 
 /// The verdict on a pixel, of the camera's picture or of the raster; on a face of the object in focus; on an object.
@@ -88,7 +88,7 @@ mod tests {
     use crate::{
         algo::surface::{RayCasting, RayCastingInput},
         figure::Raster,
-        labs::{Document, surfaces::first_scene},
+        labs::{Answers, surfaces::first_scene},
     };
 
     #[test]

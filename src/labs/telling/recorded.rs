@@ -82,6 +82,10 @@ impl<M: Telling> Shown for ShownStep<'_, M> {
         self.at.decision()
     }
 
+    fn question(&self) -> Option<&'static str> {
+        self.at.row().answers.map(|question| question.id)
+    }
+
     fn options(&self) -> Option<Choice> {
         self.at.options()
     }

@@ -8,7 +8,7 @@ use crate::{
         frustum::{Culling, CullingTask},
         space::{Scene, street},
     },
-    panels::space::StreetCosts,
+    panels::{bench, space::StreetCosts},
     text::Message,
 };
 
@@ -124,7 +124,6 @@ impl CullingCosts {
 impl StreetCosts for CullingCosts {
     const TITLE_KEY: &'static str = "culling-title";
     const NOTE_KEY: &'static str = "culling-note";
-    const N_STREETS: usize = SWEEP.len();
 
     fn new(scene: &Scene) -> Self {
         Self {
@@ -140,12 +139,18 @@ impl StreetCosts for CullingCosts {
         self.scene.objects() == scene.objects() && self.scene.culler() == scene.culler()
     }
 
-    fn n_known(&self) -> usize {
-        self.sweep.len()
+    fn about(&self) -> Message {
+        Message::new("culling-about")
+    }
+}
+
+impl bench::Costs for CullingCosts {
+    fn is_done(&self) -> bool {
+        self.here.is_some() && self.sweep.len() == SWEEP.len()
     }
 
-    fn is_done(&self) -> bool {
-        self.here.is_some() && self.n_known() == Self::N_STREETS
+    fn progress(&self) -> f32 {
+        self.sweep.len() as f32 / SWEEP.len() as f32
     }
 
     /// A scene made ready, or one way taken once.
@@ -172,36 +177,30 @@ impl StreetCosts for CullingCosts {
             self.sweep.push(current.costs);
         }
     }
-
-    fn about(&self) -> Message {
-        Message::new("culling-about")
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::labs::frustum::first_scene;
+    use crate::{
+        labs::frustum::first_scene,
+        panels::bench::{ticking, work_on},
+    };
 
     #[test]
     fn every_way_is_measured_and_then_it_rests() {
         let scene = first_scene();
         let mut costs = CullingCosts::new(&scene);
-        // A clock that a test can rely on: each look at it takes a moment.
-        let ticks = std::cell::Cell::new(0.0);
-        let clock = || {
-            ticks.set(ticks.get() + 1e-6);
-            ticks.get()
-        };
+        let clock = ticking(1e-6);
         while costs.here().is_none() {
-            costs.work(&clock);
+            work_on(Some(&mut costs), &clock);
         }
         let own = *costs.here().unwrap();
         assert_eq!(own[0].n_kept, scene.objects().len());
         assert!(own[1].n_kept >= own[2].n_kept && own[2].n_kept > 0);
         costs.measure(Some(40));
         while costs.here().is_none() || costs.sweep().len() < 4 {
-            costs.work(&clock);
+            work_on(Some(&mut costs), &clock);
         }
         assert_eq!(costs.here().unwrap()[0].n_kept, 40);
         assert_eq!(costs.sweep()[3][0].n_kept, SWEEP[3]);

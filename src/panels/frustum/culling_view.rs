@@ -6,7 +6,7 @@ use egui_plot::{Bar, BarChart, LineStyle, PlotBounds, PlotPoint, Text};
 use crate::{
     labs::{frustum::Culling, space::MAX_OBJECTS},
     paint::theme,
-    panels::{PowerLine, power_plot, still_plot},
+    panels::plots::{PowerLine, power_plot, still_plot},
     text::{Message, Value},
     widgets::Look,
 };

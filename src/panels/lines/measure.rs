@@ -1,5 +1,4 @@
-//! The lab's methods measured on this machine: all clip the same random batch, a slice of it in each
-//! frame, so that the window stays alive.
+//! The lab's methods measured on this machine: all clip the same random batch.
 
 use std::hint::black_box;
 
@@ -7,6 +6,7 @@ use crate::{
     algo::line::batch::{ClippedSegments, Segments, clip_all},
     geom::Segment,
     labs::lines::{Method, Pass, Scene, random_segments},
+    panels::bench::Costs,
     trace::Counts,
 };
 
@@ -16,8 +16,6 @@ const N_SEGMENTS: usize = 20_000;
 const N_COUNTED: usize = 500;
 /// Passes over the batch, of which the fastest counts: what disturbs a measurement only makes it slower.
 const N_PASSES: usize = 5;
-/// Work in one frame, in seconds.
-const SLICE_SECS: f64 = 0.008;
 
 /// What is measured.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -45,7 +43,7 @@ impl Subject {
 
     fn pass(self, scene: &Scene, segments: &[Segment]) -> Pass {
         match self {
-            Self::Method(method) => method.info().pass(scene, segments),
+            Self::Method(method) => (method.info().pass)(scene, segments),
             Self::Batch => {
                 let window = scene.window;
                 let segments: Segments = segments.iter().copied().collect();
@@ -116,10 +114,10 @@ impl Measure {
     pub fn n_segments(&self) -> usize {
         self.batch.len()
     }
+}
 
-    /// From 0 to 1.
-    #[must_use]
-    pub fn progress(&self) -> f32 {
+impl Costs for Measure {
+    fn progress(&self) -> f32 {
         let current = self.current.as_ref().map_or(0.0, |current| {
             0.5 * current.n_done as f32 / N_PASSES as f32
                 + 0.5 * current.n_counted as f32 / N_COUNTED as f32
@@ -128,21 +126,11 @@ impl Measure {
         (self.done.len() as f32 + current) / all.max(1) as f32
     }
 
-    /// Is there nothing left to do?
-    #[must_use]
-    pub const fn is_done(&self) -> bool {
+    fn is_done(&self) -> bool {
         self.current.is_none() && self.waiting.is_empty()
     }
 
-    /// Works for a slice of a frame.
-    pub fn work(&mut self, clock: &dyn Fn() -> f64) {
-        let start = clock();
-        while !self.is_done() && clock() - start < SLICE_SECS {
-            self.one(clock);
-        }
-    }
-
-    /// The smallest piece of work: one pass over the batch, or one counted run.
+    /// One pass over the batch, or one counted run.
     fn one(&mut self, clock: &dyn Fn() -> f64) {
         let Some(current) = &mut self.current else {
             self.current = self.waiting.pop().map(|subject| Current {
@@ -164,7 +152,7 @@ impl Measure {
             && current.n_counted < N_COUNTED.min(self.batch.len())
         {
             let segment = self.batch[current.n_counted];
-            let (_, counts) = method.info().cost(&self.scene, segment);
+            let counts = (method.info().cost)(&self.scene, segment);
             current.counted = current.counted + counts;
             current.n_counted += 1;
         } else {
@@ -183,7 +171,10 @@ impl Measure {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geom::Window;
+    use crate::{
+        geom::Window,
+        panels::bench::{ticking, work_on},
+    };
 
     #[test]
     fn every_method_is_measured_and_then_it_rests() {
@@ -193,15 +184,7 @@ mod tests {
         let scene = Scene::new(method, window, segments).expect("one segment");
         let mut measure = Measure::new(&scene, 1);
         measure.batch.truncate(50);
-        // A clock that a test can rely on: each look at it takes a moment.
-        let ticks = std::cell::Cell::new(0.0);
-        let clock = || {
-            ticks.set(ticks.get() + 1e-6);
-            ticks.get()
-        };
-        while !measure.is_done() {
-            measure.work(&clock);
-        }
+        while work_on(Some(&mut measure), &ticking(1e-6)) {}
         assert_eq!(measure.costs().len(), Subject::all().count());
         for cost in measure.costs() {
             assert!(cost.nanos > 0.0, "{:?} takes time", cost.subject);

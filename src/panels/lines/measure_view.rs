@@ -1,77 +1,41 @@
 //! The measured costs as bars: time and operations for one segment.
 
-use egui::{Align2, ProgressBar, RichText, Ui};
+use egui::{Align2, RichText, Ui};
 use egui_plot::{Bar, BarChart, PlotPoint, Text};
 
-use crate::{paint::theme, panels::still_plot, text::Message, widgets::Look};
+use crate::{
+    paint::theme,
+    panels::{bench::note, plots::still_plot},
+    text::Message,
+    widgets::Look,
+};
 
-use super::{Measure, measure::Subject};
+use super::measure::{Measure, Subject};
 
-/// What was asked for in the window.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum MeasureAsk {
-    /// Measure, or measure again.
-    Start,
-    /// Close the window.
-    Close,
-}
-
-/// The window's content.
-pub fn measure_window(
-    ui: &mut Ui,
-    look: Look<'_>,
-    measure: Option<&Measure>,
-) -> Option<MeasureAsk> {
-    let mut asked = None;
-    ui.set_max_width(560.0_f32.min(ui.ctx().content_rect().width() - 48.0));
-    ui.label(RichText::new(look.say("measure-title")).heading());
-    ui.label(RichText::new(look.say("measure-about")).color(look.theme.soft));
-    if let Some(measure) = measure {
-        if !measure.is_done() {
-            ui.add(ProgressBar::new(measure.progress()).desired_height(6.0));
-        }
-        let costs = measure.costs();
-        let height = (ui.ctx().content_rect().height() - 260.0).clamp(80.0, 320.0);
-        let nanos: Vec<_> = costs
-            .iter()
-            .map(|cost| (cost.subject, Some(cost.nanos)))
-            .collect();
-        let operations: Vec<_> = costs
-            .iter()
-            .map(|cost| (cost.subject, cost.operations))
-            .collect();
-        ui.columns(2, |columns| {
-            chart(&mut columns[0], look, "measure-nanos", height, &nanos);
-            chart(
-                &mut columns[1],
-                look,
-                "measure-operations",
-                height,
-                &operations,
-            );
-        });
-        let note = Message::new("measure-note").with("count", measure.n_segments());
-        ui.label(
-            RichText::new(look.catalog.message(&note))
-                .small()
-                .color(look.theme.soft),
+/// The charts of the costs, and the number of segments that they are an average of.
+pub fn measured(ui: &mut Ui, look: Look<'_>, measure: &Measure) {
+    let costs = measure.costs();
+    let height = (ui.ctx().content_rect().height() - 260.0).clamp(80.0, 320.0);
+    let nanos: Vec<_> = costs
+        .iter()
+        .map(|cost| (cost.subject, Some(cost.nanos)))
+        .collect();
+    let operations: Vec<_> = costs
+        .iter()
+        .map(|cost| (cost.subject, cost.operations))
+        .collect();
+    ui.columns(2, |columns| {
+        chart(&mut columns[0], look, "measure-nanos", height, &nanos);
+        chart(
+            &mut columns[1],
+            look,
+            "measure-operations",
+            height,
+            &operations,
         );
-    }
-    ui.horizontal(|ui| {
-        let is_busy = measure.is_some_and(|measure| !measure.is_done());
-        let start = egui::Button::new(look.say(if measure.is_some() {
-            "measure-again"
-        } else {
-            "measure-start"
-        }));
-        if ui.add_enabled(!is_busy, start).clicked() {
-            asked = Some(MeasureAsk::Start);
-        }
-        if ui.button(look.say("action-close")).clicked() {
-            asked = Some(MeasureAsk::Close);
-        }
     });
-    asked
+    let message = Message::new("measure-note").with("count", measure.n_segments());
+    note(ui, look, look.catalog.message(&message));
 }
 
 /// One horizontal bar a subject, its name and value over it.

@@ -4,16 +4,20 @@ mod measure;
 mod measure_view;
 mod menu;
 
-use egui::Ui;
+use egui::{Button, Ui};
 
 use crate::{
     labs::{Lab, Scene, lines},
-    panels::{Bench, LabPanel, PanelAsk, Seeded},
+    panels::{
+        bench::{self, Bench, Costs},
+        lab_panel::{LabPanel, PanelAsk},
+        seeded::Seeded,
+    },
     widgets::Look,
 };
 
 use measure::Measure;
-use measure_view::{MeasureAsk, measure_window};
+use measure_view::measured;
 
 /// The lab's part of the window.
 #[derive(Default)]
@@ -43,24 +47,30 @@ impl LabPanel for LinesPanel {
 
 impl Bench for LinesPanel {
     fn show(&mut self, ui: &mut Ui, look: Look<'_>, scene: &Scene) -> bool {
-        match measure_window(ui, look, self.measure.as_ref()) {
-            Some(MeasureAsk::Start) => {
-                self.measure = scene
-                    .get()
-                    .map(|scene| Measure::new(scene, self.batch.seed));
-                ui.ctx().request_repaint();
-                true
-            }
-            Some(MeasureAsk::Close) => false,
-            None => true,
+        ui.set_max_width(560.0_f32.min(ui.ctx().content_rect().width() - 48.0));
+        let known = self.measure.as_ref();
+        let about = look.say("measure-about");
+        bench::head(ui, look, "measure-title", about, known);
+        if let Some(known) = known {
+            measured(ui, look, known);
         }
+        let is_busy = known.is_some_and(|measure| !measure.is_done());
+        let start = look.say(match known {
+            Some(_) => "measure-again",
+            None => "measure-start",
+        });
+        ui.horizontal(|ui| {
+            if ui.add_enabled(!is_busy, Button::new(start)).clicked() {
+                let scene = scene.get();
+                self.measure = scene.map(|scene| Measure::new(scene, self.batch.seed));
+                ui.ctx().request_repaint();
+            }
+            !ui.button(look.say("action-close")).clicked()
+        })
+        .inner
     }
 
     fn work(&mut self, clock: &dyn Fn() -> f64) -> bool {
-        let Some(measure) = self.measure.as_mut().filter(|measure| !measure.is_done()) else {
-            return false;
-        };
-        measure.work(clock);
-        true
+        bench::work_on(self.measure.as_mut(), clock)
     }
 }

@@ -11,48 +11,79 @@ use egui::Ui;
 use crate::{
     geom::Mesh,
     labs::{
-        Edit,
+        self, Edit, Lab,
         space::{Model, NamedMesh, Picture, Scene, SpaceChange},
     },
-    panels::{PanelAsk, Seeded},
+    panels::{
+        bench::Bench,
+        lab_panel::{LabPanel, PanelAsk},
+        seeded::Seeded,
+    },
     widgets::Look,
 };
 
-pub use street_bench::{StreetBench, StreetCosts};
+pub use street_bench::StreetCosts;
 
-/// What the menu of such a lab remembers that is no part of the scene.
-pub struct SpaceMenu {
+use street_bench::{StreetBench, View};
+
+/// The first part of a lab's menu, where it has one of its own; what was asked for.
+type Form = fn(&mut Ui, Look<'_>, &Scene) -> Option<PanelAsk>;
+
+/// The part of the window of a lab in three dimensions, whose costs are `C`.
+pub struct SpacePanel<C> {
+    lab: &'static dyn Lab,
+    form: Form,
+    /// The street that is asked for next.
     street: Seeded,
+    costs: StreetBench<C>,
 }
 
-impl Default for SpaceMenu {
-    fn default() -> Self {
+impl<C> SpacePanel<C> {
+    /// Of a lab whose menu begins with this form, and whose costs are shown in this way.
+    pub fn new(lab: &'static dyn Lab, form: Form, view: View<C>) -> Self {
         let street = Seeded {
             count: 100,
             seed: 1,
         };
-        Self { street }
+        Self {
+            lab,
+            form,
+            street,
+            costs: StreetBench::new(view),
+        }
     }
 }
 
-impl SpaceMenu {
-    /// The camera's form, the objects' and the street's; what was asked for.
-    pub fn show(&mut self, ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
+impl<C: StreetCosts> LabPanel for SpacePanel<C> {
+    fn lab(&self) -> &'static dyn Lab {
+        self.lab
+    }
+
+    fn menu(&mut self, ui: &mut Ui, look: Look<'_>, scene: &labs::Scene) -> Option<PanelAsk> {
+        let scene = scene.get()?;
+        let first = (self.form)(ui, look, scene);
         let camera = camera::form(ui, look, scene);
         let objects = objects::rows(ui, look, scene);
         let street = objects::street(ui, look, &mut self.street);
-        camera.or(objects).or(street)
+        first.or(camera).or(objects).or(street)
     }
-}
 
-/// What puts a mesh of this name into a scene.
-pub fn add_mesh(name: &str, mesh: &Mesh, picture: Option<&Picture>) -> Edit {
-    let model = Model::Mesh(Arc::new(NamedMesh {
-        name: name.to_owned(),
-        mesh: mesh.clone(),
-        picture: picture.cloned(),
-    }));
-    Edit::own(SpaceChange::Add(model))
+    fn add_mesh(&self, name: &str, mesh: &Mesh, picture: Option<&Picture>) -> Option<Edit> {
+        let model = Model::Mesh(Arc::new(NamedMesh {
+            name: name.to_owned(),
+            mesh: mesh.clone(),
+            picture: picture.cloned(),
+        }));
+        Some(Edit::own(SpaceChange::Add(model)))
+    }
+
+    fn measures(&self) -> bool {
+        true
+    }
+
+    fn bench(&mut self) -> Option<&mut dyn Bench> {
+        Some(&mut self.costs)
+    }
 }
 
 /// What the menu asks for once.

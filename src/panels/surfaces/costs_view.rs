@@ -6,7 +6,10 @@ use egui_plot::LineStyle;
 use crate::{
     labs::surfaces::{SurfaceCounts, fitted_slope},
     paint::theme,
-    panels::{PowerLine, power_plot, space::StreetCosts},
+    panels::{
+        bench::Costs,
+        plots::{PowerLine, power_plot},
+    },
     text::{Message, Value},
     widgets::Look,
 };

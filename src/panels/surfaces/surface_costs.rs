@@ -5,7 +5,7 @@ use crate::{
         space::Scene,
         surfaces::{SurfaceCounting, SurfaceCounts},
     },
-    panels::space::StreetCosts,
+    panels::{bench::Costs, space::StreetCosts},
     text::Message,
 };
 
@@ -35,7 +35,6 @@ impl SurfaceCosts {
 impl StreetCosts for SurfaceCosts {
     const TITLE_KEY: &'static str = "surface-costs-title";
     const NOTE_KEY: &'static str = "surface-costs-note";
-    const N_STREETS: usize = SWEEP.len();
 
     fn new(scene: &Scene) -> Self {
         Self {
@@ -54,8 +53,21 @@ impl StreetCosts for SurfaceCosts {
         raster(&self.scene) == raster(scene)
     }
 
-    fn n_known(&self) -> usize {
-        self.sweep.len()
+    fn about(&self) -> Message {
+        let [columns, rows] = self.size().map(|side| side as usize);
+        Message::new("surface-costs-about")
+            .with("columns", columns)
+            .with("rows", rows)
+    }
+}
+
+impl Costs for SurfaceCosts {
+    fn is_done(&self) -> bool {
+        self.sweep.len() == SWEEP.len()
+    }
+
+    fn progress(&self) -> f32 {
+        self.sweep.len() as f32 / SWEEP.len() as f32
     }
 
     /// A street made ready, or a part of its counts.
@@ -70,34 +82,24 @@ impl StreetCosts for SurfaceCosts {
             self.current = None;
         }
     }
-
-    fn about(&self) -> Message {
-        let [columns, rows] = self.size().map(|side| side as usize);
-        Message::new("surface-costs-about")
-            .with("columns", columns)
-            .with("rows", rows)
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::labs::surfaces::first_scene;
+    use crate::{
+        labs::surfaces::first_scene,
+        panels::bench::{ticking, work_on},
+    };
 
     #[test]
     fn every_street_is_counted_and_then_it_rests() {
         let mut scene = first_scene();
         scene.raster = scene.raster.with_rows(4);
         let mut costs = SurfaceCosts::new(&scene);
-        // A clock that a test can rely on: each look at it takes a moment.
-        let ticks = std::cell::Cell::new(0.0);
-        let clock = || {
-            ticks.set(ticks.get() + 1e-3);
-            ticks.get()
-        };
+        let clock = ticking(1e-3);
         let mut n_frames = 0;
-        while !costs.is_done() {
-            costs.work(&clock);
+        while work_on(Some(&mut costs), &clock) {
             n_frames += 1;
         }
         assert!(n_frames > 1, "spread over frames: {n_frames}");

@@ -19,9 +19,8 @@ use crate::{
 };
 
 use super::{
-    super::Look,
-    links::Links,
-    on_slate::OnSlate,
+    super::look::Look,
+    on_slate::{Links, OnSlate},
     slate::{Face, LEAST_SCALE, Slate, wash},
 };
 

@@ -23,11 +23,11 @@ use crate::{
 };
 
 use super::{
-    super::Look,
-    links::Links,
-    on_slate::OnSlate,
+    super::look::Look,
+    on_slate::{Links, OnSlate},
     slate::{Face, Slate},
 };
+
 use plan::{LETTER, LINE, NAME_SIZE, PAD, Plan};
 
 const COORDINATE_SIZE: f32 = 12.5;

@@ -14,12 +14,11 @@ use crate::{
     figure::{Gauge, Gauges, Role},
     paint::Typeset,
     text::{Notation, Value},
-    widgets::Look,
 };
 
 use super::{
-    links::Links,
-    on_slate::OnSlate,
+    super::look::Look,
+    on_slate::{Links, OnSlate},
     slate::{Face, Slate, Style, colour, text_colour},
 };
 

@@ -19,16 +19,16 @@ use crate::{
     figure::{ArrowKind, Graph, GraphArrow, GraphNode, NodeStage, Role},
     paint::{Typeset, crosses},
     text::{Notation, Value},
-    widgets::Look,
 };
 
 use super::{
-    links::Links,
-    on_slate::OnSlate,
+    super::look::Look,
+    on_slate::{Links, OnSlate},
     raster::tone,
     slate::{Face, Slate, text_colour},
     table::more,
 };
+
 use arrows::Route;
 use plan::{Chip, NAME_PTS, Plan};
 

@@ -16,12 +16,12 @@ use egui::{Align2, Painter, Pos2, Rect, pos2, vec2};
 use crate::figure::{ListColumn, ListLink, ListRow, Lists, Role};
 
 use super::{
-    super::Look,
-    links::Links,
-    on_slate::OnSlate,
+    super::look::Look,
+    on_slate::{Links, OnSlate},
     slate::{Face, Slate},
     table::more,
 };
+
 use chip::chip;
 use plan::{
     Column, FOLD_SIZE, HEADING_SIZE, LANE, LEGEND_GAP, LEGEND_SIZE, MARKER, Plan, TITLE_SIZE,

@@ -15,12 +15,11 @@ use egui::{Align2, Color32, Painter, Pos2, Rect, Vec2, pos2, vec2};
 use crate::{
     figure::{MatrixProduct, MatrixRow},
     text::{Formula, Notation, Value},
-    widgets::Look,
 };
 
 use super::{
-    links::Links,
-    on_slate::OnSlate,
+    super::look::Look,
+    on_slate::{Links, OnSlate},
     slate::{Face, Slate, Style},
 };
 

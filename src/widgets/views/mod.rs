@@ -5,7 +5,6 @@ mod clipper_row;
 mod fold;
 mod gauges;
 mod graph;
-mod links;
 mod lists;
 mod matrix;
 mod multiples;
@@ -27,13 +26,13 @@ use egui::{Rect, Role, Sense, Ui, WidgetInfo};
 
 use crate::figure::{Body, Link, View};
 
-use super::Look;
+use super::look::Look;
+
 pub use space::{
     covered, picture_viewport, projected, space, title as title_of_space, title_ground, under_title,
 };
 
-use links::Links;
-use on_slate::OnSlate;
+use on_slate::{Links, OnSlate};
 
 /// Draws a view of any kind but the drawing in `rect`, from its top; what it shows under the pointer.
 #[expect(

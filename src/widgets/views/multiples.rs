@@ -13,12 +13,11 @@ use egui::{Align2, Painter, Rect, StrokeKind, vec2};
 use crate::{
     figure::{Multiples, SmallDrawing},
     paint::{Around, Viewport, stage},
-    widgets::Look,
 };
 
 use super::{
-    links::Links,
-    on_slate::OnSlate,
+    super::look::Look,
+    on_slate::{Links, OnSlate},
     slate::{Face, Slate},
 };
 

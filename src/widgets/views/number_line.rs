@@ -19,7 +19,12 @@ use crate::{
     text::{Formula, Notation, Value},
 };
 
-use super::{super::Look, links::Links, on_slate::OnSlate, slate::Slate};
+use super::{
+    super::look::Look,
+    on_slate::{Links, OnSlate},
+    slate::Slate,
+};
+
 use axis::{ABOVE, NumberAxis};
 
 /// Below it: 0 and 1, and a bound with a stacked fraction.

@@ -1,8 +1,11 @@
-//! What a kind of view has to say so that it is drawn: its slate, its picture, its words.
+//! What a kind of view has to say so that it is drawn: its slate, its picture, its words; and which part of it is under the
+//! pointer, and which lights up.
 
-use egui::{Painter, Rect};
+use egui::{Painter, Pos2, Rect};
 
-use super::{super::Look, links::Links, slate::Slate};
+use crate::figure::Link;
+
+use super::{super::look::Look, slate::Slate};
 
 /// A view that is drawn on a slate of its own.
 pub trait OnSlate {
@@ -12,4 +15,25 @@ pub trait OnSlate {
     fn draw(&self, slate: &mut Slate<'_>, rect: Rect, links: &mut Links);
     /// All that it shows, in words.
     fn spoken(&self, look: Look<'_>) -> String;
+}
+
+/// The pointer, what stands out, and what was found.
+pub struct Links {
+    /// What stands out, here and elsewhere.
+    pub lit: Option<Link>,
+    /// Where the pointer is, if it is on the view.
+    pub pointer: Option<Pos2>,
+    /// What it is on.
+    pub pointed: Option<Link>,
+}
+
+impl Links {
+    /// A part with this link takes this place: does it stand out?
+    pub fn touch(&mut self, place: Rect, link: Option<Link>) -> bool {
+        let is_near = self.pointer.is_some_and(|pointer| place.contains(pointer));
+        if is_near && link.is_some() {
+            self.pointed = link;
+        }
+        link.is_some() && (is_near || link == self.lit)
+    }
 }

@@ -23,9 +23,8 @@ use crate::{
 };
 
 use super::{
-    super::Look,
-    links::Links,
-    on_slate::OnSlate,
+    super::look::Look,
+    on_slate::{Links, OnSlate},
     slate::{Face, Slate},
 };
 

@@ -6,12 +6,11 @@ use crate::{
     figure::{Link, Raster, RasterMark, RasterShape, Role},
     paint::Theme,
     text::Value,
-    widgets::Look,
 };
 
 use super::{
-    links::Links,
-    on_slate::OnSlate,
+    super::look::Look,
+    on_slate::{Links, OnSlate},
     slate::{Face, Slate, colour},
 };
 

@@ -14,12 +14,11 @@ use crate::{
     figure::{Ribbon, RibbonStage},
     paint::Typeset,
     text::Value,
-    widgets::Look,
 };
 
 use super::{
-    links::Links,
-    on_slate::OnSlate,
+    super::look::Look,
+    on_slate::{Links, OnSlate},
     slate::{Face, Slate},
 };
 

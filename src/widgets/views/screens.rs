@@ -12,12 +12,11 @@ use egui::{Align2, Painter, Rect, vec2};
 use crate::{
     figure::{Screen, Screens},
     paint::{self, Around, Viewport},
-    widgets::Look,
 };
 
 use super::{
-    links::Links,
-    on_slate::OnSlate,
+    super::look::Look,
+    on_slate::{Links, OnSlate},
     slate::{Face, Slate, text_colour},
 };
 

@@ -9,7 +9,7 @@ use crate::{
     text::{Formula, Message, Notation, Piece, Value},
 };
 
-use super::super::Look;
+use super::super::look::Look;
 
 /// Text is not set smaller than this part of its natural size: what has still no room is folded, or left out.
 pub const LEAST_SCALE: f32 = 0.6;

@@ -7,10 +7,12 @@ use egui::{Align2, Context, Id, Pos2, Rect, Role, Sense, StrokeKind, Ui, WidgetI
 use crate::{
     figure::{ColumnLayout, Lens, Link, Mark, Projected, Space, ViewId},
     paint::{self, Around, Typeset, Viewport},
-    widgets::{Look, hit, rect_of},
 };
 
-use super::slate::{Face, Slate};
+use super::{
+    super::{composed::rect_of, hit, look::Look},
+    slate::{Face, Slate},
+};
 
 /// Of a camera's picture: its frame, and the size of its title.
 const FRAME: f32 = 1.5;

@@ -15,12 +15,11 @@ use crate::{
     figure::{CellStage, Lens, SpaceCell, SpaceRow},
     paint::{self, Around},
     text::Notation,
-    widgets::Look,
 };
 
 use super::{
-    links::Links,
-    on_slate::OnSlate,
+    super::look::Look,
+    on_slate::{Links, OnSlate},
     slate::{Face, Slate},
     space::{picture_viewport, projected},
 };

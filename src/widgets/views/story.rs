@@ -21,12 +21,11 @@ use egui::{Painter, Rect, vec2};
 use crate::{
     figure::{CellStage, Story, StoryCard},
     text::{Notation, Value},
-    widgets::Look,
 };
 
 use super::{
-    links::Links,
-    on_slate::OnSlate,
+    super::look::Look,
+    on_slate::{Links, OnSlate},
     slate::{LEAST_SCALE, Slate},
     table::more,
 };

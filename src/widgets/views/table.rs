@@ -10,10 +10,9 @@ use crate::{
 };
 
 use super::{
-    super::Look,
+    super::look::Look,
     fold::Fold,
-    links::Links,
-    on_slate::OnSlate,
+    on_slate::{Links, OnSlate},
     slate::{Face, LEAST_SCALE, Slate, Style, text_colour, wash},
 };
 

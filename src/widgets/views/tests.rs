@@ -6,7 +6,12 @@ mod data;
 
 use egui::{Rect, Vec2, pos2, vec2};
 
-use super::{super::Look, body_of, links::Links, on_slate::OnSlate, slate::Slate};
+use super::{
+    super::look::Look,
+    body_of,
+    on_slate::{Links, OnSlate},
+    slate::Slate,
+};
 use crate::{
     figure::{Body, NumberLine, View},
     lesson::Course,

@@ -8,8 +8,8 @@ use crate::{
     case::{self, Field, Refusal, SolveTold, Solver, Told},
     figure::{Link, Mark, Run},
     labs::{
-        Click, Document, Edit, Handle, HandleKind, Lab, MethodCard, Motion, Own, Scene,
-        telling::Recorded,
+        Answers, Backdrop, Click, Document, Edit, Handle, HandleKind, Hands, Lab, MethodCard,
+        Motion, Own, Scene, telling::Recorded,
     },
     lesson::{SceneFormat, Sink, TomlFields, number},
     panels::{LabPanel, PanelAsk},
@@ -76,6 +76,36 @@ pub struct BoxScene {
     pub c: f64,
 }
 
+impl Backdrop for BoxScene {
+    fn backdrop(&self, _: usize, _: bool) -> Vec<Mark> {
+        Vec::new()
+    }
+
+    fn bounds(&self) -> [[f64; 2]; 2] {
+        [[-1.0; 2], [1.0; 2]]
+    }
+}
+
+impl Hands for BoxScene {
+    fn handles(&self) -> Vec<Handle> {
+        vec![face()]
+    }
+
+    fn position(&self, handle: Handle) -> Option<[f64; 3]> {
+        handle.is(&FACE).then_some([self.half, 0.0, 0.0])
+    }
+
+    fn drag(&mut self, _: Handle, [x, ..]: [f64; 3]) -> Result<(), Diagnostic> {
+        if !x.is_finite() || x <= 0.0 {
+            return Err(Message::new("error-not-finite").into());
+        }
+        self.half = x;
+        Ok(())
+    }
+}
+
+impl Answers for BoxScene {}
+
 impl Document for BoxScene {
     fn lab(&self) -> &'static dyn Lab {
         LAB
@@ -93,30 +123,6 @@ impl Document for BoxScene {
         N_RECORDED.set(N_RECORDED.get() + 1);
         let &Self { half, c } = self;
         vec![Box::new(Recorded::<Corners>::new(Input { half, c }, None))]
-    }
-
-    fn backdrop(&self, _: usize, _: bool) -> Vec<Mark> {
-        Vec::new()
-    }
-
-    fn bounds(&self) -> [[f64; 2]; 2] {
-        [[-1.0; 2], [1.0; 2]]
-    }
-
-    fn handles(&self) -> Vec<Handle> {
-        vec![face()]
-    }
-
-    fn position(&self, handle: Handle) -> Option<[f64; 3]> {
-        handle.is(&FACE).then_some([self.half, 0.0, 0.0])
-    }
-
-    fn drag(&mut self, _: Handle, [x, ..]: [f64; 3]) -> Result<(), Diagnostic> {
-        if !x.is_finite() || x <= 0.0 {
-            return Err(Message::new("error-not-finite").into());
-        }
-        self.half = x;
-        Ok(())
     }
 
     fn add(&mut self, _: Option<Handle>) -> Result<Option<Handle>, Diagnostic> {

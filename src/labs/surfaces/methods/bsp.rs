@@ -1,36 +1,42 @@
 //! A tree of planes, shown: the plane at work in space, the picture so far, the tree growing and then walked.
 
-mod captions;
+mod names;
 mod tree;
 
 use serde_json::{Value as Json, json};
 
 use crate::{
-    algo::surface::{
-        Bsp, BspChoice, BspEvent as Event, BspInput, BspOutput, BspSide, BspState as State,
-        Surfaces,
-    },
+    algo::surface::{Bsp, BspChoice, BspEvent as Event, BspInput, BspOutput, BspSide, Surfaces},
     figure::{
-        Body, Caption, Mark3, Raster, Role, Shape3, Tick, View, Watch, WatchRow, WatchSection,
+        Body, Mark3, Raster, Role, Shape3,
+        Tick::{self, Accept, Cut, Phase, Test},
+        View,
     },
     geom::Camera,
     labs::{
-        Answer, CodeLine, Demo, Step, code_line,
+        Answer, CodeLine, code_line,
         space::{
-            OnScene, OnSceneInput, Scene, Subject, demo::SpaceDemo, soup::surfaces_on_raster,
-            stage::Fate,
+            Scene, SpaceTelling, Subject,
+            soup::surfaces_on_raster,
+            stage::{Fate, Scenery},
         },
+        telling::{At, Named, Row, Telling, Watched, rows},
     },
-    text::Value,
+    trace::told::Step,
 };
 
-use super::on_raster::{faces, fitting, lettered_or_outlined, name_of, opening, outline, pixels};
-use captions::Input;
-
-type Shown = OnScene<Bsp>;
+use super::on_raster::{
+    self, faces, fitting, lettered_or_outlined, name_of, outline, pixels, raster_so_far,
+};
 
 const RASTER_VIEW: &str = "raster";
 const TREE_VIEW: &str = "tree";
+
+const NODE: usize = 0;
+const ASK: usize = 1;
+const CUT: usize = 2;
+const VISIT: usize = 3;
+const PAINT: usize = 4;
 
 impl Answer for BspOutput {
     fn json(&self) -> Json {
@@ -50,18 +56,49 @@ fn input_of(surfaces: Surfaces) -> BspInput {
     }
 }
 
-impl SpaceDemo for Shown {
+impl SpaceTelling for Bsp {
     const SUBJECT: Subject = Subject::Surfaces;
 
-    fn input(scene: &Scene) -> Input {
+    fn input(scene: &Scene) -> BspInput {
         /// A longer run cannot be followed.
         const MOST_FACES: usize = 300;
-        let surfaces = surfaces_on_raster(scene).first(MOST_FACES);
-        OnSceneInput::of(scene, input_of(surfaces))
+        input_of(surfaces_on_raster(scene).first(MOST_FACES))
     }
 }
 
-impl Demo for Shown {
+rows! { |event, _step: Bsp|
+    root: Event::Node { parent: None, .. } => node("bsp-node-root");
+    back: Event::Node { parent: Some((_, BspSide::Back)), .. } => node("bsp-node-back");
+    front: Event::Node { .. } => node("bsp-node-front");
+    ask_front: Event::Ask { side: BspSide::Front, .. } => asked(Test, ASK, "bsp-ask-front");
+    ask_back: Event::Ask { side: BspSide::Back, .. } => asked(Test, ASK, "bsp-ask-back");
+    ask_on: Event::Ask { side: BspSide::On, .. } => asked(Test, ASK, "bsp-ask-on").keeps("piece");
+    ask_cut: Event::Ask { side: BspSide::Cut, .. } => asked(Cut, CUT, "bsp-ask-cut").cuts("piece");
+    built: Event::Built { .. } => Row::new(Accept, ASK, "bsp-built");
+    visit_front: Event::Visit { eye: BspSide::Front, .. } => visited("bsp-visit-front");
+    visit_back: Event::Visit { eye: BspSide::Back, .. } => visited("bsp-visit-back");
+    visit_on: Event::Visit { .. } => visited("bsp-visit-on");
+    paint: Event::Paint { .. } => Row::new(Test, PAINT, "bsp-paint").about("piece");
+    done: Event::Done => Row::new(Accept, PAINT, "bsp-done");
+}
+
+const fn node(key: &'static str) -> Row {
+    Row::new(Phase, NODE, key).about("triangle")
+}
+
+const fn asked(tick: Tick, line: usize, key: &'static str) -> Row {
+    let row = Row::new(tick, line, key).so(&["{distances}"]);
+    row.answers("side").about("piece")
+}
+
+const fn visited(key: &'static str) -> Row {
+    let row = Row::new(Phase, VISIT, key).so(&["~ d = {eye}"]);
+    row.answers("eye").about("triangle")
+}
+
+impl Telling for Bsp {
+    type Scenery = Scenery;
+
     const ID: &'static str = "bsp";
     const NAME_KEY: &'static str = "alg-bsp";
     const SOURCE: &'static str = "Fuchs, Kedem & Naylor, 1980";
@@ -72,76 +109,51 @@ impl Demo for Shown {
         code_line(0, "code-bsp-visit", "words-bsp-visit"),
         code_line(1, "code-bsp-paint", "words-bsp-paint"),
     ];
+    const ROWS: &'static [Row] = ROWS;
+    const WATCH: &'static [Watched] = &[Watched::Names(&[
+        "watch-nodes",
+        "watch-pieces",
+        "watch-visited",
+        "watch-painted",
+    ])];
 
-    fn tick(event: &Event) -> Tick {
-        match event {
-            Event::Node { .. } | Event::Visit { .. } => Tick::Phase,
-            Event::Ask {
-                side: BspSide::Cut, ..
-            } => Tick::Cut,
-            Event::Ask { .. } | Event::Paint { .. } => Tick::Test,
-            Event::Built { .. } | Event::Done => Tick::Accept,
-        }
+    fn row(step: &Step<'_, Self>) -> &'static Row {
+        row(step)
     }
 
-    fn code_line(event: &Event, _: &State) -> usize {
-        match event {
-            Event::Node { .. } => 0,
-            Event::Ask {
-                side: BspSide::Cut, ..
-            } => 2,
-            Event::Ask { .. } | Event::Built { .. } => 1,
-            Event::Visit { .. } => 3,
-            Event::Paint { .. } | Event::Done => 4,
-        }
+    fn opening(at: &At<'_, Self>) -> &'static Row {
+        const OPENING: Row = Row::new(Phase, NODE, "bsp-opening");
+        on_raster::opening(&OPENING, at.step.input.surfaces(), at.scenery)
     }
 
-    fn caption(event: &Event, before: &State, input: &Input) -> Caption {
-        captions::caption(event, before, input)
+    fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
+        names::named(at, name)
     }
 
-    fn opening(input: &Input) -> Caption {
-        opening("bsp-opening", input.own.surfaces().triangles().len(), input)
-    }
-
-    fn views(step: &Step<'_, Self>) -> Vec<View> {
-        let Some(scenery) = step.input.scenery.as_deref() else {
+    fn views(at: &At<'_, Self>) -> Vec<View> {
+        let Some(scenery) = at.scenery else {
             return Vec::new();
         };
         let scene = scenery.scene();
-        let look = faces([(own(step), Role::Accent)], scene);
-        let marks = marks(step, scene.camera.camera());
-        let mut views = vec![
+        let look = faces([(own(at), Role::Accent)], scene);
+        let marks = marks(at, scene.camera.camera());
+        let views = vec![
             scenery.observer_with(|_| Fate::ToCome, look, marks),
-            View::new(RASTER_VIEW, Body::Raster(raster(step))),
+            View::new(RASTER_VIEW, Body::Raster(raster(at))),
+            View::new(TREE_VIEW, Body::Graph(tree::tree(at, scene))),
         ];
-        let tree = tree::tree(step.state, step.event, step.input, scene);
-        views.push(View::new(TREE_VIEW, Body::Graph(tree)));
         fitting(scenery, views)
-    }
-
-    fn watch(step: &Step<'_, Self>) -> Watch {
-        let state = step.state;
-        let n_pieces = state.pieces().count() - state.n_cut();
-        let row = |key, n| WatchRow::new(Value::Term(key), Some(Value::Count(n)));
-        let rows = vec![
-            row("watch-nodes", state.nodes.len()),
-            row("watch-pieces", n_pieces),
-            row("watch-visited", state.visited.len()),
-            row("watch-painted", state.painted.len()),
-        ];
-        vec![WatchSection::list(rows)]
     }
 }
 
 /// The triangle whose plane is at work.
-fn own(step: &Step<'_, Shown>) -> Option<u32> {
-    let node = step.state.nodes.get(step.state.node? as usize);
-    node.map(|node| node.id)
+fn own(at: &At<'_, Bsp>) -> Option<u32> {
+    let node = names::node_of(at.step.event()?)?;
+    Some(at.step.held.nodes[node as usize].id)
 }
 
 /// The plane at work as a wash, and the piece that is asked, or its parts.
-fn marks(step: &Step<'_, Shown>, camera: &Camera) -> Vec<Mark3> {
+fn marks(at: &At<'_, Bsp>, camera: &Camera) -> Vec<Mark3> {
     let world = |corners: &[[f64; 3]]| -> Vec<[f64; 3]> {
         corners
             .iter()
@@ -149,26 +161,26 @@ fn marks(step: &Step<'_, Shown>, camera: &Camera) -> Vec<Mark3> {
             .collect()
     };
     let mut marks = Vec::new();
-    let triangles = step.input.own.surfaces().triangles();
-    if let Some(triangle) = own(step).and_then(|id| triangles.get(id as usize)) {
+    let triangles = at.step.input.surfaces().triangles();
+    if let Some(triangle) = own(at).and_then(|id| triangles.get(id as usize)) {
         let sheet = world(&in_its_plane(triangle));
         marks.push(Mark3::new(Role::Accent, Shape3::Wash(sheet.clone())));
         marks.push(Mark3::new(Role::Accent, Shape3::Outline(sheet)).fine());
     }
-    let state = step.state;
-    let asked = state.asked.filter(|_| !state.is_built);
-    let painted = state
-        .painted
-        .last()
-        .filter(|_| matches!(step.event, Some(Event::Paint { .. })));
-    let shown: Vec<u32> = match (asked, painted) {
-        (Some((_, _, Some(parts))), _) => parts.to_vec(),
-        (Some((piece, _, None)), _) | (None, Some(&piece)) => vec![piece],
-        (None, None) => Vec::new(),
+    let shown = match at.step.event() {
+        Some(Event::Ask {
+            parts: Some(parts), ..
+        }) => parts.to_vec(),
+        Some(Event::Ask { piece, .. } | Event::Paint { piece, .. }) => vec![piece],
+        Some(Event::Node { .. } | Event::Built { .. } | Event::Visit { .. } | Event::Done)
+        | None => Vec::new(),
     };
-    for piece in shown.into_iter().filter_map(|number| state.piece(number)) {
+    for piece in shown
+        .iter()
+        .map(|&piece| &at.step.held.pieces[piece as usize])
+    {
         let outline = Shape3::Outline(world(&piece.polygon));
-        let name = captions::piece_name(step.input, piece);
+        let name = names::piece_name(at.scenery, piece);
         marks.push(Mark3::new(Role::Signal, outline).labelled(name));
     }
     marks
@@ -194,30 +206,14 @@ fn in_its_plane(triangle: &[[f64; 3]; 3]) -> [[f64; 3]; 4] {
     ]
 }
 
-fn raster(step: &Step<'_, Shown>) -> Raster {
-    let surfaces = step.input.own.surfaces();
-    let [columns, rows] = surfaces.size().map(|side| side as usize);
-    let own = own(step);
-    let picture = &step.state.so_far.picture;
-    let others = surfaces
-        .ids()
-        .filter(|id| !step.state.is_built && Some(*id) != own);
-    let letters = lettered_or_outlined(surfaces, picture, !step.state.is_built, |id| {
-        name_of(step.input, id)
-    });
-    let mut over: Vec<_> = others
-        .flat_map(|id| outline(surfaces, id, Role::Soft))
-        .collect();
-    over.extend(
-        own.into_iter()
-            .flat_map(|id| outline(surfaces, id, Role::Accent)),
-    );
-    Raster {
-        title: Value::Term("raster-so-far"),
-        size: [columns, rows],
-        pixels: pixels(picture, own, letters),
-        scale: None,
-        current: None,
-        over,
-    }
+fn raster(at: &At<'_, Bsp>) -> Raster {
+    let (surfaces, picture) = (at.step.input.surfaces(), &at.step.held.picture);
+    let (own, is_built) = (own(at), names::is_built(at.step.past));
+    let name = |id| name_of(at.scenery, id);
+    let letters = lettered_or_outlined(surfaces, picture, !is_built, name);
+    let others = surfaces.ids().filter(|id| !is_built && Some(*id) != own);
+    let others = others.map(|id| (id, Role::Soft));
+    let over = others.chain(own.map(|id| (id, Role::Accent)));
+    let over = over.flat_map(|(id, role)| outline(surfaces, id, role));
+    raster_so_far(surfaces, pixels(picture, own, letters), over.collect())
 }

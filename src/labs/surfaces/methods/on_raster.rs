@@ -1,21 +1,25 @@
 //! What all methods draw: the picture in large pixels, the ray through one of them in space.
 
-use std::collections::{BTreeMap, HashMap};
+use std::{
+    cmp::Ordering,
+    collections::{BTreeMap, HashMap},
+};
 
 use crate::{
     algo::{
         surface::{DepthBuffer, DepthBufferInput, Picture, Rays, Surfaces},
         volume::{ClipSpace, ClipVertex, HomogeneousLine, HomogeneousTriangle, LineInput},
     },
-    figure::{Body, Caption, Mark3, Pixel, RasterMark, RasterShape, Role, Shape3, View},
+    figure::{Body, Mark3, Pixel, Raster, RasterMark, RasterShape, Role, Shape3, Tick, View},
     geom::{Camera, Plane},
     labs::{
         Document,
         space::{
-            OnSceneInput, Scene,
-            soup::{place_of, surface_name},
+            Scene,
+            soup::{place_of, surface_link, surface_name},
             stage::{FaceLook, Fate, Scenery},
         },
+        telling::{Named, Row},
     },
     text::{Message, Value},
     trace::{silent, told},
@@ -33,22 +37,58 @@ pub fn depth_list(depths: &[f64]) -> Vec<Option<f64>> {
 }
 
 /// What a triangle is called: `A₇`, or its number where there is no scene.
-pub fn name_of<I>(input: &OnSceneInput<I>, id: u32) -> Value {
-    let scenery = input.scenery.as_deref();
+pub fn name_of(scenery: Option<&Scenery>, id: u32) -> Value {
     surface_name(scenery.map(Scenery::scene), id)
 }
 
-/// How a run of so many triangles begins; of a scene that has more it says so.
-pub fn opening<I>(key: &'static str, n_triangles: usize, input: &OnSceneInput<I>) -> Caption {
-    let scenery = input.scenery.as_deref();
-    let all = scenery.map_or(n_triangles, |scenery| scenery.scene().size());
-    let key = if all > n_triangles {
-        "surfaces-first"
+/// The same, linked with what is drawn of its object.
+pub fn triangle(scenery: Option<&Scenery>, id: u32) -> Named {
+    Named {
+        link: scenery.and_then(|scenery| surface_link(scenery.scene(), id)),
+        ..name_of(scenery, id).into()
+    }
+}
+
+/// Names that mean the same in every method.
+pub fn named(surfaces: &Surfaces, scenery: Option<&Scenery>, name: &str) -> Option<Named> {
+    let [columns, rows] = surfaces.size().map(|side| side as usize);
+    let n_triangles = surfaces.triangles().len();
+    Some(match name {
+        "columns" => columns.into(),
+        "rows" => rows.into(),
+        "pixels" => surfaces.n_pixels().into(),
+        "triangles" => n_triangles.into(),
+        "all" => scenery
+            .map_or(n_triangles, |scenery| scenery.scene().size())
+            .into(),
+        _ => return None,
+    })
+}
+
+/// How a run on some triangles begins; of a scene that has more it says so.
+pub fn opening(own: &'static Row, surfaces: &Surfaces, scenery: Option<&Scenery>) -> &'static Row {
+    const FIRST: Row = Row::new(Tick::Phase, 0, "surfaces-first");
+    let n_triangles = surfaces.triangles().len();
+    let has_more = scenery.is_some_and(|scenery| scenery.scene().size() > n_triangles);
+    if has_more { &FIRST } else { own }
+}
+
+/// A name where only text can stand; what has none is said by its number.
+pub fn text_of(name: Value, number: usize) -> String {
+    if let Value::Name(name) = name {
+        name
     } else {
-        key
-    };
-    let message = Message::new(key).with("triangles", n_triangles);
-    Caption::new(message.with("all", all))
+        number.to_string()
+    }
+}
+
+/// How two numbers compare.
+pub fn sign(one: f64, other: f64) -> &'static str {
+    match one.total_cmp(&other) {
+        Ordering::Less => "<",
+        Ordering::Equal => "=",
+        Ordering::Greater => ">",
+    }
 }
 
 /// How faces look in space where some triangles stand out: the first that is named counts.
@@ -241,6 +281,23 @@ pub fn segment(surfaces: &Surfaces, ends: [[f64; 3]; 2], role: Role) -> Option<R
     })
 }
 
+/// A sign between two numbers.
+pub fn spaced(sign: &str) -> Named {
+    Value::Name(format!(" {sign} ")).into()
+}
+
+/// The picture so far, over the whole raster.
+pub fn raster_so_far(surfaces: &Surfaces, pixels: Vec<Pixel>, over: Vec<RasterMark>) -> Raster {
+    Raster {
+        title: Value::Term("raster-so-far"),
+        size: surfaces.size().map(|side| side as usize),
+        pixels,
+        scale: None,
+        current: None,
+        over,
+    }
+}
+
 /// A raster's title; where pixels are wrong, how many.
 pub fn titled(title: Value, n_wrong: usize) -> Value {
     if n_wrong == 0 {
@@ -251,7 +308,7 @@ pub fn titled(title: Value, n_wrong: usize) -> Value {
 
 /// A cross on each pixel that shows another surface than the one in front, by a depth buffer that rounds nothing.
 pub fn wrong_pixels(surfaces: &Surfaces, picture: &Picture) -> Vec<RasterMark> {
-    let truth = silent::<DepthBuffer>(&DepthBufferInput::new(surfaces.clone()));
+    let truth = told::silent::<DepthBuffer>(&DepthBufferInput::new(surfaces.clone()));
     let [width, _] = surfaces.size().map(|side| side as usize);
     let pairs = picture.ids().iter().zip(truth.picture.ids()).enumerate();
     let wrong = pairs.filter(|(_, (shown, seen))| shown != seen);

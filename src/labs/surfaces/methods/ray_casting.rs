@@ -1,27 +1,34 @@
 //! Ray casting, shown: the ray with its hits in space and on its own axis, every question, the picture so far.
 
+mod names;
 mod views;
 
 use serde_json::{Value as Json, json};
 
 use crate::{
     algo::surface::{
-        Meeting, PlaneHit, RayCasting, RayCastingEvent as Event, RayCastingInput, RayCastingOutput,
-        RayCastingState as State,
+        Meeting::{BeforeNear, Behind, Beside, BeyondFar, Culled, Hit, Parallel},
+        PlaneHit, RayCasting, RayCastingEvent as Event, RayCastingInput, RayCastingOutput,
     },
-    figure::{Caption, Tick, View, Watch, WatchRow, WatchSection},
+    figure::{
+        Tick::{Accept, Cut, Phase, Reject, Test},
+        View,
+    },
     labs::{
-        Answer, CodeLine, Demo, Step, code_line,
-        space::{OnScene, OnSceneInput, Scene, Subject, demo::SpaceDemo, soup::surfaces_on_raster},
-        words::{name, pixel_formula},
+        Answer, CodeLine, code_line,
+        space::{Scene, SpaceTelling, Subject, soup::surfaces_on_raster, stage::Scenery},
+        telling::{At, Named, Row, Telling, Watched, rows},
     },
-    text::{Formula, Message, Value},
+    trace::told::Step,
 };
 
-use super::on_raster::{depth_list, name_of};
+use super::on_raster::depth_list;
 
-type Input = OnSceneInput<RayCastingInput>;
-type Shown = OnScene<RayCasting>;
+const PIXEL: usize = 0;
+const TRIANGLE: usize = 1;
+const PLANE: usize = 2;
+const INSIDE: usize = 3;
+const NEAREST: usize = 4;
 
 /// More questions than these are not recorded: one ray is, through the pixel that is looked at.
 const MOST_QUESTIONS: usize = 100_000;
@@ -32,10 +39,10 @@ impl Answer for RayCastingOutput {
     }
 }
 
-impl SpaceDemo for Shown {
+impl SpaceTelling for RayCasting {
     const SUBJECT: Subject = Subject::Surfaces;
 
-    fn input(scene: &Scene) -> Input {
+    fn input(scene: &Scene) -> RayCastingInput {
         let surfaces = surfaces_on_raster(scene);
         let size = surfaces.size();
         let is_long = surfaces.n_pixels() * surfaces.triangles().len() > MOST_QUESTIONS;
@@ -45,24 +52,55 @@ impl SpaceDemo for Shown {
             .pixel
             .filter(|at| (0..2).all(|i| at[i] < size[i]));
         let pixel = asked.or(middle);
-        OnSceneInput::of(scene, RayCastingInput { surfaces, pixel })
+        RayCastingInput { surfaces, pixel }
     }
 }
 
-/// `t = −(n·o + d) / (n·r) = 3.012 / 1.025 = 2.94`
-fn quotient(found: &PlaneHit) -> Formula {
-    let formula = Formula::decimals().sym("t = −(n·o + d) / (n·r) = ");
-    let formula = formula
-        .num(-found.numerator)
-        .sym(" / ")
-        .divisor(found.denominator);
-    match found.t {
-        Some(t) => formula.equals(t),
-        None => formula,
-    }
+rows! { |event, step: RayCasting|
+    pixel: Event::Pixel { .. } => Row::new(Phase, PIXEL, "ray-pixel").so(&["r = {r}"]).about("at");
+    culled: Event::Ask { found: PlaneHit { meeting: Culled, .. }, .. } =>
+        misses(TRIANGLE, "ray-says-culled").so(&[]);
+    parallel: Event::Ask { found: PlaneHit { meeting: Parallel, .. }, .. } =>
+        misses(PLANE, "ray-says-parallel");
+    behind: Event::Ask { found: PlaneHit { meeting: Behind, .. }, .. } =>
+        misses(PLANE, "ray-says-behind");
+    before_near: Event::Ask { found: PlaneHit { meeting: BeforeNear, .. }, .. } =>
+        misses(PLANE, "ray-says-before-near");
+    beyond_far: Event::Ask { found: PlaneHit { meeting: BeyondFar, .. }, .. } =>
+        misses(PLANE, "ray-says-beyond-far");
+    beside: Event::Ask { found: PlaneHit { meeting: Beside, .. }, .. } =>
+        misses(INSIDE, "ray-says-beside");
+    first: Event::Ask { found: PlaneHit { meeting: Hit, .. }, nearest: true, .. }
+        if names::nearest_before(step.past).is_none() => nearest("ray-hit-first");
+    nearer: Event::Ask { found: PlaneHit { meeting: Hit, .. }, nearest: true, .. } =>
+        nearest("ray-hit-nearer");
+    farther: Event::Ask { found: PlaneHit { meeting: Hit, .. }, nearest: false, .. } =>
+        Row::new(Test, INSIDE, "ray-hit-farther").so(QUOTIENT)
+            .answers_as("meets", "ray-answer-farther").drops("triangle");
+    seen: Event::Seen { hit: Some(_), .. } =>
+        Row::new(Accept, NEAREST, "ray-seen").so(&["t = {t}"]).picks("seen", "hits").keeps("at");
+    nothing: Event::Seen { hit: None, .. } =>
+        Row::new(Reject, NEAREST, "ray-seen-nothing").picks("seen", "hits").drops("at");
+    done: Event::Done => Row::new(Accept, NEAREST, "ray-done").so(&["{questions}"]);
 }
 
-impl Demo for Shown {
+const QUOTIENT: &[&str] = &["{quotient}"];
+
+/// A triangle that the ray does not meet.
+const fn misses(line: usize, key: &'static str) -> Row {
+    let row = Row::new(Test, line, key).so(QUOTIENT);
+    row.answers("meets").drops("triangle")
+}
+
+/// The nearest so far.
+const fn nearest(key: &'static str) -> Row {
+    let row = Row::new(Cut, INSIDE, key).so(QUOTIENT);
+    row.answers_as("meets", "ray-hit-first").keeps("triangle")
+}
+
+impl Telling for RayCasting {
+    type Scenery = Scenery;
+
     const ID: &'static str = "ray-casting";
     const NAME_KEY: &'static str = "alg-ray-casting";
     const SOURCE: &'static str = "Appel, 1968";
@@ -73,134 +111,34 @@ impl Demo for Shown {
         code_line(2, "code-ray-inside", "words-ray-inside"),
         code_line(1, "code-ray-nearest", "words-ray-nearest"),
     ];
+    const ROWS: &'static [Row] = ROWS;
+    const WATCH: &'static [Watched] = &[Watched::Names(&[
+        "watch-pixel",
+        "r",
+        "watch-hits",
+        "watch-nearest",
+        "nearest t",
+        "watch-asked",
+    ])];
 
-    fn tick(event: &Event) -> Tick {
-        match event {
-            Event::Pixel { .. } => Tick::Phase,
-            Event::Ask { nearest: true, .. } => Tick::Cut,
-            Event::Ask { .. } => Tick::Test,
-            Event::Seen { hit: Some(_), .. } | Event::Done => Tick::Accept,
-            Event::Seen { hit: None, .. } => Tick::Reject,
-        }
+    fn row(step: &Step<'_, Self>) -> &'static Row {
+        row(step)
     }
 
-    fn code_line(event: &Event, _: &State) -> usize {
-        match event {
-            Event::Pixel { .. } => 0,
-            Event::Ask { found, .. } => match found.meeting {
-                Meeting::Culled => 1,
-                Meeting::Parallel | Meeting::Behind | Meeting::BeforeNear | Meeting::BeyondFar => 2,
-                Meeting::Beside | Meeting::Hit => 3,
-            },
-            Event::Seen { .. } | Event::Done => 4,
-        }
+    fn opening(_: &At<'_, Self>) -> &'static Row {
+        const OPENING: Row = Row::new(Phase, PIXEL, "ray-opening");
+        &OPENING
     }
 
-    fn caption(event: &Event, before: &State, input: &Input) -> Caption {
-        match *event {
-            Event::Pixel { pixel, ray } => {
-                let message = Message::new("ray-pixel").with("at", pixel_formula(pixel));
-                let direction = Formula::decimals().sym("r = ").place(ray.direction);
-                Caption::new(message).so(direction)
-            }
-            Event::Ask {
-                id, found, nearest, ..
-            } => {
-                let key = match (found.meeting, before.nearest) {
-                    (Meeting::Hit, None) => "ray-hit-first",
-                    (Meeting::Hit, Some(_)) if nearest => "ray-hit-nearer",
-                    (Meeting::Hit, Some(_)) => "ray-hit-farther",
-                    (other, _) => meeting_said(other),
-                };
-                let message = Message::new(key).with("triangle", name_of(input, id));
-                let message = match before.nearest {
-                    Some(hit) => message
-                        .with("other", name_of(input, hit.id))
-                        .with("t", Formula::decimals().num(hit.t)),
-                    None => message,
-                };
-                let caption = Caption::new(message);
-                if found.meeting == Meeting::Culled {
-                    caption
-                } else {
-                    caption.so(quotient(&found))
-                }
-            }
-            Event::Seen { pixel, hit, .. } => {
-                let hits = before.hits.len();
-                let message = match hit {
-                    Some(hit) => Message::new("ray-seen").with("triangle", name_of(input, hit.id)),
-                    None => Message::new("ray-seen-nothing"),
-                };
-                let message = message.with("hits", hits).with("at", pixel_formula(pixel));
-                let caption = Caption::new(message);
-                match hit {
-                    Some(hit) => caption.so(Formula::decimals().sym("t = ").num(hit.t)),
-                    None => caption,
-                }
-            }
-            Event::Done => {
-                let rays = input.own.pixel.map_or(input.own.surfaces.n_pixels(), |_| 1);
-                let triangles = input.own.surfaces.triangles().len();
-                let message = Message::new("ray-done").with("rays", rays);
-                let message = message.with("triangles", triangles);
-                let product = Formula::decimals().num(rays as f64).sym(" · ");
-                let product = product.num(triangles as f64);
-                Caption::new(message).so(product.equals(before.so_far.n_asked as f64))
-            }
-        }
+    fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
+        names::named(at, name)
     }
 
-    fn opening(input: &Input) -> Caption {
-        let [columns, rows] = input.own.surfaces.size().map(|side| side as usize);
-        let message = Message::new("ray-opening")
-            .with("columns", columns)
-            .with("rows", rows)
-            .with("rays", input.own.pixel.map_or(columns * rows, |_| 1))
-            .with("triangles", input.own.surfaces.triangles().len());
-        Caption::new(message)
+    fn listed(at: &At<'_, Self>, list: &str) -> Vec<Named> {
+        names::listed(at, list)
     }
 
-    fn views(step: &Step<'_, Self>) -> Vec<View> {
-        views::views(step)
-    }
-
-    fn watch(step: &Step<'_, Self>) -> Watch {
-        let state = step.state;
-        let pixel = state.pixel.map(|(at, _)| Value::Formula(pixel_formula(at)));
-        let direction = state
-            .pixel
-            .map(|(_, ray)| Value::Formula(Formula::decimals().place(ray.direction)));
-        let nearest = state.nearest.map(|hit| name_of(step.input, hit.id));
-        let t = state
-            .nearest
-            .map(|hit| Value::Formula(Formula::decimals().num(hit.t)));
-        let rows = vec![
-            WatchRow::new(Value::Term("watch-pixel"), pixel),
-            WatchRow::new(name("r"), direction),
-            WatchRow::new(
-                Value::Term("watch-hits"),
-                Some(Value::Count(state.hits.len())),
-            ),
-            WatchRow::new(Value::Term("watch-nearest"), nearest),
-            WatchRow::new(name("t"), t),
-            WatchRow::new(
-                Value::Term("watch-asked"),
-                Some(Value::Count(state.so_far.n_asked as usize)),
-            ),
-        ];
-        vec![WatchSection::list(rows)]
-    }
-}
-
-const fn meeting_said(meeting: Meeting) -> &'static str {
-    match meeting {
-        Meeting::Culled => "ray-says-culled",
-        Meeting::Parallel => "ray-says-parallel",
-        Meeting::Behind => "ray-says-behind",
-        Meeting::BeforeNear => "ray-says-before-near",
-        Meeting::BeyondFar => "ray-says-beyond-far",
-        Meeting::Beside => "ray-says-beside",
-        Meeting::Hit => "ray-hit-first",
+    fn views(at: &At<'_, Self>) -> Vec<View> {
+        views::views(at)
     }
 }

@@ -8,7 +8,7 @@ use crate::{
 };
 
 use super::super::{
-    super::Look,
+    super::look::Look,
     fold::Fold,
     slate::{Face, Slate},
     table::more,

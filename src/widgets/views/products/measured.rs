@@ -9,7 +9,7 @@ use crate::{
 };
 
 use super::super::{
-    super::Look,
+    super::look::Look,
     slate::{Face, Slate, colour, text_colour, wash},
 };
 

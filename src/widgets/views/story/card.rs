@@ -8,7 +8,7 @@ use crate::{
 };
 
 use super::super::{
-    links::Links,
+    on_slate::Links,
     raster::tone,
     slate::{Face, Slate, wash},
 };

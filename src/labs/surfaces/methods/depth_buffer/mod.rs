@@ -1,7 +1,7 @@
 //! The depth buffer, shown: the ray in space, the picture with its depths, and the story of the pixel in hand.
 
-mod captions;
 mod curve;
+mod names;
 mod numbers;
 mod shades;
 mod story;
@@ -11,33 +11,34 @@ mod views;
 use serde_json::{Value as Json, json};
 
 use crate::{
-    algo::{
-        ring::Right,
-        surface::{
-            DepthBuffer, DepthBufferEvent as Event, DepthBufferInput, DepthBufferOutput,
-            DepthBufferState as State, DepthSteps,
-        },
+    algo::surface::{
+        DepthBuffer, DepthBufferEvent as Event, DepthBufferInput, DepthBufferOutput, DepthSteps,
+        Fragment, Picture,
     },
-    figure::{Caption, Run, Tick, View, Watch, WatchRow, WatchSection},
+    figure::{
+        Run,
+        Tick::{Accept, Cut, Phase, Reject, Test},
+        View,
+    },
     labs::{
-        Answer, CodeLine, Demo, MethodCard, Step, record_beside,
-        space::soup::{order, surfaces_on_raster},
-        space::{OnScene, OnSceneInput, Scene, Subject, demo::SpaceDemo},
-        words::{name, pixel_formula},
+        Answer, CodeLine, MethodCard,
+        space::{
+            Scene, SpaceTelling, Subject,
+            demo::scenery_of,
+            soup::{order, surfaces_on_raster},
+            stage::Scenery,
+        },
+        telling::{At, Named, Recorded, Row, Telling, Watched, rows},
     },
-    text::Value,
-    trace::silent,
+    trace::told::{Step, silent},
 };
 
-use super::on_raster::{depth_list, name_of};
+use super::on_raster::depth_list;
 
-use captions::Input;
-use variant::Variant;
+use variant::{CLEAR, COMPARE, FRAGMENT, TRIANGLE, Variant, WRITE};
 
 /// More steps than these are not recorded: a step is then a row, or a whole triangle.
 const MOST_STEPS: u64 = 100_000;
-
-type Shown<L> = OnScene<DepthBuffer<L>>;
 
 impl Answer for DepthBufferOutput {
     fn json(&self) -> Json {
@@ -45,10 +46,10 @@ impl Answer for DepthBufferOutput {
     }
 }
 
-impl<L: Variant> SpaceDemo for Shown<L> {
+impl<L: Variant> SpaceTelling for DepthBuffer<L> {
     const SUBJECT: Subject = Subject::Surfaces;
 
-    fn input(scene: &Scene) -> Input {
+    fn input(scene: &Scene) -> DepthBufferInput {
         let surfaces = surfaces_on_raster(scene);
         let plan = &scene.raster;
         let mut own = DepthBufferInput {
@@ -58,7 +59,7 @@ impl<L: Variant> SpaceDemo for Shown<L> {
             pixel: plan.pixel,
             surfaces,
         };
-        let fragments = silent::<DepthBuffer<L>>(&own).tally.fragments;
+        let fragments = silent::<Self>(&own).tally.fragments;
         let [_, rows] = own.surfaces.size();
         own.steps = match plan.steps {
             DepthSteps::Fragments if fragments <= MOST_STEPS => DepthSteps::Fragments,
@@ -71,87 +72,124 @@ impl<L: Variant> SpaceDemo for Shown<L> {
                 DepthSteps::Triangles
             }
         };
-        OnSceneInput::of(scene, own)
+        own
     }
 
     fn card(scene: &Scene) -> Option<&'static MethodCard> {
         let reversed = const {
             &MethodCard {
                 code: L::REVERSED,
-                ..MethodCard::of::<Self>()
+                ..MethodCard::told::<Self>()
             }
         };
         scene.raster.format.is_reversed.then_some(reversed)
     }
 
     fn record(scene: &Scene) -> Box<dyn Run> {
-        record_beside::<Self, Shown<Right>>(Self::input(scene))
+        let (input, scenery) = (Self::input(scene), scenery_of(scene));
+        Box::new(Recorded::<Self>::beside::<DepthBuffer>(input, scenery))
     }
 }
 
-impl<L: Variant> Demo for Shown<L> {
+rows! { [L: Variant] |event, step: DepthBuffer<L>|
+    clear: Event::Clear { .. } => Row::new(Phase, CLEAR, "depth-clear").so(&["~ z = {cleared}"]);
+    unseen: Event::Triangle { drawn: false, .. } =>
+        Row::new(Reject, TRIANGLE, "depth-triangle-unseen").answers("drawn").drops("triangle");
+    whole: Event::Triangle { .. } if step.input.steps == DepthSteps::Triangles =>
+        drawn("depth-triangle-whole");
+    triangle: Event::Triangle { .. } => drawn("depth-triangle");
+    span: Event::Span { .. } => Row::new(Test, FRAGMENT, "depth-span").about("triangle");
+    first: Event::Fragment { fragment: Fragment { kept: true, stored_id: EMPTY, .. }, .. } =>
+        Row::new(Cut, WRITE, "depth-fragment-first").so(COMPARED).answers("written").keeps("at");
+    kept: Event::Fragment { fragment: Fragment { kept: true, .. }, .. } =>
+        Row::new(Cut, WRITE, "depth-fragment-kept").so(COMPARED).answers("nearer").keeps("at");
+    left_empty: Event::Fragment { fragment: Fragment { stored_id: EMPTY, .. }, .. } =>
+        stays("depth-fragment-lost-to-nothing").answers("written");
+    tie: Event::Fragment { fragment, .. } if fragment.new == fragment.stored =>
+        stays("depth-fragment-tie").answers("nearer");
+    lost: Event::Fragment { .. } => stays("depth-fragment-lost").answers("nearer");
+    nothing: Event::Done if step.held.so_far.tally.pixels == 0 =>
+        Row::new(Accept, COMPARE, "depth-done-nothing");
+    done: Event::Done => Row::new(Accept, COMPARE, "depth-done").so(&["{average}"]);
+}
+
+const COMPARED: &[&str] = &["{z}{sign}{stored}"];
+const EMPTY: i32 = Picture::BACKGROUND;
+
+/// A triangle of which something is in the volume.
+const fn drawn(key: &'static str) -> Row {
+    let row = Row::new(Phase, TRIANGLE, key).about("triangle");
+    row.answers_as("drawn", "depth-answer-drawn")
+}
+
+/// A fragment that changes nothing at its pixel.
+const fn stays(key: &'static str) -> Row {
+    Row::new(Test, COMPARE, key).so(COMPARED).about("at")
+}
+
+impl<L: Variant> Telling for DepthBuffer<L> {
+    type Scenery = Scenery;
+
     const ID: &'static str = L::ID;
     const NAME_KEY: &'static str = L::NAME_KEY;
     const SOURCE: &'static str = "Catmull, 1974";
     const CODE: &'static [CodeLine] = L::CODE;
     const DIFFERS_KEY: Option<&'static str> = L::DIFFERS_KEY;
+    const ROWS: &'static [Row] = ROWS;
+    const WATCH: &'static [Watched] = &[Watched::Names(&[
+        "watch-triangle",
+        "watch-pixel",
+        "z",
+        "stored",
+        "watch-fragments",
+        "watch-writes",
+        "watch-pixels",
+    ])];
 
-    fn tick(event: &Event) -> Tick {
-        match event {
-            Event::Triangle { drawn: false, .. } => Tick::Reject,
-            Event::Clear { .. } | Event::Triangle { .. } => Tick::Phase,
-            Event::Fragment { fragment, .. } if fragment.kept => Tick::Cut,
-            Event::Span { .. } | Event::Fragment { .. } => Tick::Test,
-            Event::Done => Tick::Accept,
-        }
+    fn row(step: &Step<'_, Self>) -> &'static Row {
+        row(step)
     }
 
-    fn code_line(event: &Event, _: &State) -> usize {
-        match event {
-            Event::Clear { .. } => variant::CLEAR,
-            Event::Triangle { .. } => variant::TRIANGLE,
-            Event::Span { .. } => variant::FRAGMENT,
-            Event::Fragment { fragment, .. } if fragment.kept => variant::WRITE,
-            Event::Fragment { .. } | Event::Done => variant::COMPARE,
-        }
+    fn row_at(at: &At<'_, Self>) -> &'static Row {
+        names::in_shades(at).map_or_else(|| row(&at.step), |shades| shades.row)
     }
 
-    fn caption(event: &Event, before: &State, input: &Input) -> Caption {
-        captions::caption::<L>(event, before, input)
+    fn opening(_: &At<'_, Self>) -> &'static Row {
+        const OPENING: Row = Row::new(Phase, CLEAR, "depth-opening");
+        &OPENING
     }
 
-    fn opening(input: &Input) -> Caption {
-        captions::opening(input)
+    fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
+        names::named(at, name)
     }
 
-    fn views(step: &Step<'_, Self>) -> Vec<View> {
-        views::views(step)
+    fn views(at: &At<'_, Self>) -> Vec<View> {
+        views::views(at)
     }
+}
 
-    fn watch(step: &Step<'_, Self>) -> Watch {
-        let state = step.state;
-        let tally = state.so_far.tally;
-        let format = &step.input.own.format;
-        let triangle = state.triangle.map(|(id, _)| name_of(step.input, id));
-        let pixel = views::pixel_of(step).map(|at| Value::Formula(pixel_formula(at)));
-        let count = |n: u64| Some(Value::Count(n as usize));
-        let term = |key| Value::Term(key);
-        let fragment = state.fragment;
-        let rows = vec![
-            WatchRow::new(term("watch-triangle"), triangle),
-            WatchRow::new(term("watch-pixel"), pixel),
-            WatchRow::new(
-                name("z"),
-                fragment.map(|fragment| numbers::value(format, fragment.new)),
-            ),
-            WatchRow::new(
-                term("story-stored"),
-                fragment.map(|fragment| numbers::value(format, fragment.stored)),
-            ),
-            WatchRow::new(term("watch-fragments"), count(tally.fragments)),
-            WatchRow::new(term("watch-writes"), count(tally.writes)),
-            WatchRow::new(term("watch-pixels"), count(tally.pixels)),
-        ];
-        vec![WatchSection::list(rows)]
+/// The triangle whose turn it is.
+fn current<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Option<u32> {
+    match at.step.event()? {
+        Event::Triangle { id, .. } | Event::Span { id, .. } => Some(id),
+        Event::Fragment { fragment, .. } => Some(fragment.id),
+        Event::Clear { .. } | Event::Done => None,
     }
+}
+
+/// The fragment that has been asked.
+fn fragment_of<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Option<Fragment> {
+    match at.step.event()? {
+        Event::Fragment { fragment, .. } => Some(fragment),
+        Event::Clear { .. } | Event::Triangle { .. } | Event::Span { .. } | Event::Done => None,
+    }
+}
+
+/// The pixel that the step is about.
+fn pixel_of<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Option<[u32; 2]> {
+    let input = at.step.input;
+    let [width, height] = input.surfaces.size();
+    let pixel = fragment_of(at).map(|fragment| fragment.pixel);
+    let pixel = pixel.or(input.pixel);
+    pixel.filter(|&[column, row]| column < width && row < height)
 }

@@ -5,7 +5,7 @@ use crate::{
     text::{Formula, Message, Value},
 };
 
-use super::variant::Variant;
+use super::{super::on_raster::sign, variant::Variant};
 
 const THOUSANDTH: f64 = 0.001;
 
@@ -28,7 +28,7 @@ fn shown(format: &DepthFormat, stored: f64) -> f64 {
 }
 
 /// `0.647`, or ∞.
-pub fn depth(formula: Formula, format: &DepthFormat, stored: f64) -> Formula {
+fn depth(formula: Formula, format: &DepthFormat, stored: f64) -> Formula {
     if stored.is_finite() {
         formula.num(shown(format, stored))
     } else if stored > 0.0 {
@@ -38,25 +38,11 @@ pub fn depth(formula: Formula, format: &DepthFormat, stored: f64) -> Formula {
     }
 }
 
-/// `0.647 < 0.695`: what is new, and what stands there.
-pub fn comparison(format: &DepthFormat, fragment: &Fragment) -> Formula {
-    let new = depth(Formula::decimals(), format, fragment.new);
-    let new = new.sym(format!(" {} ", sign(fragment)));
-    depth(new, format, fragment.stored)
-}
-
 /// `< 0.695`: what stands there, and how what is new compares to it.
 pub fn against(format: &DepthFormat, fragment: &Fragment) -> Value {
-    let sign = Formula::decimals().sym(format!("{} ", sign(fragment)));
+    let sign = sign(fragment.new, fragment.stored);
+    let sign = Formula::decimals().sym(format!("{sign} "));
     Value::Formula(depth(sign, format, fragment.stored))
-}
-
-fn sign(fragment: &Fragment) -> char {
-    match fragment.new.total_cmp(&fragment.stored) {
-        std::cmp::Ordering::Less => '<',
-        std::cmp::Ordering::Equal => '=',
-        std::cmp::Ordering::Greater => '>',
-    }
 }
 
 /// `0.647`, for a table.

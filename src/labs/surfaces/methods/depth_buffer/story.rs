@@ -1,31 +1,32 @@
 //! What has come to the pixel in hand: every fragment in order of arrival, and what the buffer held in between.
 
 use crate::{
-    algo::surface::{Fragment, pixel_story},
+    algo::surface::{DepthBuffer, DepthBufferEvent as Event, Fragment, pixel_story},
     figure::{CellStage, Story, StoryCard, StoryFate},
     labs::{
-        Step,
         space::{soup::surface_link, stage::Scenery},
         surfaces::methods::on_raster::{name_of, tone},
+        telling::At,
         words::pixel_formula,
     },
     text::{Message, Value},
 };
 
 use super::{
-    Shown,
+    current, fragment_of,
     numbers::{against, value},
     variant::Variant,
 };
 
 /// The story of a pixel; what has not come yet is pale.
-pub fn story<L: Variant>(step: &Step<'_, Shown<L>>, scenery: &Scenery, pixel: [u32; 2]) -> Story {
-    let own = &step.input.own;
+pub fn story<L: Variant>(at: &At<'_, DepthBuffer<L>>, scenery: &Scenery, pixel: [u32; 2]) -> Story {
+    let own = at.step.input;
     let format = &own.format;
     let told = pixel_story::<L>(own, pixel);
     let order_of = |id: u32| own.order.iter().position(|&other| other == id);
-    let now = step.state.triangle.and_then(|(id, _)| order_of(id));
-    let (is_done, fragment) = (step.state.is_done, step.state.fragment);
+    let current = current(at);
+    let now = current.and_then(order_of);
+    let (is_done, fragment) = (at.step.event() == Some(Event::Done), fragment_of(at));
     let stage = |id: u32| {
         if fragment.is_some_and(|now| now.id == id) {
             CellStage::Current
@@ -36,7 +37,6 @@ pub fn story<L: Variant>(step: &Step<'_, Shown<L>>, scenery: &Scenery, pixel: [u
         }
     };
     let stays = told.iter().rposition(|fragment| fragment.kept);
-    let current = step.state.triangle.map(|(id, _)| id);
     let card = |(nth, told): (usize, &Fragment)| {
         let fate = fate(told);
         let word = match fate {
@@ -46,7 +46,7 @@ pub fn story<L: Variant>(step: &Step<'_, Shown<L>>, scenery: &Scenery, pixel: [u
             StoryFate::Tie => "story-tie",
         };
         StoryCard {
-            name: name_of(step.input, told.id),
+            name: name_of(at.scenery, told.id),
             tone: tone(told.id, current),
             new: (told.new, value(format, told.new)),
             against: against(format, told),

@@ -1,10 +1,9 @@
 //! The scene with the ray of the pixel in hand, the picture with its depths, and what has come to that pixel.
 
 use crate::{
-    algo::surface::{DepthBuffer, DepthBufferInput, DepthNumber, Rays},
+    algo::surface::{DepthBuffer, DepthBufferEvent as Event, DepthBufferInput, DepthNumber, Rays},
     figure::{Body, Mark3, Pixel, Raster, Role, Shape3, View},
     labs::{
-        Step,
         space::{
             Scene,
             stage::{Fate, Scenery},
@@ -12,15 +11,18 @@ use crate::{
         surfaces::methods::on_raster::{
             faces, fitting, lettered, name_of, outline, pixels, sight, titled, wrong_pixels,
         },
+        telling::At,
     },
     text::Value,
-    trace::silent,
+    trace::told::silent,
 };
 
 use super::{
-    Shown,
+    current,
     curve::curves,
+    fragment_of,
     numbers::{InPixels, t_of},
+    pixel_of,
     shades::Shades,
     story::story,
     variant::Variant,
@@ -30,57 +32,49 @@ const RASTER_VIEW: &str = "raster";
 const CURVE_VIEW: &str = "curve";
 const STORY_VIEW: &str = "story";
 
-/// The pixel that the step is about.
-pub fn pixel_of<L: Variant>(step: &Step<'_, Shown<L>>) -> Option<[u32; 2]> {
-    let [width, height] = step.input.own.surfaces.size();
-    let asked = step.state.fragment.map(|fragment| fragment.pixel);
-    let pixel = asked.or(step.input.own.pixel);
-    pixel.filter(|&[column, row]| column < width && row < height)
-}
-
-pub fn views<L: Variant>(step: &Step<'_, Shown<L>>) -> Vec<View> {
-    let Some(scenery) = step.input.scenery.as_deref() else {
+pub fn views<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Vec<View> {
+    let Some(scenery) = at.scenery else {
         return Vec::new();
     };
     let scene = scenery.scene();
-    let own = step.state.triangle.map(|(id, _)| id);
-    let look = faces([(own, Role::Accent)], scene);
+    let look = faces([(current(at), Role::Accent)], scene);
     let mut views = vec![
-        scenery.observer_with(|_| Fate::ToCome, look, marks(step, scenery)),
-        View::new(RASTER_VIEW, Body::Raster(raster(step, scenery.scene()))),
+        scenery.observer_with(|_| Fate::ToCome, look, marks(at, scenery)),
+        View::new(RASTER_VIEW, Body::Raster(raster(at, scene))),
     ];
-    let format = &step.input.own.format;
+    let input = at.step.input;
+    let format = &input.format;
     if format.number != DepthNumber::Double {
-        let depth = step.state.fragment.map(|fragment| fragment.depth);
-        let rays = Rays::of(&step.input.own.surfaces);
+        let depth = fragment_of(at).map(|fragment| fragment.depth);
+        let rays = Rays::of(&input.surfaces);
         let curves = curves(&rays, format, depth);
         views.push(View::new(CURVE_VIEW, Body::Multiples(curves)));
     }
-    if let Some(pixel) = pixel_of(step) {
-        let story = story(step, scenery, pixel);
+    if let Some(pixel) = pixel_of(at) {
+        let story = story(at, scenery, pixel);
         views.push(View::new(STORY_VIEW, Body::Story(story)));
     }
     fitting(scenery, views)
 }
 
 /// The line of sight to the fragment, and to what stands before or behind it.
-fn marks<L: Variant>(step: &Step<'_, Shown<L>>, scenery: &Scenery) -> Vec<Mark3> {
-    let surfaces = &step.input.own.surfaces;
+fn marks<L: Variant>(at: &At<'_, DepthBuffer<L>>, scenery: &Scenery) -> Vec<Mark3> {
+    let surfaces = &at.step.input.surfaces;
     let camera = scenery.scene().camera.camera();
     let rays = Rays::of(surfaces);
-    let Some(fragment) = step.state.fragment else {
+    let Some(fragment) = fragment_of(at) else {
         let far = |pixel| sight(surfaces, camera, pixel, rays.far());
-        return pixel_of(step).map(far).unwrap_or_default();
+        return pixel_of(at).map(far).unwrap_or_default();
     };
-    let stored = step.input.own.format.turned(fragment.stored);
+    let stored = at.step.input.format.turned(fragment.stored);
     let ray = rays.through(fragment.pixel);
     let t_of = |depth: f64| t_of::<L>(&rays, depth);
-    let at = |depth: f64| camera.world_from_view(ray.at(t_of(depth)));
+    let place = |depth: f64| camera.world_from_view(ray.at(t_of(depth)));
     let mut marks = sight(surfaces, camera, fragment.pixel, t_of(fragment.depth));
     if fragment.stored_id >= 0 && (0.0..=1.0).contains(&stored) {
-        marks.push(Mark3::new(Role::Ink, Shape3::Ring(at(stored))));
+        marks.push(Mark3::new(Role::Ink, Shape3::Ring(place(stored))));
     }
-    let dot = at(fragment.depth);
+    let dot = place(fragment.depth);
     marks.push(Mark3::new(
         Role::Signal,
         if fragment.kept {
@@ -93,36 +87,36 @@ fn marks<L: Variant>(step: &Step<'_, Shown<L>>, scenery: &Scenery) -> Vec<Mark3>
 }
 
 /// How many triangles have come to the pixel that is looked at, or have passed beside it.
-fn n_drawn<L: Variant>(step: &Step<'_, Shown<L>>) -> usize {
-    let (own, state) = (&step.input.own, step.state);
-    let place = |id: u32| own.order.iter().position(|&other| other == id);
-    match state.triangle.and_then(|(id, _)| place(id)) {
-        _ if state.is_done => own.order.len(),
-        Some(before) => before + usize::from(state.fragment.is_some()),
+fn n_drawn<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> usize {
+    let order = &at.step.input.order;
+    let place = |id: u32| order.iter().position(|&other| other == id);
+    match current(at).and_then(place) {
+        Some(before) => before + usize::from(fragment_of(at).is_some()),
+        None if at.step.event() == Some(Event::Done) => order.len(),
         None => 0,
     }
 }
 
 /// The picture so far; where one pixel is looked at, all of the picture's pixels, so that it is known where that is. Beside two others
 /// there is no room for depths, and triangles have their names as they have there.
-fn raster<L: Variant>(step: &Step<'_, Shown<L>>, scene: &Scene) -> Raster {
-    let own = &step.input.own;
+fn raster<L: Variant>(at: &At<'_, DepthBuffer<L>>, scene: &Scene) -> Raster {
+    let own = at.step.input;
     let whole = own.pixel.map(|_| {
         silent::<DepthBuffer<L>>(&DepthBufferInput {
             pixel: None,
-            order: own.order[..n_drawn(step)].to_vec(),
+            order: own.order[..n_drawn(at)].to_vec(),
             ..own.clone()
         })
     });
-    let so_far = whole.as_ref().unwrap_or(&step.state.so_far);
-    let current = step.state.triangle.map(|(id, _)| id);
+    let so_far = whole.as_ref().unwrap_or(&at.step.held.so_far);
+    let current = current(at);
     let is_narrow = scene.beside.len() > 1;
-    let named = is_narrow.then(|| lettered(&so_far.picture, |id| name_of(step.input, id)));
+    let named = is_narrow.then(|| lettered(&so_far.picture, |id| name_of(at.scenery, id)));
     let numbers = InPixels::of(&own.surfaces, &own.format);
     let said = |place: usize| match &named {
         Some(named) => named(place),
         // It has not been cleared yet.
-        None if step.event.is_none() => None,
+        None if at.step.past.is_empty() => None,
         None => Some(numbers.value(*so_far.depth.get(place)?)),
     };
     let shades = Shades {
@@ -140,7 +134,7 @@ fn raster<L: Variant>(step: &Step<'_, Shown<L>>, scene: &Scene) -> Raster {
         shades.title::<L>()
     };
     let mut over = current.map_or_else(Vec::new, |id| outline(&own.surfaces, id, Role::Accent));
-    if step.state.is_done {
+    if at.step.event() == Some(Event::Done) {
         let wrong = wrong_pixels(&own.surfaces, &so_far.picture);
         title = titled(title, wrong.len());
         over.extend(wrong);
@@ -150,7 +144,7 @@ fn raster<L: Variant>(step: &Step<'_, Shown<L>>, scene: &Scene) -> Raster {
         size: [columns, rows],
         pixels: shaded.unwrap_or_else(|| pixels(&so_far.picture, current, said)),
         scale: shades.scale(),
-        current: pixel_of(step).map(|pixel| pixel.map(|x| x as usize)),
+        current: pixel_of(at).map(|pixel| pixel.map(|x| x as usize)),
         over,
     }
 }

@@ -1,6 +1,6 @@
 //! Occlusion queries, shown: the box that is asked, its pixels over the picture so far, and every object's answer.
 
-mod captions;
+mod names;
 mod occluders;
 mod views;
 
@@ -8,23 +8,21 @@ use serde_json::{Value as Json, json};
 
 use crate::{
     algo::surface::{
-        Occlusion, OcclusionEvent as Event, OcclusionInput, OcclusionOutput,
-        OcclusionState as State,
+        Occlusion, OcclusionEvent as Event, OcclusionInput, OcclusionOutput, QueryResult,
     },
-    figure::{Caption, Tick, View, Watch, WatchRow, WatchSection},
+    figure::{
+        Tick::{Accept, Cut, Phase, Reject, Test},
+        View,
+    },
     labs::{
-        Answer, CodeLine, Demo, Step, code_line,
-        space::soup::surfaces_on_raster,
-        space::{OnScene, OnSceneInput, Scene, Subject, demo::SpaceDemo},
+        Answer, CodeLine, code_line,
+        space::{Scene, SpaceTelling, Subject, soup::surfaces_on_raster, stage::Scenery},
+        telling::{At, Named, Row, Telling, Watched, rows},
     },
-    text::Value,
+    trace::told::Step,
 };
 
 use super::on_raster::depth_list;
-
-use captions::Input;
-
-type Shown = OnScene<Occlusion>;
 
 const OCCLUDERS: usize = 0;
 const OTHERS: usize = 1;
@@ -43,17 +41,40 @@ impl Answer for OcclusionOutput {
     }
 }
 
-impl SpaceDemo for Shown {
+impl SpaceTelling for Occlusion {
     const SUBJECT: Subject = Subject::Surfaces;
 
-    fn input(scene: &Scene) -> Input {
+    fn input(scene: &Scene) -> OcclusionInput {
         let surfaces = surfaces_on_raster(scene);
         let objects = occluders::objects_of(scene, &surfaces);
-        OnSceneInput::of(scene, OcclusionInput { surfaces, objects })
+        OcclusionInput { surfaces, objects }
     }
 }
 
-impl Demo for Shown {
+rows! { |event, step: Occlusion|
+    unasked: Event::Query { result: QueryResult { unasked: true, .. }, .. } =>
+        Row::new(Test, OTHERS, "occlusion-unasked").answers("seen").keeps("object");
+    beside: Event::Query { result: QueryResult { asked: 0, .. }, .. } =>
+        Row::new(Test, ASK, "occlusion-beside").answers("seen").drops("object");
+    hidden: Event::Query { result: QueryResult { passed: 0, .. }, .. } =>
+        Row::new(Test, ASK, "occlusion-hidden")
+            .answers_as("seen", "occlusion-answer-hidden").drops("object");
+    seen: Event::Query { .. } =>
+        Row::new(Test, ASK, "occlusion-seen")
+            .answers_as("seen", "occlusion-answer-seen").keeps("object");
+    skip: Event::Skip { .. } => Row::new(Reject, SKIP, "occlusion-skip").about("object");
+    occluder: Event::Draw { .. } if names::answer(step.past).is_none() =>
+        Row::new(Cut, OCCLUDERS, "occlusion-occluder").about("object");
+    in_vain: Event::Draw { writes: 0, .. }
+        if names::answer(step.past).is_some_and(|(_, result)| !result.unasked) =>
+        Row::new(Cut, DRAW, "occlusion-in-vain").about("object");
+    draw: Event::Draw { .. } => Row::new(Cut, DRAW, "occlusion-draw").about("object");
+    done: Event::Done => Row::new(Accept, DRAW, "occlusion-done");
+}
+
+impl Telling for Occlusion {
+    type Scenery = Scenery;
+
     const ID: &'static str = "occlusion";
     const NAME_KEY: &'static str = "alg-occlusion";
     const SOURCE: &'static str = "Bartz, Meißner & Hüttner, 1999";
@@ -64,50 +85,29 @@ impl Demo for Shown {
         code_line(1, "code-occlusion-skip", "words-occlusion-skip"),
         code_line(1, "code-occlusion-draw", "words-occlusion-draw"),
     ];
+    const ROWS: &'static [Row] = ROWS;
+    const WATCH: &'static [Watched] = &[Watched::Names(&[
+        "watch-objects-drawn",
+        "watch-objects-skipped",
+        "watch-pixels-asked",
+        "watch-triangles-spared",
+    ])];
 
-    fn tick(event: &Event) -> Tick {
-        match event {
-            Event::Query { .. } => Tick::Test,
-            Event::Skip { .. } => Tick::Reject,
-            Event::Draw { .. } => Tick::Cut,
-            Event::Done => Tick::Accept,
-        }
+    fn row(step: &Step<'_, Self>) -> &'static Row {
+        row(step)
     }
 
-    fn code_line(event: &Event, before: &State) -> usize {
-        match *event {
-            Event::Query { result, .. } if result.unasked => OTHERS,
-            Event::Query { .. } => ASK,
-            Event::Skip { .. } => SKIP,
-            Event::Draw { object_idx, .. } if before.object_idx != Some(object_idx) => OCCLUDERS,
-            Event::Draw { .. } | Event::Done => DRAW,
-        }
+    fn opening(_: &At<'_, Self>) -> &'static Row {
+        const OPENING: Row = Row::new(Phase, OCCLUDERS, "occlusion-opening");
+        &OPENING
     }
 
-    fn caption(event: &Event, before: &State, input: &Input) -> Caption {
-        captions::caption(event, before, input)
+    fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
+        names::named(at, name)
     }
 
-    fn opening(input: &Input) -> Caption {
-        captions::opening(input)
-    }
-
-    fn views(step: &Step<'_, Self>) -> Vec<View> {
-        views::views(step)
-    }
-
-    fn watch(step: &Step<'_, Self>) -> Watch {
-        let state = step.state;
-        let row = |key, n| WatchRow::new(Value::Term(key), Some(Value::Count(n)));
-        let asked: u64 = state.answers.iter().map(|(_, result)| result.asked).sum();
-        let spared = captions::n_triangles(step.input, &state.skipped);
-        let rows = vec![
-            row("watch-objects-drawn", state.drawn.len()),
-            row("watch-objects-skipped", state.skipped.len()),
-            row("watch-pixels-asked", asked as usize),
-            row("watch-triangles-spared", spared),
-        ];
-        vec![WatchSection::list(rows)]
+    fn views(at: &At<'_, Self>) -> Vec<View> {
+        views::views(at)
     }
 }
 
@@ -121,7 +121,7 @@ mod tests {
             space::{Model, Object, street},
             surfaces::first_scene,
         },
-        trace::silent,
+        trace::told::silent,
     };
 
     fn cube(at: [f64; 3], size: f64) -> Object {
@@ -144,7 +144,7 @@ mod tests {
 
     #[test]
     fn the_largest_hide_and_what_they_hide_is_skipped() {
-        let input = Shown::input(&hiding()).own;
+        let input = Occlusion::input(&hiding());
         let occluders: Vec<bool> = input.objects.iter().map(|it| it.is_occluder).collect();
         assert_eq!(occluders.len(), 4);
         assert!(
@@ -162,7 +162,7 @@ mod tests {
         on_a_street.raster = on_a_street.raster.with_rows(48);
         let mut n_skipped = 0;
         for scene in [first_scene(), hiding(), on_a_street] {
-            let input = Shown::input(&scene).own;
+            let input = Occlusion::input(&scene);
             let all = DepthBufferInput::new(input.surfaces.clone());
             let (some, all) = (silent::<Occlusion>(&input), silent::<DepthBuffer>(&all));
             assert_eq!(some.picture, all.picture);

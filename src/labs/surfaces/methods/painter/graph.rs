@@ -1,21 +1,21 @@
 //! What must come before what, as a graph: each triangle where it is in the picture, an arrow to each that it must precede.
 
 use crate::{
-    algo::surface::{PainterEvent as Event, PainterState as State},
+    algo::surface::{Painter, PainterEvent as Event, PainterHeld},
     figure::{ArrowKind, Graph, GraphArrow, GraphNode, NodeStage, Places, Role},
     labs::{
-        Step,
         space::{Scene, soup::surface_link},
-        surfaces::methods::on_raster::{middle_of, name_of, tone},
+        surfaces::methods::on_raster::{middle_of, name_of, text_of, tone},
+        telling::At,
     },
     text::{Formula, Value},
 };
 
-use super::{Shown, overlap::overlap, test_key, variant::Variant};
+use super::{names::test_key, overlap::overlap, variant::Variant};
 
 /// The graph; `now` are the triangle that the step is about, and the one that is asked beside it.
-pub fn graph<L: Variant>(step: &Step<'_, Shown<L>>, scene: &Scene, now: [Option<u32>; 2]) -> Graph {
-    let (state, surfaces) = (step.state, &step.input.own);
+pub fn graph<L: Variant>(at: &At<'_, Painter<L>>, scene: &Scene, now: [Option<u32>; 2]) -> Graph {
+    let (held, surfaces) = (at.step.held, at.step.input);
     // What is left out stands nowhere.
     let is_asked = |id: &u32| {
         let triangle = surfaces.triangles().get(*id as usize);
@@ -24,17 +24,17 @@ pub fn graph<L: Variant>(step: &Step<'_, Shown<L>>, scene: &Scene, now: [Option<
     let ids: Vec<u32> = surfaces.ids().filter(is_asked).collect();
     let place = |id: u32| ids.iter().position(|&other| other == id);
     let nodes = ids.iter().map(|&id| GraphNode {
-        name: name_of(step.input, id),
+        name: name_of(at.scenery, id),
         tone: tone(id, now[0]),
-        role: role_of(state, id, now),
+        role: role_of(held, id, now),
         stage: NodeStage::There,
-        number: number_of(state, id),
+        number: number_of(held, id),
         note: None,
         link: surface_link(scene, id),
     });
     let nowhere = surfaces.size().map(|side| 0.5 * f64::from(side));
     let place_of = |&id: &u32| middle_of(surfaces, id).unwrap_or(nowhere);
-    let arrows = arrows(step, now).into_iter().filter_map(|arrow| {
+    let arrows = arrows(at, now).into_iter().filter_map(|arrow| {
         let [from, to] = [place(arrow.ends[0])?, place(arrow.ends[1])?];
         Some(GraphArrow {
             from,
@@ -49,23 +49,23 @@ pub fn graph<L: Variant>(step: &Step<'_, Shown<L>>, scene: &Scene, now: [Option<
         nodes: nodes.collect(),
         arrows: arrows.collect(),
         places: Places::Free(ids.iter().map(place_of).collect()),
-        ring: (!state.cycle.is_empty()).then_some(Value::Term("painter-cycle")),
+        ring: (!held.cycle.is_empty()).then_some(Value::Term("painter-cycle")),
         focus: now[0].and_then(place),
     }
 }
 
-fn role_of(state: &State, id: u32, now: [Option<u32>; 2]) -> Role {
-    if now.contains(&Some(id)) || state.cycle.contains(&id) {
+fn role_of(held: &PainterHeld, id: u32, now: [Option<u32>; 2]) -> Role {
+    if now.contains(&Some(id)) || held.cycle.contains(&id) {
         Role::Signal
-    } else if state.keys.iter().any(|(of, ..)| *of == id) {
+    } else if held.list.iter().any(|(of, _)| of.id == id) {
         Role::Ink
     } else {
         Role::Faint
     }
 }
 
-fn number_of(state: &State, id: u32) -> Option<Value> {
-    let place = state.placed.iter().position(|&placed| placed == id)?;
+fn number_of(held: &PainterHeld, id: u32) -> Option<Value> {
+    let place = held.placed.iter().position(|&placed| placed == id)?;
     Some(Value::Count(place + 1))
 }
 
@@ -78,10 +78,10 @@ struct Arrow {
 }
 
 /// What has been found, what this step asks.
-fn arrows<L: Variant>(step: &Step<'_, Shown<L>>, now: [Option<u32>; 2]) -> Vec<Arrow> {
-    let state = step.state;
-    let found = state.constraints.iter().map(|&ends| {
-        let is_in_ring = is_in_ring(&state.cycle, ends);
+fn arrows<L: Variant>(at: &At<'_, Painter<L>>, now: [Option<u32>; 2]) -> Vec<Arrow> {
+    let held = at.step.held;
+    let found = held.constraints.iter().map(|&ends| {
+        let is_in_ring = is_in_ring(&held.cycle, ends);
         let is_now = ends.map(Some) == now;
         Arrow {
             ends,
@@ -95,7 +95,7 @@ fn arrows<L: Variant>(step: &Step<'_, Shown<L>>, now: [Option<u32>; 2]) -> Vec<A
             } else {
                 Role::Soft
             },
-            reason: hides(step, ends),
+            reason: hides(at, ends),
         }
     });
     let mut arrows: Vec<Arrow> = found.collect();
@@ -105,9 +105,9 @@ fn arrows<L: Variant>(step: &Step<'_, Shown<L>>, now: [Option<u32>; 2]) -> Vec<A
         test,
         may,
         ..
-    }) = step.event
+    }) = at.step.event()
     {
-        let refused = hides(step, [other, id]).filter(|_| !may);
+        let refused = hides(at, [other, id]).filter(|_| !may);
         arrows.push(Arrow {
             ends: [id, other],
             kind: if may {
@@ -123,15 +123,9 @@ fn arrows<L: Variant>(step: &Step<'_, Shown<L>>, now: [Option<u32>; 2]) -> Vec<A
 }
 
 /// `A 4.31 > B 3.47`: how far both are before the eye's plane where the second hides the first.
-fn hides<L: Variant>(step: &Step<'_, Shown<L>>, [far, near]: [u32; 2]) -> Option<Value> {
-    let overlap = overlap(&step.input.own, [far, near])?;
-    let name = |id: u32| {
-        if let Value::Name(name) = name_of(step.input, id) {
-            name
-        } else {
-            id.to_string()
-        }
-    };
+fn hides<L: Variant>(at: &At<'_, Painter<L>>, [far, near]: [u32; 2]) -> Option<Value> {
+    let overlap = overlap(at.step.input, [far, near])?;
+    let name = |id: u32| text_of(name_of(at.scenery, id), id as usize);
     let [far_depth, near_depth] = overlap.depths;
     let formula = Formula::decimals().sym(name(far) + " ").num(far_depth);
     let formula = formula.sym(format!(" > {} ", name(near)));
@@ -146,9 +140,9 @@ fn is_in_ring(cycle: &[u32], [before, after]: [u32; 2]) -> bool {
 }
 
 /// Where in the picture this step's arrow has its reason; of a cycle, all of its arrows.
-pub fn overlaps<L: Variant>(step: &Step<'_, Shown<L>>) -> Vec<[f64; 2]> {
-    let state = step.state;
-    let shown = match step.event {
+pub fn overlaps<L: Variant>(at: &At<'_, Painter<L>>) -> Vec<[f64; 2]> {
+    let held = at.step.held;
+    let shown = match at.step.event() {
         Some(Event::Constraint { before, after }) => vec![[before, after]],
         Some(Event::Pair {
             id,
@@ -157,13 +151,9 @@ pub fn overlaps<L: Variant>(step: &Step<'_, Shown<L>>) -> Vec<[f64; 2]> {
             ..
         }) => vec![[other, id]],
         Some(Event::Cycle { .. } | Event::Done) => {
-            let is_in_ring = |ends: &&[u32; 2]| is_in_ring(&state.cycle, **ends);
-            state
-                .constraints
-                .iter()
-                .filter(is_in_ring)
-                .copied()
-                .collect()
+            let mut ring = held.constraints.clone();
+            ring.retain(|&ends| is_in_ring(&held.cycle, ends));
+            ring
         }
         Some(
             Event::Key { .. }
@@ -174,6 +164,6 @@ pub fn overlaps<L: Variant>(step: &Step<'_, Shown<L>>) -> Vec<[f64; 2]> {
         )
         | None => Vec::new(),
     };
-    let at = |ends| Some(overlap(&step.input.own, ends)?.at);
-    shown.into_iter().filter_map(at).collect()
+    let place = |ends| Some(overlap(at.step.input, ends)?.at);
+    shown.into_iter().filter_map(place).collect()
 }

@@ -1,7 +1,7 @@
 //! Painter's algorithm, shown: the sorted list, who objects to whom, the order or the cycle, the picture growing.
 
-mod captions;
 mod graph;
+mod names;
 mod overlap;
 mod variant;
 mod views;
@@ -9,28 +9,30 @@ mod views;
 use serde_json::{Value as Json, json};
 
 use crate::{
-    algo::{
-        ring::Right,
-        surface::{
-            Painter, PainterAnswer, PainterEvent as Event, PainterOutput, PainterState as State,
-            PairTest,
-        },
+    algo::surface::{
+        Painter, PainterAnswer, PainterEvent as Event, PainterOutput,
+        PairTest::{BeforePlane, BehindPlane, DepthExtents, Overlap, ScreenExtents},
+        Surfaces,
     },
-    figure::{Caption, Run, Tick, View, Watch, WatchRow, WatchSection},
+    figure::{
+        Run,
+        Tick::{Accept, Cut, Phase, Reject, Test},
+        View,
+    },
     labs::{
-        Answer, CodeLine, Demo, Step, record_beside,
-        space::soup::surfaces_on_raster,
-        space::{OnScene, OnSceneInput, Scene, Subject, demo::SpaceDemo},
+        Answer, CodeLine,
+        space::{
+            Scene, SpaceTelling, Subject, demo::scenery_of, soup::surfaces_on_raster,
+            stage::Scenery,
+        },
+        telling::{At, Named, Recorded, Row, Telling, Watched, rows},
     },
-    text::Value,
+    trace::told::Step,
 };
 
-use super::on_raster::opening;
+use super::on_raster;
 
-use captions::Input;
-use variant::Variant;
-
-type Shown<L> = OnScene<Painter<L>>;
+use variant::{ASK, CYCLE, KEY, OBJECT, PAINT, PLACE, SORT, Variant};
 
 impl Answer for PainterOutput {
     fn json(&self) -> Json {
@@ -41,86 +43,102 @@ impl Answer for PainterOutput {
     }
 }
 
-impl<L: Variant> SpaceDemo for Shown<L> {
+impl<L: Variant> SpaceTelling for Painter<L> {
     const SUBJECT: Subject = Subject::Surfaces;
 
-    fn input(scene: &Scene) -> Input {
+    fn input(scene: &Scene) -> Surfaces {
         /// Pairs grow with the square: a longer run cannot be followed.
         const MOST_FACES: usize = 300;
-        OnSceneInput::of(scene, surfaces_on_raster(scene).first(MOST_FACES))
+        surfaces_on_raster(scene).first(MOST_FACES)
     }
 
     fn record(scene: &Scene) -> Box<dyn Run> {
-        record_beside::<Self, Shown<Right>>(Self::input(scene))
+        let (input, scenery) = (Self::input(scene), scenery_of(scene));
+        Box::new(Recorded::<Self>::beside::<Painter>(input, scenery))
     }
 }
 
-impl<L: Variant> Demo for Shown<L> {
+rows! { [L: Variant] |event, step: Painter<L>|
+    key: Event::Key { .. } =>
+        Row::new(Phase, KEY, "painter-key").so(&["~ {nearest} … {farthest}"]).about("triangle");
+    sort: Event::Sort { .. } => Row::new(Phase, SORT, "painter-sort")
+        .so(&["~ z = {z}"]).about("triangle").picks("triangle", "unsorted");
+    depths: Event::Pair { test: DepthExtents, .. } => may("painter-pair-depths").so(EXTENTS);
+    screen: Event::Pair { test: ScreenExtents, .. } => may("painter-pair-screen").so(EXTENTS);
+    behind: Event::Pair { test: BehindPlane, .. } => may("painter-pair-behind").so(&["{behind}"]);
+    front: Event::Pair { test: BeforePlane, .. } => may("painter-pair-before").so(&["{front}"]);
+    nowhere: Event::Pair { test: Overlap, may: true, .. } =>
+        may("painter-pair-overlap").so(EXTENTS);
+    hides: Event::Pair { test: Overlap, may: false, .. } =>
+        Row::new(Test, OBJECT, "painter-pair-hides")
+            .so(&["{hidden}"]).answers("may").drops("triangle");
+    constraint: Event::Constraint { .. } => Row::new(Cut, OBJECT, "painter-constraint");
+    place: Event::Place { .. } => Row::new(Accept, PLACE, "painter-place").about("triangle");
+    cycle_first: Event::Cycle { .. } if step.held.cycle.len() == 1 =>
+        in_cycle("painter-cycle-first");
+    cycle_closes: Event::Cycle { id } if step.held.constraints.contains(&[id, step.held.cycle[0]]) =>
+        in_cycle("painter-cycle-closes");
+    cycle_next: Event::Cycle { .. } => in_cycle("painter-cycle-next");
+    paint: Event::Paint { .. } => Row::new(Cut, PAINT, "painter-paint").about("triangle");
+    done: Event::Done if step.held.cycle.is_empty() => Row::new(Accept, PAINT, "painter-done");
+    no_order: Event::Done => Row::new(Accept, CYCLE, "painter-done-cycle");
+}
+
+const EXTENTS: &[&str] = &["~ {nearest}{sign}{farthest}"];
+
+/// A pair of which the first may come first.
+const fn may(key: &'static str) -> Row {
+    Row::new(Test, ASK, key).answers("may").keeps("triangle")
+}
+
+const fn in_cycle(key: &'static str) -> Row {
+    Row::new(Reject, CYCLE, key).about("triangle")
+}
+
+impl<L: Variant> Telling for Painter<L> {
+    type Scenery = Scenery;
+
     const ID: &'static str = L::ID;
     const NAME_KEY: &'static str = L::NAME_KEY;
     const SOURCE: &'static str = "Newell, Newell & Sancha, 1972";
     const CODE: &'static [CodeLine] = L::CODE;
     const DIFFERS_KEY: Option<&'static str> = L::DIFFERS_KEY;
+    const ROWS: &'static [Row] = ROWS;
+    const WATCH: &'static [Watched] = &[Watched::Names(&[
+        "watch-pairs",
+        "watch-depth-extents",
+        "watch-screen-extents",
+        "watch-behind-plane",
+        "watch-before-plane",
+        "watch-overlap",
+    ])];
 
-    fn tick(event: &Event) -> Tick {
-        match event {
-            Event::Key { .. } | Event::Sort { .. } => Tick::Phase,
-            Event::Pair { .. } => Tick::Test,
-            Event::Constraint { .. } | Event::Paint { .. } => Tick::Cut,
-            Event::Cycle { .. } => Tick::Reject,
-            Event::Place { .. } | Event::Done => Tick::Accept,
-        }
+    fn row(step: &Step<'_, Self>) -> &'static Row {
+        row(step)
     }
 
-    fn code_line(event: &Event, before: &State) -> usize {
-        match event {
-            Event::Key { .. } => variant::KEY,
-            Event::Sort { .. } => variant::SORT,
-            Event::Pair {
-                test: PairTest::Overlap,
-                may: false,
-                ..
-            }
-            | Event::Constraint { .. } => variant::OBJECT,
-            Event::Pair { .. } => variant::ASK,
-            Event::Cycle { .. } => variant::CYCLE,
-            Event::Place { .. } => variant::PLACE,
-            Event::Done if !before.cycle.is_empty() => variant::CYCLE,
-            Event::Paint { .. } | Event::Done => variant::PAINT,
-        }
+    fn opening(at: &At<'_, Self>) -> &'static Row {
+        const OPENING: Row = Row::new(Phase, KEY, "painter-opening");
+        on_raster::opening(&OPENING, at.step.input, at.scenery)
     }
 
-    fn caption(event: &Event, before: &State, input: &Input) -> Caption {
-        captions::caption(event, before, input)
+    fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
+        names::named(at, name)
     }
 
-    fn opening(input: &Input) -> Caption {
-        opening("painter-opening", input.own.triangles().len(), input)
+    fn listed(at: &At<'_, Self>, list: &str) -> Vec<Named> {
+        let held = at.step.held;
+        let unsorted = match list {
+            "unsorted" => &held.list[held.n_sorted.saturating_sub(1)..],
+            _ => &[],
+        };
+        let triangles = unsorted.iter().map(|(it, _)| it.id);
+        triangles
+            .map(|id| on_raster::triangle(at.scenery, id))
+            .collect()
     }
 
-    fn views(step: &Step<'_, Self>) -> Vec<View> {
-        views::views(step)
-    }
-
-    fn watch(step: &Step<'_, Self>) -> Watch {
-        let state = step.state;
-        let tests = PairTest::ALL.into_iter().zip(state.tally.decided);
-        let count = |n: u64| Some(Value::Count(n as usize));
-        let mut rows = vec![WatchRow::new(
-            Value::Term("watch-pairs"),
-            count(state.tally.pairs),
-        )];
-        rows.extend(tests.map(|(test, n)| WatchRow::new(Value::Term(test_key(test)), count(n))));
-        vec![WatchSection::list(rows)]
-    }
-}
-
-const fn test_key(test: PairTest) -> &'static str {
-    match test {
-        PairTest::DepthExtents => "watch-depth-extents",
-        PairTest::ScreenExtents => "watch-screen-extents",
-        PairTest::BehindPlane => "watch-behind-plane",
-        PairTest::BeforePlane => "watch-before-plane",
-        PairTest::Overlap => "watch-overlap",
+    fn views(at: &At<'_, Self>) -> Vec<View> {
+        views::views(at)
     }
 }

@@ -1,21 +1,22 @@
 //! The scene, the picture so far, what must come before what, and two lists: the sorted one, the order.
 
 use crate::{
-    algo::surface::{PainterEvent as Event, Picture},
-    figure::{Body, Link, ListColumn, ListRow, Lists, Raster, RasterMark, RasterShape, Role, View},
+    algo::surface::{Painter, PainterEvent as Event, Picture},
+    figure::{Body, ListColumn, ListRow, Lists, Raster, RasterMark, RasterShape, Role, View},
     labs::{
-        Step,
         space::{Scene, soup::surface_link, stage::Fate},
         surfaces::methods::on_raster::{
-            faces, fitting, lettered_or_outlined, name_of, outline, pixels, titled, wrong_pixels,
+            faces, fitting, lettered_or_outlined, name_of, outline, pixels, raster_so_far, titled,
+            wrong_pixels,
         },
+        telling::At,
     },
     text::{Formula, Value},
 };
 
 use super::{
-    Shown,
     graph::{graph, overlaps},
+    names::about,
     variant::Variant,
 };
 
@@ -23,119 +24,74 @@ const RASTER_VIEW: &str = "raster";
 const GRAPH_VIEW: &str = "graph";
 const LISTS_VIEW: &str = "lists";
 
-/// The triangle that the step is about.
-fn own<L: Variant>(step: &Step<'_, Shown<L>>) -> Option<u32> {
-    match step.event? {
-        Event::Key { id, .. }
-        | Event::Sort { id }
-        | Event::Pair { id, .. }
-        | Event::Place { id }
-        | Event::Cycle { id }
-        | Event::Paint { id } => Some(id),
-        Event::Constraint { before, .. } => Some(before),
-        Event::Done => None,
-    }
-}
-
-/// The one that is asked beside it.
-fn other<L: Variant>(step: &Step<'_, Shown<L>>) -> Option<u32> {
-    match step.event? {
-        Event::Pair { other, .. } => Some(other),
-        Event::Constraint { after, .. } => Some(after),
-        Event::Key { .. }
-        | Event::Sort { .. }
-        | Event::Place { .. }
-        | Event::Cycle { .. }
-        | Event::Paint { .. }
-        | Event::Done => None,
-    }
-}
-
-pub fn views<L: Variant>(step: &Step<'_, Shown<L>>) -> Vec<View> {
-    let Some(scenery) = step.input.scenery.as_deref() else {
+pub fn views<L: Variant>(at: &At<'_, Painter<L>>) -> Vec<View> {
+    let Some(scenery) = at.scenery else {
         return Vec::new();
     };
     let scene = scenery.scene();
-    let now = [own(step), other(step)];
+    let now = about(at.step.event());
     let marked = [(now[0], Role::Accent), (now[1], Role::Signal)];
     let mut views = vec![
         scenery.observer_with(|_| Fate::ToCome, faces(marked, scene), Vec::new()),
-        View::new(RASTER_VIEW, Body::Raster(raster(step))),
+        View::new(RASTER_VIEW, Body::Raster(raster(at))),
     ];
     // Where nobody is asked nothing must come before anything.
     if !L::KEYS_ONLY {
-        let graph = graph(step, scene, now);
+        let graph = graph(at, scene, now);
         views.push(View::new(GRAPH_VIEW, Body::Graph(graph)));
     }
-    views.push(View::new(LISTS_VIEW, Body::Lists(lists(step, scene))));
+    views.push(View::new(LISTS_VIEW, Body::Lists(lists(at, scene))));
     fitting(scenery, views)
 }
 
-fn raster<L: Variant>(step: &Step<'_, Shown<L>>) -> Raster {
-    let surfaces = &step.input.own;
-    let [columns, rows] = surfaces.size().map(|side| side as usize);
-    let (own, other) = (own(step), other(step));
+fn raster<L: Variant>(at: &At<'_, Painter<L>>) -> Raster {
+    let (surfaces, held) = (at.step.input, at.step.held);
+    let [own, other] = about(at.step.event());
+    let (picture, cycle) = (&held.picture, &held.cycle);
+    let is_done = at.step.event() == Some(Event::Done);
     // Before anything is painted, outlines say where everything will be.
-    let is_empty = step
-        .state
-        .picture
-        .ids()
-        .iter()
-        .all(|&id| id == Picture::BACKGROUND);
-    let (picture, cycle) = (&step.state.picture, &step.state.cycle);
-    let is_waiting = is_empty && (!step.state.is_done || !cycle.is_empty());
-    let letters = lettered_or_outlined(surfaces, picture, is_waiting, |id| name_of(step.input, id));
-    let mut over: Vec<_> = surfaces
-        .ids()
-        .filter(|id| is_waiting && Some(*id) != own && Some(*id) != other)
-        .flat_map(|id| {
-            let role = if cycle.contains(&id) {
-                Role::Signal
-            } else {
-                Role::Soft
-            };
-            outline(surfaces, id, role)
-        })
+    let mut ids = picture.ids().iter();
+    let is_empty = ids.all(|&id| id == Picture::BACKGROUND);
+    let is_waiting = is_empty && (!is_done || !cycle.is_empty());
+    let letters = lettered_or_outlined(surfaces, picture, is_waiting, |id| name_of(at.scenery, id));
+    let waiting = surfaces.ids().filter(|_| is_waiting).map(|id| {
+        let role = if cycle.contains(&id) {
+            Role::Signal
+        } else {
+            Role::Soft
+        };
+        (id, role)
+    });
+    let waiting = waiting.filter(|(id, _)| ![own, other].contains(&Some(*id)));
+    let marked = [(other, Role::Signal), (own, Role::Accent)];
+    let marked = marked
+        .into_iter()
+        .filter_map(|(id, role)| Some((id?, role)));
+    let mut over: Vec<_> = waiting
+        .chain(marked)
+        .flat_map(|(id, role)| outline(surfaces, id, role))
         .collect();
-    over.extend(
-        other
-            .into_iter()
-            .flat_map(|id| outline(surfaces, id, Role::Signal)),
-    );
-    over.extend(
-        own.into_iter()
-            .flat_map(|id| outline(surfaces, id, Role::Accent)),
-    );
     // Where the depths are that give the arrows.
-    let dots = overlaps(step).into_iter().map(|at| RasterMark {
+    over.extend(overlaps(at).into_iter().map(|at| RasterMark {
         role: Role::Signal,
         shape: RasterShape::Dot(at),
-    });
-    over.extend(dots);
-    let mut title = Value::Term("raster-so-far");
-    if step.state.is_done && step.state.cycle.is_empty() {
-        let wrong = wrong_pixels(surfaces, &step.state.picture);
-        title = titled(title, wrong.len());
-        over.extend(wrong);
+    }));
+    let mut raster = raster_so_far(surfaces, pixels(picture, own, letters), over);
+    if is_done && cycle.is_empty() {
+        let wrong = wrong_pixels(surfaces, picture);
+        raster.title = titled(raster.title, wrong.len());
+        raster.over.extend(wrong);
     }
-    Raster {
-        title,
-        size: [columns, rows],
-        pixels: pixels(picture, own, letters),
-        scale: None,
-        current: None,
-        over,
-    }
+    raster
 }
 
-fn lists<L: Variant>(step: &Step<'_, Shown<L>>, scene: &Scene) -> Lists {
-    let state = step.state;
-    let (own, other) = (own(step), other(step));
-    let link = |id: u32| -> Option<Link> { surface_link(scene, id) };
+fn lists<L: Variant>(at: &At<'_, Painter<L>>, scene: &Scene) -> Lists {
+    let held = at.step.held;
+    let now = about(at.step.event());
     let role_of = |id: u32| {
-        if own == Some(id) || other == Some(id) {
+        if now.contains(&Some(id)) {
             Role::Signal
-        } else if state.placed.contains(&id) {
+        } else if held.placed.contains(&id) {
             Role::Accepted
         } else {
             Role::Ink
@@ -144,22 +100,21 @@ fn lists<L: Variant>(step: &Step<'_, Shown<L>>, scene: &Scene) -> Lists {
     let row = |id: u32, detail: Option<Value>| ListRow {
         details: vec![detail],
         role: role_of(id),
-        link: link(id),
-        ..ListRow::new(name_of(step.input, id))
+        link: surface_link(scene, id),
+        ..ListRow::new(name_of(at.scenery, id))
     };
-    let of_keys = if state.sorted.is_empty() {
-        state.keys.iter().map(|(id, ..)| *id).collect()
-    } else {
-        state.sorted.clone()
+    let known = match held.n_sorted {
+        0 => &held.list[..],
+        n => &held.list[..n],
     };
+    let of_keys: Vec<u32> = known.iter().map(|(it, _)| it.id).collect();
     let range = |id: u32| {
-        let known = state.keys.iter().find(|(of, ..)| *of == id);
-        let [near, far] = known?.2;
-        Some(Value::Formula(
-            Formula::decimals().num(far).sym(" … ").num(near),
-        ))
+        let (known, _) = held.list.iter().find(|(it, _)| it.id == id)?;
+        let [near, far] = known.depths();
+        let range = Formula::decimals().num(far).sym(" … ").num(near);
+        Some(Value::Formula(range))
     };
-    let focus = |ids: &[u32]| ids.iter().position(|&id| own == Some(id));
+    let focus = |ids: &[u32]| ids.iter().position(|&id| now[0] == Some(id));
     let column = |title, ids: &[u32], detail: &dyn Fn(u32) -> Option<Value>| {
         let at = focus(ids);
         let reach = ListColumn::reach(ids.len(), at);
@@ -176,7 +131,7 @@ fn lists<L: Variant>(step: &Step<'_, Shown<L>>, scene: &Scene) -> Lists {
         columns: vec![Value::Name("z".to_owned())],
         ..column("painter-sorted", &of_keys, &range)
     };
-    let order = column("painter-order", &state.placed, &|_| None);
+    let order = column("painter-order", &held.placed, &|_| None);
     Lists {
         lists: vec![sorted, order],
         links: Vec::new(),

@@ -1,23 +1,25 @@
 //! The ray with its hits in space and on its own axis, every question, the picture so far.
 
 use crate::{
-    algo::surface::{Meeting, PlaneHit, Ray, RayCastingEvent as Event, Rays},
+    algo::surface::{Meeting, PlaneHit, Ray, RayCasting, RayCastingEvent as Event, Rays},
     figure::{
         Body, Cell, LineTick, Mark3, NumberLine, Raster, Role, Shape3, Side, Table, TableRow, View,
     },
     labs::{
-        Step,
         space::{
             soup::surface_link,
             stage::{Fate, Scenery},
         },
-        surfaces::methods::on_raster::{faces, fitting, lettered, name_of, pixels, sight},
+        surfaces::methods::on_raster::{
+            faces, fitting, lettered, name_of, pixels, raster_so_far, sight,
+        },
+        telling::At,
         words::pixel_formula,
     },
     text::{Formula, Value},
 };
 
-use super::Shown;
+use super::names::{asked, hits, turn};
 
 const RASTER_VIEW: &str = "raster";
 const ASKED_VIEW: &str = "asked";
@@ -25,18 +27,18 @@ const AXIS_VIEW: &str = "axis";
 /// Of more triangles the table has only those that were hit.
 const MOST_ROWS: usize = 12;
 
-pub fn views(step: &Step<'_, Shown>) -> Vec<View> {
-    let Some(scenery) = step.input.scenery.as_deref() else {
+pub fn views(at: &At<'_, RayCasting>) -> Vec<View> {
+    let Some(scenery) = at.scenery else {
         return Vec::new();
     };
     let scene = scenery.scene();
-    let own = now(step).or(step.state.nearest.map(|hit| hit.id));
+    let own = now(at).or(at.step.held.nearest.map(|hit| hit.id));
     let look = faces([(own, Role::Accent)], scene);
     let views = vec![
-        scenery.observer_with(|_| Fate::ToCome, look, marks(step, scenery)),
-        View::new(RASTER_VIEW, Body::Raster(raster(step, own))),
-        View::new(ASKED_VIEW, Body::Table(asked(step, scenery))),
-        View::new(AXIS_VIEW, Body::NumberLine(axis(step, scenery))),
+        scenery.observer_with(|_| Fate::ToCome, look, marks(at, scenery)),
+        View::new(RASTER_VIEW, Body::Raster(raster(at, own))),
+        View::new(ASKED_VIEW, Body::Table(table(at, scenery))),
+        View::new(AXIS_VIEW, Body::NumberLine(axis(at, scenery))),
     ];
     fitting(scenery, views)
 }
@@ -54,89 +56,78 @@ const fn meeting_key(meeting: Meeting) -> &'static str {
 }
 
 /// The pixel in hand and its ray; none when all have been cast.
-fn cast(step: &Step<'_, Shown>) -> Option<([u32; 2], Ray)> {
-    let is_over = step.state.is_done && step.input.own.pixel.is_none();
-    step.state.pixel.filter(|_| !is_over)
+fn cast(at: &At<'_, RayCasting>) -> Option<([u32; 2], Ray)> {
+    let is_over = at.step.event() == Some(Event::Done) && at.step.input.pixel.is_none();
+    turn(at.step.past).filter(|_| !is_over)
 }
 
 /// The triangle that is asked at this step.
-fn now(step: &Step<'_, Shown>) -> Option<u32> {
-    match step.event {
+fn now(at: &At<'_, RayCasting>) -> Option<u32> {
+    match at.step.event() {
         Some(Event::Ask { id, .. }) => Some(id),
         None | Some(Event::Pixel { .. } | Event::Seen { .. } | Event::Done) => None,
     }
 }
 
 /// The ray as far as it has been followed, and where it meets planes: the nearest hit filled, others hollow.
-fn marks(step: &Step<'_, Shown>, scenery: &Scenery) -> Vec<Mark3> {
-    let Some((pixel, ray)) = cast(step) else {
+fn marks(at: &At<'_, RayCasting>, scenery: &Scenery) -> Vec<Mark3> {
+    let Some((pixel, ray)) = cast(at) else {
         return Vec::new();
     };
-    let (surfaces, camera) = (&step.input.own.surfaces, scenery.scene().camera.camera());
+    let (surfaces, camera) = (&at.step.input.surfaces, scenery.scene().camera.camera());
     let far = Rays::of(surfaces).far();
-    let nearest = step.state.nearest;
+    let nearest = at.step.held.nearest;
     let mut marks = sight(surfaces, camera, pixel, nearest.map_or(far, |hit| hit.t));
-    let at = |t: f64| camera.world_from_view(ray.at(t));
+    let place = |t: f64| camera.world_from_view(ray.at(t));
     if let Some(hit) = nearest {
-        let beyond = Shape3::Segment([at(hit.t), at(far)]);
+        let beyond = Shape3::Segment([place(hit.t), place(far)]);
         marks.push(Mark3::new(Role::Signal, beyond).fine().dashed());
     }
-    let hits = step.state.hits.iter().map(|hit| {
+    let hits = hits(at.step.past).map(|hit| {
         let is_nearest = nearest.is_some_and(|nearest| nearest.id == hit.id);
         let shape = if is_nearest {
             Shape3::Dot
         } else {
             Shape3::Ring
         };
-        Mark3::new(Role::Signal, shape(at(hit.t)))
+        Mark3::new(Role::Signal, shape(place(hit.t)))
     });
     marks.extend(hits);
-    if let Some(Event::Ask { found, .. }) = step.event
+    if let Some(Event::Ask { found, .. }) = at.step.event()
         && let (Meeting::Beside, Some(t)) = (found.meeting, found.t)
     {
-        marks.push(Mark3::new(Role::Soft, Shape3::Ring(at(t))));
+        marks.push(Mark3::new(Role::Soft, Shape3::Ring(place(t))));
     }
     marks
 }
 
-fn raster(step: &Step<'_, Shown>, own: Option<u32>) -> Raster {
-    let [columns, rows] = step.input.own.surfaces.size().map(|side| side as usize);
-    let current = cast(step);
-    let picture = &step.state.so_far.picture;
+fn raster(at: &At<'_, RayCasting>, own: Option<u32>) -> Raster {
+    let picture = &at.step.held.so_far.picture;
+    let letters = lettered(picture, |id| name_of(at.scenery, id));
     Raster {
-        title: Value::Term("raster-so-far"),
-        size: [columns, rows],
-        pixels: pixels(
-            picture,
-            own,
-            lettered(picture, |id| name_of(step.input, id)),
-        ),
-        scale: None,
-        current: current.map(|(pixel, _)| pixel.map(|x| x as usize)),
-        over: Vec::new(),
+        current: cast(at).map(|(pixel, _)| pixel.map(|x| x as usize)),
+        ..raster_so_far(
+            &at.step.input.surfaces,
+            pixels(picture, own, letters),
+            Vec::new(),
+        )
     }
 }
 
 /// Every triangle, or of many those that were hit: what its plane said.
-fn asked(step: &Step<'_, Shown>, scenery: &Scenery) -> Table {
-    let n = step.input.own.surfaces.triangles().len();
-    let state = step.state;
-    let is_cast = cast(step).is_some();
-    let found_of = |id: u32| {
-        state
-            .asked
-            .iter()
-            .find(|(asked, _)| is_cast && *asked == id)
-    };
-    let ids: Vec<u32> = if n <= MOST_ROWS {
-        step.input.own.surfaces.ids().collect()
+fn table(at: &At<'_, RayCasting>, scenery: &Scenery) -> Table {
+    let (surfaces, past) = (&at.step.input.surfaces, at.step.past);
+    let is_cast = cast(at).is_some();
+    let ids: Vec<u32> = if surfaces.triangles().len() <= MOST_ROWS {
+        surfaces.ids().collect()
     } else {
-        state.hits.iter().map(|hit| hit.id).collect()
+        hits(past).map(|hit| hit.id).collect()
     };
-    let nearest = state.nearest.filter(|_| is_cast).map(|hit| hit.id);
+    let nearest = at.step.held.nearest.filter(|_| is_cast).map(|hit| hit.id);
     let row = |id: u32| {
-        let found = found_of(id).map(|(_, found)| *found);
-        let is_current = now(step) == Some(id);
+        let found = asked(past).find(|(asked, _)| is_cast && *asked == id);
+        let found = found.map(|(_, found)| found);
+        let is_current = now(at) == Some(id);
         let is_hit = found.is_some_and(|found| found.meeting == Meeting::Hit);
         let role = if is_current {
             Role::Signal
@@ -157,7 +148,7 @@ fn asked(step: &Step<'_, Shown>, scenery: &Scenery) -> Table {
         });
         let t = met.and_then(|found| found.t).map(number);
         TableRow {
-            name: name_of(step.input, id),
+            name: name_of(at.scenery, id),
             cells: vec![
                 Cell::new(role, met.map(quotient)),
                 Cell {
@@ -170,7 +161,7 @@ fn asked(step: &Step<'_, Shown>, scenery: &Scenery) -> Table {
             link: surface_link(scenery.scene(), id),
         }
     };
-    let title = cast(step).map_or_else(Formula::default, |(at, _)| pixel_formula(at));
+    let title = cast(at).map_or_else(Formula::default, |(at, _)| pixel_formula(at));
     Table {
         header: vec![
             title,
@@ -185,14 +176,13 @@ fn asked(step: &Step<'_, Shown>, scenery: &Scenery) -> Table {
 
 /// The ray's own axis: the eye at 0, the raster at 1, what is hit, the plane that is met beside its triangle or behind the eye
 /// at this step, and as far as the ray is followed.
-fn axis(step: &Step<'_, Shown>, scenery: &Scenery) -> NumberLine {
-    let far = Rays::of(&step.input.own.surfaces).far();
-    let state = step.state;
-    let is_cast = cast(step).is_some();
-    let nearest = state.nearest.filter(|_| is_cast);
+fn axis(at: &At<'_, RayCasting>, scenery: &Scenery) -> NumberLine {
+    let far = Rays::of(&at.step.input.surfaces).far();
+    let is_cast = cast(at).is_some();
+    let nearest = at.step.held.nearest.filter(|_| is_cast);
     let until = nearest.map_or(far, |hit| hit.t);
-    let hits = state.hits.iter().filter(|_| is_cast);
-    let missed = match step.event {
+    let hits = hits(at.step.past).filter(|_| is_cast);
+    let missed = match at.step.event() {
         Some(Event::Ask { id, found, .. }) if found.meeting != Meeting::Hit => {
             found.t.map(|t| (id, t))
         }
@@ -204,8 +194,8 @@ fn axis(step: &Step<'_, Shown>, scenery: &Scenery) -> NumberLine {
         value: Formula::decimals().num(t),
         side: Side::Leaving,
         holds: nearest.is_some_and(|nearest| nearest.id == id),
-        current: now(step) == Some(id),
-        name: name_of(step.input, id),
+        current: now(at) == Some(id),
+        name: name_of(at.scenery, id),
         link: surface_link(scenery.scene(), id),
     });
     NumberLine {

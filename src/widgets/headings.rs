@@ -1,10 +1,10 @@
-//! The strip above a column that names its method.
+//! Headings: of a column with its method, of a section of a side panel, and the hairline between two sections.
 
-use egui::{Align2, FontId, Painter, Pos2, vec2};
+use egui::{Align2, FontId, Painter, Pos2, Response, RichText, Ui, vec2};
 
-use crate::paint::{Span, Typeset, fonts::semibold};
+use crate::paint::{Span, Typeset, fonts::semibold, theme};
 
-use super::Look;
+use super::look::Look;
 
 /// Between a method's name and the note on it.
 const GAP_PTS: f32 = 12.0;
@@ -65,4 +65,26 @@ pub fn column_title(
     let top = align.anchor_size(at, vec2(width, height)).min;
     name.paint(painter, top, Align2::LEFT_TOP);
     note.paint(painter, top + offset, Align2::LEFT_TOP);
+}
+
+/// A small semibold heading.
+pub fn section(ui: &mut Ui, look: Look<'_>, title: &str) -> Response {
+    ui.label(
+        RichText::new(title)
+            .text_style(theme::strong())
+            .color(look.theme.soft),
+    )
+}
+
+/// White space above and below a hairline.
+const AIR: f32 = 12.0;
+
+/// A hairline between two sections, with white space on both sides.
+pub fn rule(ui: &mut Ui, look: Look<'_>) {
+    let spacing = ui.spacing().item_spacing.y;
+    ui.add_space(AIR - spacing);
+    let (rect, _) =
+        ui.allocate_exact_size(egui::vec2(ui.available_width(), 1.0), egui::Sense::hover());
+    ui.painter().rect_filled(rect, 0.0, look.theme.hairline);
+    ui.add_space(AIR - spacing);
 }

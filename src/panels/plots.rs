@@ -1,9 +1,27 @@
-//! Counts or times over a number, both by their logarithms.
+//! Plots of costs: bars without axes, and counts or times over a number, both by their logarithms.
 
-use egui::{Align2, Color32, RichText, Stroke, Ui};
+use egui::{Align2, Color32, RichText, Stroke, Ui, Vec2b};
 use egui_plot::{Line, LineStyle, Plot, PlotPoint, Text};
 
 use crate::widgets::Look;
+
+/// A plot that only shows: it has no axes and cannot be moved.
+#[must_use]
+pub fn still_plot(key: &str) -> Plot<'static> {
+    Plot::new(key)
+        .show_axes(false)
+        .show_grid(false)
+        .show_background(false)
+        .allow_drag(false)
+        .allow_zoom(false)
+        .allow_scroll(false)
+        .allow_boxed_zoom(false)
+        .allow_double_click_reset(false)
+        .show_x(false)
+        .show_y(false)
+        .cursor_color(Color32::TRANSPARENT)
+        .auto_bounds(Vec2b::FALSE)
+}
 
 /// One line, with its name at its end.
 pub struct PowerLine {

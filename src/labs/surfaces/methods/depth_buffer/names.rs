@@ -1,0 +1,129 @@
+//! What the names stand for at a step.
+
+use crate::{
+    algo::surface::{DepthBuffer, DepthBufferEvent as Event, FragmentTally, Rays},
+    figure::{Link, Raster, Tick::Accept},
+    labs::{
+        space::Tones,
+        surfaces::methods::on_raster::{self, name_of, sign, spaced, triangle},
+        telling::{At, Named, Row},
+        words::pixel_formula,
+    },
+    text::{Formula, Value},
+};
+
+use super::{
+    current, fragment_of,
+    numbers::{t_of, value},
+    pixel_of,
+    variant::{COMPARE, Variant},
+};
+
+pub fn named<L: Variant>(at: &At<'_, DepthBuffer<L>>, name: &str) -> Option<Named> {
+    let (input, so_far) = (at.step.input, &at.step.held.so_far);
+    let (tally, fragment) = (so_far.tally, fragment_of(at));
+    let count = |n: u64| Named::from(n as usize);
+    let stored = |depth: f64| value(&input.format, depth);
+    let n_bits = input.format.number.n_bits() as usize;
+    Some(match (name, at.step.event()) {
+        ("triangle", _) => triangle(at.scenery, current(at)?),
+        ("other", _) => u32::try_from(fragment?.stored_id).map_or_else(
+            |_| Value::Term("depth-nothing").into(),
+            |id| triangle(at.scenery, id),
+        ),
+        ("at", _) => {
+            let pixel = fragment?.pixel;
+            let link = Link::nth(Raster::LINK, so_far.picture.place(pixel));
+            Named::from(pixel_formula(pixel)).linked(link)
+        }
+        ("z", _) => Named::maybe(fragment.map(|fragment| stored(fragment.new))),
+        ("sign", _) => spaced(sign(fragment?.new, fragment?.stored)),
+        ("stored", _) => Named::maybe(fragment.map(|fragment| stored(fragment.stored)))
+            .labelled(Value::Term("story-stored")),
+        ("cleared", Some(Event::Clear { depth })) => stored(depth).into(),
+        ("place", _) => {
+            let id = current(at)?;
+            (input.order.iter().position(|&other| other == id)? + 1).into()
+        }
+        ("triangles", _) => input.order.len().into(),
+        ("row", Some(Event::Span { row, .. })) => (row as usize).into(),
+        ("first", Some(Event::Span { columns, .. })) => (columns[0] as usize).into(),
+        ("last", Some(Event::Span { columns, .. })) => {
+            (columns[1].saturating_sub(1) as usize).into()
+        }
+        ("fragments", Some(Event::Done)) => count(tally.fragments),
+        ("writes", Some(Event::Done)) => count(tally.writes),
+        ("pixels", Some(Event::Done)) => in_shades(at)
+            .map_or(tally.pixels as usize, |shades| shades.n_pixels)
+            .into(),
+        ("fragments", _) => count(tally.fragments - before(at.step.past).fragments),
+        ("writes", _) => count(tally.writes - before(at.step.past).writes),
+        ("least", _) => in_shades(at)?.range[0].clone().into(),
+        ("most", _) => in_shades(at)?.range[1].clone().into(),
+        ("average", _) => {
+            let [all, pixels] = [tally.fragments, tally.pixels].map(|n| n as f64);
+            let formula = Formula::decimals().num(all).sym(" / ").num(pixels);
+            formula.equals(all / pixels).into()
+        }
+        ("bits", _) => n_bits.into(),
+        ("bytes", _) => (input.surfaces.n_pixels() * n_bits).div_ceil(8).into(),
+        ("watch-triangle", _) => Named::maybe(current(at).map(|id| name_of(at.scenery, id))),
+        ("watch-pixel", _) => Named::maybe(pixel_of(at).map(pixel_formula)),
+        ("watch-fragments", _) => count(tally.fragments),
+        ("watch-writes", _) => count(tally.writes),
+        ("watch-pixels", _) => count(tally.pixels),
+        _ => return on_raster::named(&input.surfaces, at.scenery, name),
+    })
+}
+
+/// What had been counted one step before.
+fn before(past: &[Event]) -> FragmentTally {
+    match past.iter().nth_back(1) {
+        Some(
+            Event::Triangle { tally, .. }
+            | Event::Span { tally, .. }
+            | Event::Fragment { tally, .. },
+        ) => *tally,
+        Some(Event::Clear { .. } | Event::Done) | None => FragmentTally::default(),
+    }
+}
+
+/// A finished buffer that is shown in shades.
+pub struct InShades {
+    /// How it is said.
+    pub row: &'static Row,
+    /// So many of its pixels have a depth.
+    n_pixels: usize,
+    /// Which part of their scale the shades need: the least and the most of what they tell.
+    range: [Value; 2],
+}
+
+/// None where the buffer is not finished, or not shown in shades, or nothing was drawn.
+pub fn in_shades<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Option<InShades> {
+    const STORED: Row = Row::new(Accept, COMPARE, "depth-done-stored");
+    const DISTANCE: Row = Row::new(Accept, COMPARE, "depth-done-distance");
+    if at.step.event() != Some(Event::Done) {
+        return None;
+    }
+    let (input, tones) = (at.step.input, at.scenery?.scene().raster.tones);
+    let rays = Rays::of(&input.surfaces);
+    let depths = at.step.held.so_far.depth.iter().copied();
+    let finite = depths.filter(|depth| depth.is_finite());
+    let distance = |stored| rays.distance(t_of::<L>(&rays, input.format.turned(stored)));
+    let (row, values): (_, Vec<f64>) = match tones {
+        Tones::Triangles => return None,
+        Tones::Stored => (&STORED, finite.collect()),
+        Tones::Distance => (&DISTANCE, finite.map(distance).collect()),
+    };
+    let least = values.iter().copied().reduce(f64::min)?;
+    let most = values.iter().copied().reduce(f64::max)?;
+    let said = |number: f64| match tones {
+        Tones::Stored => value(&input.format, number),
+        Tones::Triangles | Tones::Distance => Formula::decimals().num(number).into(),
+    };
+    Some(InShades {
+        row,
+        n_pixels: values.len(),
+        range: [least, most].map(said),
+    })
+}

@@ -1,0 +1,94 @@
+//! What the names stand for at a step.
+
+use glam::DVec3;
+
+use crate::{
+    algo::{
+        surface::{Painter, PainterEvent as Event, PairTest, Surfaces},
+        volume::signed_distance,
+    },
+    labs::{
+        surfaces::methods::on_raster::{self, plane_of, sign, spaced, triangle},
+        telling::{At, Named},
+    },
+    text::Formula,
+};
+
+use super::{overlap::overlap, variant::Variant};
+
+pub fn named<L: Variant>(at: &At<'_, Painter<L>>, name: &str) -> Option<Named> {
+    let (surfaces, held, event) = (at.step.input, at.step.held, at.step.event());
+    let [id, other] = about(event);
+    let triangle = |id: u32| triangle(at.scenery, id);
+    let place_of = |id: u32| held.placed.iter().position(|&placed| placed == id);
+    let known = |id: u32| held.list.iter().find(|(it, _)| it.id == id);
+    let depths = |id: u32| known(id).map(|(it, _)| it.depths());
+    Some(match (name, event) {
+        ("triangle", _) => triangle(id?),
+        ("other", _) => triangle(other?),
+        ("before", Some(Event::Constraint { before, .. })) => triangle(before),
+        ("after", _) => triangle(other?),
+        ("before", _) => triangle(*held.cycle.iter().nth_back(1)?),
+        ("first", _) => triangle(*held.cycle.first()?),
+        ("key", _) => Formula::decimals().num(known(id?)?.1).into(),
+        ("z", _) => known(id?)?.1.into(),
+        ("nearest", _) => depths(id?)?[0].into(),
+        ("farthest", _) => depths(other.or(id)?)?[1].into(),
+        ("sign", _) => spaced(sign(depths(id?)?[0], depths(other?)?[1])),
+        ("place", Some(Event::Sort { .. })) => held.n_sorted.into(),
+        ("place", _) => (place_of(id?)? + 1).into(),
+        ("triangles", Some(Event::Paint { .. })) => held.placed.len().into(),
+        ("triangles", Some(_)) => held.list.len().into(),
+        ("pairs" | "watch-pairs", _) => (held.tally.pairs as usize).into(),
+        ("cycle", _) => held.cycle.len().into(),
+        ("behind", _) => distances(surfaces, id?, other?)?.into(),
+        ("front", _) => distances(surfaces, other?, id?)?.into(),
+        ("hidden", _) => {
+            let [far, near] = overlap(surfaces, [other?, id?])?.depths;
+            Formula::decimals().num(near).sym(" < ").num(far).into()
+        }
+        _ => {
+            let mut tests = PairTest::ALL.into_iter().zip(held.tally.decided);
+            let decided = tests.find(|(test, _)| test_key(*test) == name);
+            let counted = decided.map(|(_, n)| (n as usize).into());
+            return counted.or_else(|| on_raster::named(surfaces, at.scenery, name));
+        }
+    })
+}
+
+/// The triangle that a step is about, and the one that is asked beside it.
+pub fn about(event: Option<Event>) -> [Option<u32>; 2] {
+    match event {
+        Some(
+            Event::Key { id, .. }
+            | Event::Sort { id }
+            | Event::Place { id }
+            | Event::Cycle { id }
+            | Event::Paint { id },
+        ) => [Some(id), None],
+        Some(Event::Pair { id, other, .. }) => [Some(id), Some(other)],
+        Some(Event::Constraint { before, after }) => [Some(before), Some(after)],
+        Some(Event::Done) | None => [None, None],
+    }
+}
+
+/// How far the corners of a triangle lie before the plane of another one, on whose near side the eye is.
+fn distances(surfaces: &Surfaces, of: u32, plane: u32) -> Option<Formula> {
+    let triangle = surfaces.triangles().get(of as usize)?;
+    let plane = plane_of(surfaces, plane)?;
+    let [x, y, z, w] = surfaces.eye();
+    let eye = DVec3::from(plane.normal()).dot(DVec3::new(x, y, z)) + plane.d() * w;
+    let sign = if eye < 0.0 { -1.0 } else { 1.0 };
+    let distances = triangle.map(|at| sign * signed_distance::<f64>(&plane, at));
+    Some(Formula::decimals().sym("d = ").list(&distances))
+}
+
+pub const fn test_key(test: PairTest) -> &'static str {
+    match test {
+        PairTest::DepthExtents => "watch-depth-extents",
+        PairTest::ScreenExtents => "watch-screen-extents",
+        PairTest::BehindPlane => "watch-behind-plane",
+        PairTest::BeforePlane => "watch-before-plane",
+        PairTest::Overlap => "watch-overlap",
+    }
+}

@@ -1,0 +1,127 @@
+//! What the names stand for at a step.
+
+use crate::{
+    algo::surface::{PlaneHit, Ray, RayCasting, RayCastingEvent as Event, RayHit},
+    figure::{Link, Raster},
+    labs::{
+        surfaces::methods::on_raster::{self, name_of, triangle},
+        telling::{At, Named},
+        words::{self, pixel_formula},
+    },
+    text::{Formula, Value},
+};
+
+pub fn named(at: &At<'_, RayCasting>, name: &str) -> Option<Named> {
+    let (input, held, past) = (at.step.input, at.step.held, at.step.past);
+    let event = at.step.event();
+    let decimals = |x: f64| Formula::decimals().num(x);
+    let n_rays = input.pixel.map_or(input.surfaces.n_pixels(), |_| 1);
+    Some(match (name, event) {
+        ("triangle", Some(Event::Ask { id, .. })) => triangle(at.scenery, id),
+        ("triangle", _) => triangle(at.scenery, held.nearest?.id),
+        ("seen", _) => held.nearest.map_or_else(
+            || Value::Term("depth-nothing").into(),
+            |hit| triangle(at.scenery, hit.id),
+        ),
+        ("other", _) => triangle(at.scenery, nearest_before(past)?.id),
+        ("t", Some(Event::Ask { .. })) => decimals(nearest_before(past)?.t).into(),
+        ("t", _) => decimals(held.nearest?.t).into(),
+        ("at", _) => {
+            let (pixel, _) = turn(past)?;
+            let link = Link::nth(Raster::LINK, held.so_far.picture.place(pixel));
+            Named::from(pixel_formula(pixel)).linked(link)
+        }
+        ("hits", _) => hits(past).count().into(),
+        ("quotient", Some(Event::Ask { found, .. })) => quotient(&found).into(),
+        ("rays", _) => n_rays.into(),
+        ("questions", _) => {
+            let n_triangles = input.surfaces.triangles().len();
+            let product = decimals(n_rays as f64).sym(" · ").num(n_triangles as f64);
+            product.equals(held.so_far.n_asked as f64).into()
+        }
+        ("watch-pixel", _) => Named::maybe(turn(past).map(|(pixel, _)| pixel_formula(pixel))),
+        ("r", _) => {
+            let direction = turn(past).map(|(_, ray)| ray.direction);
+            Named::maybe(direction.map(|direction| Formula::decimals().place(direction)))
+        }
+        ("watch-hits", _) => hits(past).count().into(),
+        ("watch-nearest", _) => Named::maybe(held.nearest.map(|hit| name_of(at.scenery, hit.id))),
+        ("nearest t", _) => {
+            Named::maybe(held.nearest.map(|hit| decimals(hit.t))).labelled(words::name("t"))
+        }
+        ("watch-asked", _) => (held.so_far.n_asked as usize).into(),
+        _ => return on_raster::named(&input.surfaces, at.scenery, name),
+    })
+}
+
+/// What a pixel may take: what its ray has hit, or nothing.
+pub fn listed(at: &At<'_, RayCasting>, list: &str) -> Vec<Named> {
+    if list != "hits" {
+        return Vec::new();
+    }
+    let hits = hits(at.step.past).map(|hit| triangle(at.scenery, hit.id));
+    hits.chain([Value::Term("depth-nothing").into()]).collect()
+}
+
+/// `t = −(n·o + d) / (n·r) = 3.012 / 1.025 = 2.94`
+fn quotient(found: &PlaneHit) -> Formula {
+    let formula = Formula::decimals().sym("t = −(n·o + d) / (n·r) = ");
+    let formula = formula
+        .num(-found.numerator)
+        .sym(" / ")
+        .divisor(found.denominator);
+    match found.t {
+        Some(t) => formula.equals(t),
+        None => formula,
+    }
+}
+
+/// Where the turn of the pixel in hand, or of the last one, begins among all events; and its events.
+fn of_turn(past: &[Event]) -> &[Event] {
+    let is_turn = |event: &Event| matches!(event, Event::Pixel { .. });
+    &past[past.iter().rposition(is_turn).unwrap_or(past.len())..]
+}
+
+/// The pixel in hand, or the last one, and its ray.
+pub fn turn(past: &[Event]) -> Option<([u32; 2], Ray)> {
+    match of_turn(past).first()? {
+        Event::Pixel { pixel, ray } => Some((*pixel, *ray)),
+        Event::Ask { .. } | Event::Seen { .. } | Event::Done => None,
+    }
+}
+
+/// Every triangle that this ray has been asked about, in order, and what was found.
+pub fn asked(past: &[Event]) -> impl DoubleEndedIterator<Item = (u32, PlaneHit)> {
+    of_turn(past).iter().filter_map(|event| match *event {
+        Event::Ask { id, found, .. } => Some((id, found)),
+        Event::Pixel { .. } | Event::Seen { .. } | Event::Done => None,
+    })
+}
+
+/// All that this ray has hit so far.
+pub fn hits(past: &[Event]) -> impl DoubleEndedIterator<Item = RayHit> {
+    of_turn(past).iter().filter_map(hit_of)
+}
+
+fn hit_of(event: &Event) -> Option<RayHit> {
+    match *event {
+        Event::Ask {
+            id, found, depth, ..
+        } => {
+            let (t, depth) = found.t.zip(depth)?;
+            Some(RayHit { id, t, depth })
+        }
+        Event::Pixel { .. } | Event::Seen { .. } | Event::Done => None,
+    }
+}
+
+/// What was the nearest hit before the triangle that is asked.
+pub fn nearest_before(past: &[Event]) -> Option<RayHit> {
+    let [before @ .., _] = past else {
+        return None;
+    };
+    let asked = before.iter().rev();
+    let mut asked = asked.take_while(|event| matches!(event, Event::Ask { .. }));
+    let nearest = asked.find(|event| matches!(event, Event::Ask { nearest: true, .. }))?;
+    hit_of(nearest)
+}
