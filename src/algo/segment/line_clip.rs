@@ -209,19 +209,7 @@ impl<const N: usize, B: Bounds<N>, L: LineRules> Method for LineClip<N, B, L> {
                 return tell.tell(held, Event::Reject { plane: Some(plane) });
             }
         }
-        let touched = bounds.touched(&interval, &ends);
-        let mut visible = ends;
-        for end in End::BOTH {
-            let param = &interval.bounds[end.idx()];
-            let at = match (param.border, touched) {
-                (None, _) => ends[end.idx()],
-                (Some(_), Some([a, b])) => bounds.crossing::<R>(a.min(b), Some(a.max(b)), &ends),
-                (Some(plane), None) => bounds.crossing::<R>(plane, None, &ends),
-            };
-            visible[end.idx()] = at;
-            let (u, plane) = (param.u.get(), param.border);
-            tell.tell(held, Event::Put { end, u, plane, at })?;
-        }
+        let visible = put::<N, B, L, R, T>(bounds, &ends, &interval, held, tell)?;
         *held = Some(visible);
         tell.tell(held, Event::Accept { ends: visible })
     }
@@ -235,6 +223,37 @@ impl<const N: usize, B: Bounds<N>, L: LineRules> Method for LineClip<N, B, L> {
     fn max_events(input: &B::Input) -> usize {
         1 + 3 * input.bounds().planes().count() + 2 + 1
     }
+}
+
+/// Both ends at their parameters; where the line only touches, both at the same point.
+#[inline]
+fn put<const N: usize, B, L, R, T>(
+    bounds: &B,
+    ends: &[[f64; N]; 2],
+    interval: &Interval<R, B::Plane>,
+    held: &VisibleLine<N>,
+    tell: &mut T,
+) -> Told<T::Stop, [[f64; N]; 2]>
+where
+    B: Bounds<N>,
+    L: LineRules,
+    R: Real,
+    T: Tell<LineClip<N, B, L>>,
+{
+    let touched = bounds.touched(interval, ends);
+    let mut visible = *ends;
+    for end in End::BOTH {
+        let param = &interval.bounds[end.idx()];
+        let at = match (param.border, touched) {
+            (None, _) => ends[end.idx()],
+            (Some(_), Some([a, b])) => bounds.crossing::<R>(a.min(b), Some(a.max(b)), ends),
+            (Some(plane), None) => bounds.crossing::<R>(plane, None, ends),
+        };
+        visible[end.idx()] = at;
+        let (u, plane) = (param.u.get(), param.border);
+        tell.tell(held, LineEvent::Put { end, u, plane, at })?;
+    }
+    Told::Continue(visible)
 }
 
 /// Raises u_min, or lowers u_max, or does not.

@@ -13,7 +13,10 @@ use crate::{
     labs::{
         Verdict,
         crossing_formulas::upright_in_space,
-        segments::codes::{CodeKeys, CodeLook, CodeStep},
+        segments::{
+            CodeStep,
+            codes::{CodeKeys, CodeLook},
+        },
         space::SpaceTelling,
         telling::Named,
         words::{end_link, name, subscript},

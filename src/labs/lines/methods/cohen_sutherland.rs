@@ -10,7 +10,10 @@ use crate::{
     labs::{
         crossing_formulas::upright,
         lines::{LineTelling, Scene},
-        segments::codes::{CodeKeys, CodeLook, CodeStep},
+        segments::{
+            CodeStep,
+            codes::{CodeKeys, CodeLook},
+        },
         telling::Named,
         words::{
             border_equation, edge_link, edge_name, end_link, name, position_formula, subscript,

@@ -3,6 +3,7 @@
 mod brute_force;
 mod cohen_sutherland;
 mod convex_edges;
+mod crossings;
 mod cyrus_beck;
 mod dot_products;
 mod liang_barsky;
