@@ -17,14 +17,13 @@ pub use clipper::{Clipped, Clipper};
 pub use ear_clipping::{
     Corner, EarClipping, EarClippingEvent, EarClippingState, Ring, Triangle, Triangulation,
 };
-pub use pipeline::{Pipeline, PipelineEvent, PipelineStage, PipelineState};
+pub use pipeline::{Pipeline, PipelineEvent, PipelineHeld, PipelineStage};
 pub use region::ClipRegion;
 pub use sutherland_hodgman::{
-    EdgeTest, SutherlandHodgman, SutherlandHodgmanEvent, SutherlandHodgmanInput,
-    SutherlandHodgmanState,
+    SutherlandHodgman, SutherlandHodgmanEvent, SutherlandHodgmanHeld, SutherlandHodgmanInput,
 };
 pub use triangulate_and_clip::{
-    EachTriangleEvent, Pieces, TriangulateAndClip, TriangulateAndClipEvent,
+    ClipSoFar, EachTriangleEvent, Pieces, TriangulateAndClip, TriangulateAndClipEvent,
     TriangulateAndClipInput, TriangulateAndClipState,
 };
 pub use vertex::{Textured, Vertex};

@@ -41,19 +41,24 @@
 //! # Ok::<(), clipscope::geom::GeomError>(())
 //! ```
 
-use std::collections::{HashMap, HashSet};
+use std::{
+    collections::{HashMap, HashSet},
+    convert::Infallible,
+};
 
 use serde::Serialize;
 
 use crate::{
     geom::{Point, Segment, SimplePolygon},
-    trace::{Algorithm, Real},
+    trace::{
+        Algorithm, Real,
+        told::{Listening, Method, Told, silent},
+    },
 };
 
 use super::{
     ClipRegion, ClippedRing, EarClipping, EarClippingEvent, EarClippingState, RingOutcome,
-    SutherlandHodgman, SutherlandHodgmanEvent, SutherlandHodgmanInput, SutherlandHodgmanState,
-    Triangle,
+    SutherlandHodgman, SutherlandHodgmanEvent, SutherlandHodgmanInput, Triangle,
 };
 
 /// The algorithm; see the module.
@@ -126,11 +131,20 @@ pub struct TriangulateAndClipState {
     /// The triangle that is clipped, or was clipped last.
     pub triangle_idx: Option<usize>,
     /// How far that has come.
-    pub clip: Option<SutherlandHodgmanState<Point>>,
+    pub clip: Option<ClipSoFar>,
     /// Those of the triangles before.
     pub pieces: Pieces,
     /// Are all triangles done?
     pub is_done: bool,
+}
+
+/// A triangle that is clipped, and how far that has come.
+#[derive(Clone, PartialEq, Debug)]
+pub struct ClipSoFar {
+    /// The triangle, and what it is clipped against.
+    pub problem: SutherlandHodgmanInput,
+    /// How many events that is.
+    pub n_steps: usize,
 }
 
 impl Algorithm for TriangulateAndClip {
@@ -152,7 +166,14 @@ impl Algorithm for TriangulateAndClip {
                 corners,
             }));
             let problem = one_triangle(&input.region, corners);
-            let ring = <SutherlandHodgman>::run::<R>(&problem, |e| emit(Event::Clip(e)));
+            let mut clipping = <SutherlandHodgman>::begin(&problem);
+            let mut telling = Listening(|_: &_, event| {
+                emit(Event::Clip(event));
+                Told::<Infallible>::Continue(())
+            });
+            let Told::Continue(()) =
+                <SutherlandHodgman>::run::<R, _>(&problem, &mut clipping, &mut telling);
+            let ring = <SutherlandHodgman>::output(clipping);
             let outcome = ring.outcome;
             pieces.push(triangle_idx, &ring);
             emit(Event::Each(Piece {
@@ -181,9 +202,9 @@ impl Algorithm for TriangulateAndClip {
         use TriangulateAndClipEvent as Event;
         match event {
             Event::Triangulate(event) => EarClipping::apply(&mut state.ears, event),
-            Event::Clip(event) => {
+            Event::Clip(_) => {
                 if let Some(clip) = &mut state.clip {
-                    <SutherlandHodgman>::apply(clip, event);
+                    clip.n_steps += 1;
                 }
             }
             Event::Each(Triangle {
@@ -193,11 +214,12 @@ impl Algorithm for TriangulateAndClip {
             }) => {
                 let problem = one_triangle(&state.region, corners);
                 state.triangle_idx = Some(triangle_idx);
-                state.clip = Some(<SutherlandHodgman>::start(&problem));
+                let n_steps = 0;
+                state.clip = Some(ClipSoFar { problem, n_steps });
             }
             Event::Each(Piece { triangle_idx, .. }) => {
                 if let Some(clip) = &state.clip {
-                    let ring = <SutherlandHodgman>::finish(clip);
+                    let ring = silent::<SutherlandHodgman>(&clip.problem);
                     state.pieces.push(triangle_idx, &ring);
                 }
             }

@@ -83,13 +83,19 @@ pub trait PolygonTelling: Telling<Scenery = ()> {
     /// What in the scene it cannot take.
     fn input(scene: &Scene) -> Result<Self::Input, UnfitScene>;
 
-    /// The clip edge that an event brings up.
+    /// The vertex that an event asks whether it stays: where a row keeps or drops what it is about, that is this vertex.
     #[must_use]
-    fn border(_: &Self::Event) -> Option<usize> {
+    fn asks(_: &Self::Event) -> Option<Point> {
         None
     }
 
-    /// What an event says of a vertex of the subject that lies there: does it stay, as far as it has been asked?
+    /// The clip edge at work, where one is asked at a time.
+    #[must_use]
+    fn border(_: &Step<'_, Self>) -> Option<usize> {
+        None
+    }
+
+    /// What an event says of a vertex of the subject that lies there, where that is not what its row decides.
     #[must_use]
     fn tells(_: &Self::Event, _at: Point) -> Option<bool> {
         None

@@ -42,16 +42,16 @@ const fn told<M: PolygonTelling>() -> MethodInfo<Scene> {
 
 /// Every method, in the order in which they are taught.
 pub static METHODS: [MethodInfo<Scene>; 10] = [
-    info::<polygon::SutherlandHodgman>(),
-    info::<polygon::Pipeline>(),
+    told::<polygon::SutherlandHodgman>(),
+    told::<polygon::Pipeline>(),
     info::<polygon::weiler_atherton::WeilerAtherton>(),
     info::<polygon::EarClipping>(),
     info::<polygon::TriangulateAndClip>(),
-    info::<faulty::OnBorder>(),
-    info::<faulty::Open>(),
-    info::<faulty::Clockwise>(),
-    info::<faulty::Twice>(),
-    info::<faulty::EndBeforeCrossing>(),
+    told::<faulty::OnBorder>(),
+    told::<faulty::Open>(),
+    told::<faulty::Clockwise>(),
+    told::<faulty::Twice>(),
+    told::<faulty::EndBeforeCrossing>(),
 ];
 
 impl Carded for MethodInfo<Scene> {

@@ -6,7 +6,7 @@ use crate::{
         line::{least_move_in, least_move_out},
         polygon::ClipRegion,
     },
-    figure::{Caption, Link, Run},
+    figure::{Caption, Decides, Link, Run},
     geom::{Location, Point, Segment, locate},
     labs::{Click, Verdict, words::vertex_name},
     text::Message,
@@ -60,25 +60,26 @@ pub fn found<A: PolygonDemo>(scene: &Scene) -> Vec<Found> {
     found
 }
 
-/// What becomes of a vertex of the subject that lies there; none where the run never says.
+/// What becomes of a vertex of the subject that lies there: the last step that keeps or drops it. None where no step does.
 pub fn fate_told<M: PolygonTelling>(scene: &Scene, at: Point) -> Option<VertexFate> {
-    let run = Recording::<M>::new(M::input(scene).ok()?);
-    let mut border = None;
     let mut fate: Option<VertexFate> = None;
-    for (i, event) in run.events().iter().enumerate() {
-        border = M::border(event).or(border);
-        // The first test that it does not pass decides; of one that is kept, the last.
-        if let Some(is_kept) = M::tells(event, at)
-            && fate.is_none_or(|fate| fate.is_kept)
-        {
-            let step = i + 1;
+    Recording::<M>::looking(M::input(scene).ok()?, |now| {
+        let decides = now.event().and_then(|event| match M::row(now).decides {
+            Decides::Keeps if M::asks(&event) == Some(at) => Some(true),
+            Decides::Drops if M::asks(&event) == Some(at) => Some(false),
+            Decides::Keeps | Decides::Drops | Decides::Cuts | Decides::Nothing => {
+                M::tells(&event, at)
+            }
+        });
+        // Where a vertex has been dropped, no later one at its place counts.
+        if let Some(is_kept) = decides.filter(|_| fate.is_none_or(|fate| fate.is_kept)) {
             fate = Some(VertexFate {
-                step,
+                step: now.past.len(),
                 is_kept,
-                border,
+                border: M::border(now),
             });
         }
-    }
+    });
     fate
 }
 

@@ -4,25 +4,26 @@ use serde_json::{Value as Json, json};
 
 use crate::{
     algo::polygon::{
-        EachTriangleEvent as Each, EarClipping, Pieces, RingOutcome, SutherlandHodgman,
-        SutherlandHodgmanEvent, SutherlandHodgmanInput, Triangle, TriangulateAndClip,
-        TriangulateAndClipEvent as Event, TriangulateAndClipInput as Input,
-        TriangulateAndClipState as State,
+        ClipSoFar, EachTriangleEvent as Each, EarClipping, Pieces, RingOutcome, SutherlandHodgman,
+        SutherlandHodgmanEvent, Triangle, TriangulateAndClip, TriangulateAndClipEvent as Event,
+        TriangulateAndClipInput as Input, TriangulateAndClipState as State,
     },
     figure::{Body, Caption, Mark, Role, Shape, Tick, View, Watch, WatchRow, WatchSection},
     geom::{Point, SimplePolygon},
     labs::{
         Answer, CodeLine, Demo, Step, code_line,
         polygons::{PolygonDemo, Scene, ScenePart, UnfitScene},
+        telling::At,
         words::point_formula,
     },
     text::{Message, Value},
+    trace::told::Recording,
 };
 
 use super::{
-    clip_edge::EdgeLook,
     drawing, ear_clipping,
     fates::{FATES, fates},
+    picture::Picture,
     sutherland_hodgman,
     triangles::{points_of, triangle_link, triangle_name},
 };
@@ -45,7 +46,7 @@ impl PolygonDemo for TriangulateAndClip {
 
     fn crossing(event: &Event) -> Option<Point> {
         match event {
-            Event::Clip(event) => SutherlandHodgman::<Point>::crossing(event),
+            Event::Clip(event) => sutherland_hodgman::crossing_of(event),
             Event::Triangulate(_) | Event::Each(_) => None,
         }
     }
@@ -113,10 +114,8 @@ impl Demo for TriangulateAndClip {
         match event {
             Event::Triangulate(event) => EarClipping::caption(event, &before.ears, &input.polygon),
             Event::Each(event) => each_caption(*event, before),
-            Event::Clip(event) => match &before.clip {
-                Some(clip) => {
-                    sutherland_hodgman::caption(event, clip, &before.region, EdgeLook::RIGHT)
-                }
+            Event::Clip(_) => match &before.clip {
+                Some(clip) => clip_at(clip, clip.n_steps + 1, |at| at.caption()),
                 None => Self::opening(input),
             },
         }
@@ -143,8 +142,10 @@ impl Demo for TriangulateAndClip {
         rows.push(WatchRow::new(Value::Term("tac-pieces"), Some(n_pieces)));
         let mut watch = vec![WatchSection::list(rows)];
         if let Some(clip) = &state.clip {
-            watch.extend(sutherland_hodgman::scalars(clip));
-            watch.extend(sutherland_hodgman::lists_watched(clip));
+            watch.extend(clip_at(clip, clip.n_steps, |at| {
+                let lists = sutherland_hodgman::lists_watched(at);
+                Vec::from_iter(sutherland_hodgman::scalars(at).into_iter().chain(lists))
+            }));
         }
         watch
     }
@@ -161,20 +162,25 @@ fn marks(step: &Step<'_, TriangulateAndClip>) -> Vec<Mark> {
     }
     let mut marks = triangle_marks(state);
     marks.extend(piece_marks(&state.pieces));
-    if let (Some(clip), Some(corners)) = (&state.clip, corners(state)) {
-        let event = if let Some(Event::Clip(event)) = step.event {
-            Some(event)
-        } else {
-            None
-        };
-        let input = SutherlandHodgmanInput {
-            region: state.region.clone(),
-            vertices: corners.to_vec(),
-        };
-        let look = EdgeLook::RIGHT;
-        marks.extend(drawing::marks(&input, clip, event, look));
+    if let Some(clip) = &state.clip {
+        marks.extend(clip_at(clip, clip.n_steps, |at| {
+            drawing::marks(&Picture::of(&at.step))
+        }));
     }
     marks
+}
+
+/// A step of the clipping of one triangle.
+fn clip_at<T>(
+    clip: &ClipSoFar,
+    n_steps: usize,
+    look: impl FnOnce(&At<'_, SutherlandHodgman>) -> T,
+) -> T {
+    let run = Recording::<SutherlandHodgman>::new(clip.problem.clone());
+    run.at(n_steps, |&step| {
+        let scenery = None;
+        look(&At { step, scenery })
+    })
 }
 
 /// The triangulation alone.
@@ -195,11 +201,6 @@ fn triangle_now(state: &State) -> Option<(usize, Triangle)> {
     let triangle_idx = state.triangle_idx?;
     let triangle = state.ears.cut_off.triangles().get(triangle_idx)?;
     Some((triangle_idx, *triangle))
-}
-
-fn corners(state: &State) -> Option<[Point; 3]> {
-    let (_, triangle) = triangle_now(state)?;
-    Some(state.ears.cut_off.corners(triangle))
 }
 
 fn each_caption(event: Each, before: &State) -> Caption {
@@ -228,7 +229,9 @@ fn each_caption(event: Each, before: &State) -> Caption {
                 RingOutcome::Degenerate => "tac-touch",
                 RingOutcome::Empty => "tac-none",
             };
-            let n = before.clip.as_ref().map_or(0, |clip| clip.input.len());
+            let left = |at: &At<'_, SutherlandHodgman>| at.step.held.lists.list().len();
+            let clip = before.clip.as_ref();
+            let n = clip.map_or(0, |clip| clip_at(clip, clip.n_steps, left));
             Caption::new(named(key, triangle).with("n", n))
         }
         Each::Finish { n_pieces } => Caption::new(Message::new("tac-finish").with("n", n_pieces)),
