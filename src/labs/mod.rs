@@ -14,6 +14,7 @@ pub mod lines;
 mod operator;
 pub mod polygons;
 mod registry;
+mod rings;
 mod sketch;
 pub mod space;
 mod split_mix;

@@ -45,8 +45,8 @@ use crate::{
     },
     geom::{Matrix, VolumeSide},
     trace::{
-        Algorithm, Real, silent,
-        told::{Listening, Method, Told},
+        Algorithm, Real,
+        told::{Listening, Method, Told, silent},
     },
 };
 

@@ -32,9 +32,9 @@ pub(super) static SOLVERS: [Solver; 13] = [
     Solver::of::<OnScene<LiangBarsky3d>>(),
     Solver::of::<OnScene<PlaneLine>>(),
     Solver::of::<OnScene<HomogeneousLine>>(),
-    Solver::of::<OnScene<PlaneAtATime>>(),
-    Solver::of::<OnScene<IntersectionPolygon>>(),
-    Solver::of::<OnScene<HomogeneousTriangle<Option<[f64; 2]>>>>(),
+    Solver::told::<PlaneAtATime>(),
+    Solver::told::<IntersectionPolygon>(),
+    Solver::told::<HomogeneousTriangle<Option<[f64; 2]>>>(),
     Solver::of::<OnScene<ViewingPipeline>>(),
     Solver::of::<OnScene<LineToPixels>>(),
 ];

@@ -26,6 +26,6 @@ pub use street::street;
 pub use subject::{FaceFate, FaceTest, Places, Subject};
 pub use taught_camera::{Opening, TaughtCamera};
 
-pub(in crate::labs) use demo::{SpaceDemo, SpaceTelling};
+pub(in crate::labs) use demo::{SpaceDemo, SpaceTelling, scenery_of};
 
 pub(in crate::labs) use pixel::{pixel_verdict, raster_verdict};

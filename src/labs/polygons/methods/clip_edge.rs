@@ -8,7 +8,7 @@ use crate::{
         crossing_formulas::{Weights, fixed, oblique, upright},
         words::{along, axis_symbol, border_equation, edge_link, edge_name, name, subscript},
     },
-    text::{Formula, Message, Value},
+    text::{Formula, Value},
 };
 
 /// How a variant looks at its clip edges.
@@ -47,6 +47,11 @@ pub fn clip_edge_name(region: &ClipRegion, edge_idx: usize) -> Value {
 impl<'a> ClipEdge<'a> {
     pub const fn new(region: &'a ClipRegion, idx: usize, look: EdgeLook) -> Self {
         Self { region, idx, look }
+    }
+
+    /// Which of the region's edges it is.
+    pub const fn idx(&self) -> usize {
+        self.idx
     }
 
     /// The side of the window that it is.
@@ -133,17 +138,6 @@ impl<'a> ClipEdge<'a> {
                 .sym(self.relation(true, false))
                 .sym("0"),
         }
-    }
-
-    /// The clip edge's turn has come.
-    pub fn message(&self) -> Message {
-        let key = match self.side() {
-            Some(_) => "sh-edge-side",
-            None => "sh-edge",
-        };
-        Message::new(key)
-            .with("edge", self.name())
-            .with("inside", self.inside())
     }
 
     /// `V₄: x = −2 < −1`, or `V₄: n·(V₄ − E) = 1 · (3 − 1) + 2 · (0 − 2) = −2 < 0`.
