@@ -6,7 +6,7 @@ use clipscope::{
         TriangulateAndClip, TriangulateAndClipEvent as Event, TriangulateAndClipInput,
     },
     geom::{ConvexPolygon, Point, Polygon, Segment, Window},
-    trace::{Trace, laws, silent},
+    trace::{Trace, laws, silent, told},
 };
 use proptest::prelude::*;
 
@@ -83,7 +83,8 @@ fn no_bridge_is_left() {
     );
 
     let whole = Polygon::new(&COMB.map(|p| p.map(|x| x as f64))).expect("finite");
-    let ring = silent::<SutherlandHodgman>(&SutherlandHodgmanInput::new(region.into(), &whole));
+    let ring =
+        told::silent::<SutherlandHodgman>(&SutherlandHodgmanInput::new(region.into(), &whole));
     assert!(
         ring.vertices
             .contains(&Point::new(1.0, 3.0).expect("finite")),

@@ -4,14 +4,14 @@
 use clipscope::{
     algo::polygon::{Pipeline, SutherlandHodgman, SutherlandHodgmanInput, Textured},
     geom::ConvexPolygon,
-    trace::Algorithm,
+    trace::told::Method,
 };
 use serde::Serialize;
 
 use super::{event_log, input, points, unit};
 
-fn check<A: Algorithm<Event: Serialize>>(name: &str, input: A::Input) {
-    event_log::check::<A>(&format!("polygon/{name}"), input);
+fn check<M: Method<Event: Serialize>>(name: &str, input: M::Input) {
+    event_log::check_told::<M>(&format!("polygon/{name}"), input);
 }
 
 /// A triangle whose crossings are decimals that terminate.

@@ -2,19 +2,41 @@
 
 use std::{fs, path::PathBuf};
 
-use clipscope::trace::{Algorithm, Trace};
+use clipscope::trace::{
+    Algorithm, Counts, Trace,
+    told::{Method, Recording},
+};
 use serde::Serialize;
 
 /// Holds a run's events and its cost to `tests/snapshots/<name>.ndjson`; `UPDATE_SNAPSHOTS=1` writes what they
 /// now are.
+#[allow(
+    dead_code,
+    reason = "not every test that includes this file has runs of this kind"
+)]
 pub fn check<A: Algorithm<Event: Serialize>>(name: &str, input: A::Input) {
     let trace = Trace::<A>::record(input);
+    let n_steps = trace.events().len();
+    hold(name, trace.events(), trace.counts_at(n_steps));
+}
+
+/// The same of a told run.
+#[allow(
+    dead_code,
+    reason = "not every test that includes this file has runs of this kind"
+)]
+pub fn check_told<M: Method<Event: Serialize>>(name: &str, input: M::Input) {
+    let run = Recording::<M>::new(input);
+    let n_steps = run.events().len();
+    hold(name, run.events(), run.counts_at(n_steps));
+}
+
+fn hold(name: &str, events: &[impl Serialize], counts: Counts) {
     let mut log = String::new();
-    for event in trace.events() {
+    for event in events {
         log += &serde_json::to_string(event).expect("an event is JSON");
         log += "\n";
     }
-    let counts = trace.counts_at(trace.events().len());
     log += &serde_json::to_string(&counts).expect("counts are JSON");
     log += "\n";
     let path =
