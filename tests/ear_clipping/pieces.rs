@@ -6,7 +6,11 @@ use clipscope::{
         TriangulateAndClip, TriangulateAndClipEvent as Event, TriangulateAndClipInput,
     },
     geom::{ConvexPolygon, Point, Polygon, Segment, Window},
+<<<<<<< HEAD
     trace::told::{self, Recording, silent},
+=======
+    trace::{Trace, laws, silent, told},
+>>>>>>> 5f27bec
 };
 use proptest::prelude::*;
 
@@ -84,7 +88,8 @@ fn no_bridge_is_left() {
     );
 
     let whole = Polygon::new(&COMB.map(|p| p.map(|x| x as f64))).expect("finite");
-    let ring = silent::<SutherlandHodgman>(&SutherlandHodgmanInput::new(region.into(), &whole));
+    let ring =
+        told::silent::<SutherlandHodgman>(&SutherlandHodgmanInput::new(region.into(), &whole));
     assert!(
         ring.vertices
             .contains(&Point::new(1.0, 3.0).expect("finite")),

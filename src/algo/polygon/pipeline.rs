@@ -47,7 +47,7 @@ use crate::{
 use super::SutherlandHodgman;
 use super::{
     super::line::Ratio,
-    super::ring::{Clip, Crossing, Happening, Right},
+    super::ring::{Clip, Crossing, Happening, Right, RingEvent},
     ClippedRing, RingOutcome, Rule, SutherlandHodgmanInput, Vertex,
     border::{Borders, NthBorder},
 };
@@ -115,6 +115,39 @@ pub enum PipelineEvent<V> {
         /// What it comes to.
         outcome: RingOutcome,
     },
+}
+
+impl<V: Copy> RingEvent<V> for PipelineEvent<V> {
+    fn happening(&self) -> Option<Happening<V>> {
+        let idx = [0; 2];
+        match *self {
+            Self::First {
+                at,
+                distance,
+                inside,
+                ..
+            } => Some(Happening::First {
+                at,
+                distance,
+                inside,
+            }),
+            Self::Test {
+                ends,
+                distances,
+                rule,
+                ..
+            } => Some(Happening::Test {
+                idx,
+                ends,
+                distances,
+                rule,
+            }),
+            Self::Cross { at, t, .. } => Some(Happening::Cross(Crossing { at, t })),
+            Self::Enter { .. } | Self::Output { .. } | Self::Close { .. } | Self::Done { .. } => {
+                None
+            }
+        }
+    }
 }
 
 /// A clipper's memory.

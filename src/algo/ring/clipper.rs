@@ -8,7 +8,7 @@ use crate::trace::{
     told::{Method, Tell, Told},
 };
 
-use super::{Clip, Happening, Limit, RingEvent, Rules};
+use super::{Clip, Happening, Limit, Rules};
 
 /// A list of vertices that can grow.
 pub trait Ring {
@@ -105,7 +105,7 @@ impl<P> Lists<P> {
 type VertexOf<M> = <<M as RingClipper>::Ring as Ring>::Vertex;
 
 /// A clipper of rings.
-pub trait RingClipper: Method<Event: RingEvent<VertexOf<Self>>> {
+pub trait RingClipper: Method<Event: From<Happening<VertexOf<Self>>>> {
     /// What its lists are.
     type Ring: Ring;
     /// What it may get wrong.
@@ -188,7 +188,7 @@ pub fn clip_ring<M: RingClipper, R: Real, T: Tell<M>>(
             Happening::Cross(_) => M::crossed(held),
             Happening::First { .. } | Happening::Test { .. } => {}
         }
-        tell.tell(held, M::Event::of(happening))
+        tell.tell(held, M::Event::from(happening))
     };
     let first = vertex(held, ring.start);
     let mut clip = Clip::begin::<M::Rules, R>(limit, first);

@@ -3,20 +3,17 @@
 use super::Happening;
 
 /// An event of a clipper of rings: what happens to a vertex or an edge, or something between limits.
-pub trait RingEvent<V>: Sized {
-    /// As an event of this clipper.
-    fn of(happening: Happening<V>) -> Self;
-
+pub trait RingEvent<V> {
     /// What happens to a vertex or an edge; none between limits.
     fn happening(&self) -> Option<Happening<V>>;
 }
 
-/// Writes [`RingEvent`] for an enum of events that has the variants `First`, `Test`, `Cross` and `Output`.
+/// Writes both ways between a [`Happening`] and an enum of events that has the variants `First`, `Test`, `Cross` and `Output`.
 macro_rules! ring_events {
     ([$($generics:tt)*] $Event:ty, $V:ty, between: $($between:ident)|+) => {
-        impl<$($generics)*> $crate::algo::ring::RingEvent<$V> for $Event {
+        impl<$($generics)*> From<$crate::algo::ring::Happening<$V>> for $Event {
             #[inline]
-            fn of(happening: $crate::algo::ring::Happening<$V>) -> Self {
+            fn from(happening: $crate::algo::ring::Happening<$V>) -> Self {
                 use $crate::algo::ring::{Crossing, Happening};
                 match happening {
                     Happening::First { at, distance, inside } => Self::First { at, distance, inside },
@@ -27,7 +24,9 @@ macro_rules! ring_events {
                     Happening::Output(at) => Self::Output { at },
                 }
             }
+        }
 
+        impl<$($generics)*> $crate::algo::ring::RingEvent<$V> for $Event {
             fn happening(&self) -> Option<$crate::algo::ring::Happening<$V>> {
                 use $crate::algo::ring::{Crossing, Happening};
                 Some(match *self {

@@ -26,14 +26,12 @@ pub fn in_and_out(step: &Step<'_, Pipeline>) -> Lists {
 
 fn polygon(step: &Step<'_, Pipeline>) -> ListColumn {
     let given = &step.input.vertices;
-    let read = step.past.iter().rev().find_map(|event| match *event {
-        Event::Enter { vertex_idx, .. } => vertex_idx,
-        Event::First { .. }
-        | Event::Test { .. }
-        | Event::Cross { .. }
-        | Event::Output { .. }
-        | Event::Close { .. }
-        | Event::Done { .. } => None,
+    let read = step.past.iter().rev().find_map(|event| {
+        if let Event::Enter { vertex_idx, .. } = *event {
+            vertex_idx
+        } else {
+            None
+        }
     });
     let entry = |i: usize| {
         let mut entry = ListRow::new(name(vertex_symbol(i)));

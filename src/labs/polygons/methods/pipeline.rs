@@ -6,7 +6,7 @@ use crate::{
             Pipeline, PipelineEvent as Event, PipelineHeld as Held, RingOutcome, Rule,
             SutherlandHodgmanInput as Input,
         },
-        ring::Crossing,
+        ring::{Crossing, RingEvent},
     },
     figure::{
         Body, Mark, Role, Shape,
@@ -17,7 +17,7 @@ use crate::{
     labs::{
         CodeLine, code_line,
         polygons::{PolygonTelling, Scene, UnfitScene},
-        rings::{Asked, EdgeTest, is_crossed, rules},
+        rings::{Asked, asked_vertex, is_crossed, rules},
         telling::{At, Named, Row, Telling, Watched, rows},
         words::{name, vertex_symbol},
     },
@@ -32,7 +32,7 @@ use super::{
     in_and_out::{IN_AND_OUT, in_and_out},
     lists::{names, outline, output_symbol},
     result::result,
-    sutherland_hodgman::{SOURCE, input},
+    sutherland_hodgman::{SOURCE, crossing_of, input},
 };
 
 const SEND: usize = 0;
@@ -57,43 +57,20 @@ pub struct Now {
 
 impl Now {
     pub fn of(past: &[Event<Point>]) -> Self {
-        let (mut test, mut crossing) = (None, None);
-        for event in past.iter().rev() {
-            let (stage_idx, moving) = match *event {
-                Event::First { .. } => continue,
-                Event::Test {
-                    ends,
-                    distances,
-                    rule,
-                    ..
-                } => {
-                    test = Some(EdgeTest {
-                        idx: [0; 2],
-                        ends,
-                        distances,
-                        rule,
-                    });
-                    continue;
-                }
-                Event::Cross { at, t, .. } => {
-                    crossing = Some(Crossing { at, t });
-                    continue;
-                }
-                Event::Enter { stage_idx, at, .. } => (Some(stage_idx), Some(at)),
-                Event::Output { at } => (None, Some(at)),
-                Event::Close { stage_idx } => (Some(stage_idx), None),
-                Event::Done { .. } => (None, None),
-            };
-            return Self {
-                stage_idx,
-                moving,
-                asked: Asked { test, crossing },
-            };
-        }
+        let moves = past.iter().rev().find(|event| event.happening().is_none());
+        let (stage_idx, moving) = match moves {
+            Some(&Event::Enter { stage_idx, at, .. }) => (Some(stage_idx), Some(at)),
+            Some(&Event::Output { at }) => (None, Some(at)),
+            Some(&Event::Close { stage_idx }) => (Some(stage_idx), None),
+            Some(
+                Event::First { .. } | Event::Test { .. } | Event::Cross { .. } | Event::Done { .. },
+            )
+            | None => (None, None),
+        };
         Self {
-            stage_idx: None,
-            moving: None,
-            asked: Asked { test, crossing },
+            stage_idx,
+            moving,
+            asked: Asked::of(past),
         }
     }
 }
@@ -108,23 +85,11 @@ impl PolygonTelling for Pipeline {
     }
 
     fn asks(event: &Event<Point>) -> Option<Point> {
-        match *event {
-            Event::First { at, .. } => Some(at),
-            Event::Test { ends: [_, at], .. } => Some(at),
-            Event::Enter { .. }
-            | Event::Cross { .. }
-            | Event::Output { .. }
-            | Event::Close { .. }
-            | Event::Done { .. } => None,
-        }
+        asked_vertex(event)
     }
 
     fn crossing(event: &Event<Point>) -> Option<Point> {
-        if let Event::Cross { at, .. } = *event {
-            Some(at)
-        } else {
-            None
-        }
+        crossing_of(event)
     }
 
     fn piece(step: &Step<'_, Self>) -> Option<Vec<Point>> {
@@ -237,11 +202,17 @@ impl Telling for Pipeline {
             }
             _ => {
                 let now = Now::of(past);
-                let formula = || of_edge(&edge(input, now.stage_idx?), name_of, event?, &now);
-                return match now.asked.named(name_of, |_| "P".to_owned()) {
-                    Some(named) => Some(named),
-                    None => formula().map(Named::from),
+                let symbol = |i: usize| match (i, now.moving) {
+                    (0, _) => "S".to_owned(),
+                    (_, Some(_)) if now.asked.test.is_some() => "P".to_owned(),
+                    (..) => "F".to_owned(),
                 };
+                let formula = || {
+                    let symbols = [0, 1].map(symbol);
+                    edge(input, now.stage_idx?).asked(name_of, &event?, (&now.asked, symbols))
+                };
+                let of_test = now.asked.named(name_of, |_| "P".to_owned());
+                return of_test.or_else(|| formula().map(Named::from));
             }
         })
     }
@@ -288,35 +259,6 @@ impl Telling for Pipeline {
 /// The clip edge of a clipper.
 pub fn edge(input: &Input, stage_idx: usize) -> ClipEdge<'_> {
     ClipEdge::new(&input.region, stage_idx, EdgeLook::RIGHT)
-}
-
-/// How a vertex lies to the clip edge, and one of the formulas by which a crossing is found.
-fn of_edge(edge: &ClipEdge<'_>, name_of: &str, event: Event<Point>, now: &Now) -> Option<Formula> {
-    let symbols = ["S", if now.moving.is_some() { "P" } else { "F" }];
-    let lies = |i: usize| {
-        let test = now.asked.test?;
-        let vertex = (symbols[i].to_owned(), test.ends[i]);
-        Some(edge.position(&vertex, test.distances[i], test.inside()[i]))
-    };
-    match (name_of, event) {
-        (
-            "P lies",
-            Event::First {
-                at,
-                distance,
-                inside,
-                ..
-            },
-        ) => Some(edge.position(&("F".to_owned(), at), distance, inside)),
-        ("S lies", _) => lies(0),
-        ("P lies", _) => lies(1),
-        ("I 1" | "I 2" | "I 3", Event::Cross { at, .. }) => {
-            let test = now.asked.test?;
-            let mut formulas = edge.crossing(test.ends, test.distances, at).into_iter();
-            formulas.nth(usize::from(name_of.as_bytes()[2] - b'1'))
-        }
-        _ => None,
-    }
 }
 
 /// The drawing.

@@ -21,13 +21,11 @@ use crate::{
         telling::{At, Named, Recorded, Row, Telling, Watched, rows},
         words::{name, vertex_symbol},
     },
-    text::Formula,
     trace::told::Step,
 };
 
 use super::{
     super::handles::corner_link,
-    clip_edge::ClipEdge,
     drawing::marks,
     faulty::Kept,
     list_view::lists,
@@ -277,64 +275,27 @@ fn of_edge<V: LabVertex, L: Variant>(
 ) -> Option<Named> {
     let asked = Asked::of(at.step.past);
     let (edge, event) = (edge(&at.step)?, at.step.event()?);
-    let nth_lies = |i: usize| {
-        let test = asked.test?;
-        let vertex = (vertex_symbol(test.idx[i]), test.ends[i].at());
-        Some(edge.position(&vertex, test.distances[i], test.inside()[i]))
-    };
+    let symbol = |i: usize| vertex_symbol(asked.test.map_or(0, |test| test.idx[i]));
     Some(match (name_of, event) {
         ("edge", _) => edge.name().into(),
         ("inside", _) => edge.inside().into(),
         ("border", _) => edge.border().into(),
         ("normal", Event::Edge { normal, .. }) => normal.into(),
         ("E", Event::Edge { origin, .. }) => origin.to_array().into(),
-        (
-            "P lies",
-            Event::First {
-                at,
-                distance,
-                inside,
-            },
-        ) => {
-            let first = (vertex_symbol(0), at.at());
-            edge.position(&first, distance, inside).into()
-        }
-        ("S lies", _) => nth_lies(0)?.into(),
-        ("P lies", _) => nth_lies(1)?.into(),
-        ("I 1" | "I 2" | "I 3" | "uv(I)", Event::Cross { at, .. }) => {
-            crossing(name_of, &edge, &asked, at)?.into()
-        }
-        _ => return None,
-    })
-}
-
-/// One of the formulas by which a crossing is found.
-fn crossing<V: LabVertex>(
-    name_of: &str,
-    edge: &ClipEdge<'_>,
-    asked: &Asked<V>,
-    at: V,
-) -> Option<Formula> {
-    let test = asked.test?;
-    let points = test.ends.map(|v| v.at());
-    let nth = |i: usize| {
-        edge.crossing(points, test.distances, at.at())
-            .into_iter()
-            .nth(i)
-    };
-    match name_of {
-        "I 1" => nth(0),
-        "I 2" => nth(1),
-        "I 3" => nth(2),
-        _ => {
+        ("uv(I)", Event::Cross { at, .. }) => {
+            let test = asked.test?;
             let ends = [0, 1].map(|i| NamedVertex {
-                symbol: vertex_symbol(test.idx[i]),
+                symbol: symbol(i),
                 vertex: test.ends[i],
             });
-            let weights = edge.weights(points, test.distances);
-            at.uv_formula([&ends[0], &ends[1]], &weights)
+            let weights = edge.weights(test.ends.map(|v| v.at()), test.distances);
+            at.uv_formula([&ends[0], &ends[1]], &weights)?.into()
         }
-    }
+        _ => {
+            let symbols = [0, 1].map(symbol);
+            edge.asked(name_of, &event, (&asked, symbols))?.into()
+        }
+    })
 }
 
 /// The distances of S and P from the clip edge, and where between them it is crossed.

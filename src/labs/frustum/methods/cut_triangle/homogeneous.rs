@@ -122,31 +122,23 @@ fn rings<'a, L: Variant<Homogeneous>>(step: &Step<'a, Shown<L>>) -> RingStep<'a,
 fn side(past: &[Event]) -> Option<VolumeSide> {
     let is_over = matches!(past.last(), Some(Event::Done { .. }));
     let mut turns = past.iter().rev().filter(|_| !is_over);
-    turns.find_map(|event| match *event {
-        Event::Side { side } => Some(side),
-        Event::Divide { .. }
-        | Event::Codes { .. }
-        | Event::First { .. }
-        | Event::Test { .. }
-        | Event::Cross { .. }
-        | Event::Output { .. }
-        | Event::Pass { .. }
-        | Event::Done { .. } => None,
+    turns.find_map(|event| {
+        if let Event::Side { side } = *event {
+            Some(side)
+        } else {
+            None
+        }
     })
 }
 
 /// The codes of the vertices, their OR and their AND, once known.
 fn codes_in(past: &[Event]) -> Option<([SideCode; 3], SideCode, SideCode)> {
-    past.iter().find_map(|event| match *event {
-        Event::Codes { codes, or, and } => Some((codes, or, and)),
-        Event::Side { .. }
-        | Event::Divide { .. }
-        | Event::First { .. }
-        | Event::Test { .. }
-        | Event::Cross { .. }
-        | Event::Output { .. }
-        | Event::Pass { .. }
-        | Event::Done { .. } => None,
+    past.iter().find_map(|event| {
+        if let Event::Codes { codes, or, and } = *event {
+            Some((codes, or, and))
+        } else {
+            None
+        }
     })
 }
 

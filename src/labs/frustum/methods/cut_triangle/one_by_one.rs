@@ -119,13 +119,12 @@ fn count_on(inside: [bool; 3], distances: [f64; 3]) -> usize {
 
 /// How many corners of the triangle that was asked last are inside.
 fn n_inside<L: Variant<OneByOne>>(step: &Step<'_, Shown<L>>) -> usize {
-    let asked = step.past.iter().rev().find_map(|event| match *event {
-        Event::Triangle { inside, .. } => Some(count(inside)),
-        Event::Plane { .. }
-        | Event::Cross { .. }
-        | Event::Piece { .. }
-        | Event::Pass { .. }
-        | Event::Done { .. } => None,
+    let asked = step.past.iter().rev().find_map(|event| {
+        if let Event::Triangle { inside, .. } = *event {
+            Some(count(inside))
+        } else {
+            None
+        }
     });
     asked.unwrap_or_default()
 }
