@@ -6,7 +6,7 @@
 
 use clipscope::{
     algo::volume::{ClipPolygon, ClipVertex, HomogeneousTriangle, SideCode},
-    trace::{laws, silent},
+    trace::told::{self, silent},
 };
 use libfuzzer_sys::fuzz_target;
 
@@ -29,7 +29,7 @@ fuzz_target!(|bytes: &[u8]| {
     };
     let [one, other] = [[a, b, c], [b, a, d]].map(|corners| {
         let triangle = weighted(corners);
-        laws::check::<Algorithm>(&triangle);
+        told::check::<Algorithm>(&triangle);
         let polygon = silent::<Algorithm>(&triangle);
         check(&polygon);
         polygon

@@ -14,6 +14,7 @@ pub mod lines;
 mod operator;
 pub mod polygons;
 mod registry;
+mod rings;
 mod segments;
 mod sketch;
 pub mod space;

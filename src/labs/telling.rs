@@ -10,7 +10,7 @@ mod template;
 use serde::Serialize;
 
 use crate::{
-    figure::{Caption, Choice, Decides, Link, View, Watch, WatchRow, WatchSection},
+    figure::{Caption, Choice, Decides, Link, Tick, View, Watch, WatchRow, WatchSection},
     text::{Catalog, Message, Value},
     trace::told::{Method, Step},
 };
@@ -18,7 +18,7 @@ use crate::{
 use super::{Answer, CodeLine, MethodCard};
 
 pub use recorded::Recorded;
-pub use row::{Options, Question, Row};
+pub use row::{Options, Question, Row, all_rows};
 pub(crate) use row::{rows, table};
 
 /// A method whose steps can be told and shown.
@@ -58,6 +58,12 @@ pub trait Telling: Method<Output: Answer, Event: Serialize> + 'static {
     #[must_use]
     fn line(row: &Row) -> usize {
         row.line
+    }
+
+    /// The shape of the tick of a row; a method may show the steps of its parts in another way than these do.
+    #[must_use]
+    fn tick(row: &Row) -> Tick {
+        row.tick
     }
 
     /// The value of a name at a step; none where the name is not alive, or no name of this method.

@@ -6,7 +6,11 @@ use clipscope::{
         TriangulateAndClip, TriangulateAndClipEvent as Event, TriangulateAndClipInput,
     },
     geom::{ConvexPolygon, Point, Polygon, Segment, Window},
+<<<<<<< HEAD
+    trace::told::{self, Recording, silent},
+=======
     trace::{Trace, laws, silent, told},
+>>>>>>> 5f27bec
 };
 use proptest::prelude::*;
 
@@ -84,7 +88,8 @@ fn no_bridge_is_left() {
     );
 
     let whole = Polygon::new(&COMB.map(|p| p.map(|x| x as f64))).expect("finite");
-    let ring = silent::<SutherlandHodgman>(&SutherlandHodgmanInput::new(region.into(), &whole));
+    let ring =
+        told::silent::<SutherlandHodgman>(&SutherlandHodgmanInput::new(region.into(), &whole));
     assert!(
         ring.vertices
             .contains(&Point::new(1.0, 3.0).expect("finite")),
@@ -121,7 +126,7 @@ fn inside_outside_and_touching() {
             ring.rotate_left(lowest.expect("not empty"));
         }
         assert_eq!(found, expected, "{name}");
-        laws::check::<TriangulateAndClip>(&problem);
+        told::check::<TriangulateAndClip>(&problem);
     }
 }
 
@@ -141,7 +146,7 @@ fn a_touch_may_leave_a_sliver_as_wide_as_rounding() {
 
 #[test]
 fn the_phases_follow_each_other() {
-    let trace = Trace::<TriangulateAndClip>::record(input(&COMB, window([-1.0, 3.0, 6.0, 5.0])));
+    let trace = Recording::<TriangulateAndClip>::new(input(&COMB, window([-1.0, 3.0, 6.0, 5.0])));
     let phase = |event: &Event| match event {
         Event::Triangulate(_) => 't',
         Event::Each(_) => 'e',
@@ -182,14 +187,14 @@ proptest! {
         let found = area(&pieces);
         prop_assert!((found - expected).abs() <= 1e-9 * expected.max(1.0), "{found} for {expected}");
         prop_assert!(pieces.rings().all(|ring| double_area(ring) > -SLIVER));
-        laws::check::<TriangulateAndClip>(&problem);
+        told::check::<TriangulateAndClip>(&problem);
     }
 
     #[test]
     fn in_a_window_that_holds_it_all_nothing_is_cut(outline in any_outline()) {
         let problem = input(&outline, window([-2000.0, -2000.0, 2000.0, 2000.0]));
         let pieces = silent::<TriangulateAndClip>(&problem);
-        let whole = told::silent::<EarClipping>(&problem.polygon);
+        let whole = silent::<EarClipping>(&problem.polygon);
         let triangles: Vec<_> = whole.triangles().iter().map(|&t| whole.corners(t).to_vec()).collect();
         let found: Vec<_> = pieces.rings().map(<[Point]>::to_vec).collect();
         prop_assert_eq!(found, triangles);

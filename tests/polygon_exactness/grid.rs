@@ -3,7 +3,7 @@
 use clipscope::{
     algo::polygon::{ClipRegion, RingOutcome, SutherlandHodgman, Textured},
     geom::{ConvexPolygon, Point, Window},
-    trace::silent,
+    trace::told::silent,
 };
 use proptest::prelude::*;
 

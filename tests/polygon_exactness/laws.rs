@@ -6,7 +6,7 @@ use clipscope::{
         faulty::{CutsTwice, DropsOnBorder, EndFirst, Faulty, KeepsUv, LeavesOpen, WalksClockwise},
     },
     geom::{ConvexPolygon, Point, Window},
-    trace::laws::check,
+    trace::told::check,
 };
 use proptest::prelude::*;
 

@@ -23,7 +23,7 @@ use clipscope::{
         SutherlandHodgmanInput, Vertex,
     },
     geom::{HalfPlane, Point, Window},
-    trace::silent,
+    trace::told::silent,
 };
 
 fn points(outline: &[[f64; 2]]) -> Vec<Point> {

@@ -119,7 +119,7 @@ fn is_met(planes: &[Plane], corners: &[[f64; 3]]) -> bool {
         [a, b, c] => {
             let planes = planes.to_vec();
             let triangle = [a, b, c].map(SpaceVertex::new);
-            let left = silent::<IntersectionPolygon>(&TrianglePlanes { planes, triangle });
+            let left = told::silent::<IntersectionPolygon>(&TrianglePlanes { planes, triangle });
             !left.triangles.is_empty()
         }
         [a, .., b] | [a @ b] => {

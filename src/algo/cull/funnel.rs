@@ -47,8 +47,8 @@ use crate::{
     },
     geom::{Matrix, Plane, VolumeSide},
     trace::{
-        Real, silent,
-        told::{Method, Tell, Told, held_after},
+        Real,
+        told::{Method, Tell, Told, held_after, silent},
     },
 };
 

@@ -71,9 +71,9 @@ use crate::{
 use self::{
     corner::double_area,
     rivals::{Rival, Rivals},
+    triangulation::order_of,
 };
 
-pub(super) use self::triangulation::order_of;
 pub use self::{
     corner::Corner,
     ring::Ring,

@@ -3,7 +3,7 @@
 use crate::{
     algo::volume::{ClipVertex, HomogeneousTriangle, SideCode},
     geom::Matrix,
-    trace::silent,
+    trace::told::silent,
 };
 
 use super::{

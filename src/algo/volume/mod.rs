@@ -26,15 +26,13 @@ pub use clip_vertex::{Attributes, ClipVertex};
 pub use cohen_sutherland_3d::{CohenSutherland3d, CohenSutherland3dEvent, CohenSutherland3dInput};
 pub use cut_triangles::{CutTriangles, TrianglePlanes};
 pub use homogeneous_line::{ClipSpace, HomogeneousLine, side_distances};
-pub use homogeneous_triangle::{
-    HomogeneousTriangle, HomogeneousTriangleEvent, HomogeneousTriangleState,
-};
+pub use homogeneous_triangle::{HomogeneousTriangle, HomogeneousTriangleEvent};
 pub use intersection_polygon::{
-    IntersectionPolygon, IntersectionPolygonEvent, IntersectionPolygonState,
+    IntersectionPolygon, IntersectionPolygonEvent, IntersectionPolygonHeld,
 };
 pub use liang_barsky_3d::LiangBarsky3d;
 pub use part_turn::{PartTurn, part_move_in, part_move_out};
-pub use plane_at_a_time::{AskedTriangle, PlaneAtATime, PlaneAtATimeEvent, PlaneAtATimeState};
+pub use plane_at_a_time::{PlaneAtATime, PlaneAtATimeEvent, PlaneAtATimeHeld};
 pub use plane_line::{PlaneLine, plane_distances};
 pub use point_plane::{PlaneSide, signed_distance, weighted_sum};
 pub use rules::VolumeRules;

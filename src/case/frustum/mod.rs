@@ -32,9 +32,9 @@ pub(super) static SOLVERS: [Solver; 13] = [
     Solver::told::<LiangBarsky3d>(),
     Solver::told::<PlaneLine>(),
     Solver::told::<HomogeneousLine>(),
-    Solver::of::<OnScene<PlaneAtATime>>(),
-    Solver::of::<OnScene<IntersectionPolygon>>(),
-    Solver::of::<OnScene<HomogeneousTriangle<Option<[f64; 2]>>>>(),
+    Solver::told::<PlaneAtATime>(),
+    Solver::told::<IntersectionPolygon>(),
+    Solver::told::<HomogeneousTriangle<Option<[f64; 2]>>>(),
     Solver::told::<ViewingPipeline>(),
     Solver::told::<LineToPixels>(),
 ];

@@ -5,8 +5,7 @@ use crate::{
         ClipPolygon, ClipVertex, CutTriangles, HomogeneousTriangle, IntersectionPolygon,
         PlaneAtATime, SpaceVertex, TrianglePlanes,
     },
-    case::{Field, Fields, Given, Refusal, Solve, Told},
-    labs::space::OnScene,
+    case::{Field, Fields, Given, Refusal, SolveTold, Told},
     text::{Formula, Message, Value},
 };
 
@@ -66,11 +65,11 @@ fn left(n_triangles: usize) -> Message {
     Message::new(key).with("triangles", n_triangles)
 }
 
-impl Solve for OnScene<PlaneAtATime> {
+impl SolveTold for PlaneAtATime {
     const FIELDS: &'static [Field] = FIELDS;
 
     fn read(fields: &Fields<'_>) -> Result<(Self::Input, Told), Refusal> {
-        read_planes(fields).map(|(own, told)| (own.into(), told))
+        read_planes(fields)
     }
 
     fn verdict(output: &CutTriangles) -> Message {
@@ -78,11 +77,11 @@ impl Solve for OnScene<PlaneAtATime> {
     }
 }
 
-impl Solve for OnScene<IntersectionPolygon> {
+impl SolveTold for IntersectionPolygon {
     const FIELDS: &'static [Field] = FIELDS;
 
     fn read(fields: &Fields<'_>) -> Result<(Self::Input, Told), Refusal> {
-        read_planes(fields).map(|(own, told)| (own.into(), told))
+        read_planes(fields)
     }
 
     fn verdict(output: &CutTriangles) -> Message {
@@ -90,7 +89,7 @@ impl Solve for OnScene<IntersectionPolygon> {
     }
 }
 
-impl Solve for OnScene<HomogeneousTriangle<Option<[f64; 2]>>> {
+impl SolveTold for HomogeneousTriangle<Option<[f64; 2]>> {
     const FIELDS: &'static [Field] = &[Field::required("triangle"), Field::optional("uv")];
 
     fn read(fields: &Fields<'_>) -> Result<(Self::Input, Told), Refusal> {
@@ -100,7 +99,7 @@ impl Solve for OnScene<HomogeneousTriangle<Option<[f64; 2]>>> {
             at: corners[i],
             attributes: uv[i],
         });
-        Ok((own.into(), reader.told()))
+        Ok((own, reader.told()))
     }
 
     fn verdict(output: &ClipPolygon<Option<[f64; 2]>>) -> Message {

@@ -9,21 +9,21 @@ use crate::algo::polygon::{
     weiler_atherton::WeilerAtherton,
 };
 
-use super::{Fields, Refusal, Solvable, Solver, solver::read_problem};
+use super::{Fields, Refusal, Solvable, Solver, solver::read_told};
 
 /// The lab's methods, those that are wrong on purpose left out.
 pub(super) static SOLVERS: [Solver; 5] = [
-    Solver::of::<SutherlandHodgman>().reading(read_sutherland_hodgman),
-    Solver::of::<Pipeline>(),
+    Solver::told::<SutherlandHodgman>().reading(read_sutherland_hodgman),
+    Solver::told::<Pipeline>(),
     Solver::told::<WeilerAtherton>(),
     Solver::told::<EarClipping>(),
-    Solver::of::<TriangulateAndClip>(),
+    Solver::told::<TriangulateAndClip>(),
 ];
 
 /// With texture coordinates at the vertices where they are given.
 fn read_sutherland_hodgman(fields: &Fields<'_>) -> Result<Box<dyn Solvable>, Refusal> {
     match fields.get("uv") {
-        None => read_problem::<SutherlandHodgman>(fields),
-        Some(_) => read_problem::<SutherlandHodgman<Textured>>(fields),
+        None => read_told::<SutherlandHodgman>(fields),
+        Some(_) => read_told::<SutherlandHodgman<Textured>>(fields),
     }
 }

@@ -6,7 +6,7 @@ use crate::{
         TriangulateAndClip, TriangulateAndClipInput,
         weiler_atherton::{WeilerAtherton, WeilerAthertonInput, WeilerAthertonOutput},
     },
-    case::{Field, Fields, Refusal, Solve, SolveTold, Told},
+    case::{Field, Fields, Refusal, SolveTold, Told},
     geom::SimplePolygon,
     text::Message,
 };
@@ -25,7 +25,7 @@ const CLIPPED: [Field; 3] = [
 
 const TEXTURED: [Field; 4] = [CLIPPED[0], CLIPPED[1], CLIPPED[2], Field::optional("uv")];
 
-impl Solve for SutherlandHodgman {
+impl SolveTold for SutherlandHodgman {
     const FIELDS: &'static [Field] = &TEXTURED;
 
     fn read(fields: &Fields<'_>) -> Result<(SutherlandHodgmanInput, Told), Refusal> {
@@ -40,7 +40,7 @@ impl Solve for SutherlandHodgman {
     }
 }
 
-impl Solve for SutherlandHodgman<Textured> {
+impl SolveTold for SutherlandHodgman<Textured> {
     const FIELDS: &'static [Field] = &TEXTURED;
 
     fn read(fields: &Fields<'_>) -> Result<(SutherlandHodgmanInput<Textured>, Told), Refusal> {
@@ -61,7 +61,7 @@ impl Solve for SutherlandHodgman<Textured> {
     }
 }
 
-impl Solve for Pipeline {
+impl SolveTold for Pipeline {
     const FIELDS: &'static [Field] = &CLIPPED;
 
     fn read(fields: &Fields<'_>) -> Result<(Self::Input, Told), Refusal> {
@@ -104,7 +104,7 @@ impl SolveTold for EarClipping {
     }
 }
 
-impl Solve for TriangulateAndClip {
+impl SolveTold for TriangulateAndClip {
     const FIELDS: &'static [Field] = &CLIPPED;
 
     fn read(fields: &Fields<'_>) -> Result<(TriangulateAndClipInput, Told), Refusal> {

@@ -10,7 +10,7 @@ use crate::{
         volume::{ClipVertex, HomogeneousTriangle},
     },
     geom::{Matrix, Plane},
-    trace::silent,
+    trace::told::silent,
 };
 
 use crate::labs::space::{Object, Scene};

@@ -1,4 +1,4 @@
-//! The lab and its methods. To add one: a file in `algo::polygon`, its [`PolygonDemo`] beside the others, one
+//! The lab and its methods. To add one: a file in `algo::polygon`, its [`PolygonTelling`] beside the others, one
 //! line below.
 
 use crate::{
@@ -7,10 +7,10 @@ use crate::{
 };
 
 use super::{
-    Method, MethodInfo, PolygonDemo, PolygonTelling, Scene,
+    Method, MethodInfo, PolygonTelling, Scene,
     change::OUTLINES,
     methods::faulty,
-    verdict::{fate, fate_told, found, found_told},
+    verdict::{fate, found},
 };
 
 /// A polygon against a window or another polygon.
@@ -48,25 +48,7 @@ impl Lab for Polygons {
     }
 }
 
-const fn info<A: PolygonDemo>() -> Entry<MethodInfo> {
-    Entry {
-        card: MethodCard::of::<A>(),
-        info: MethodInfo {
-            clips: A::CLIPS,
-            carries_texture: A::CARRIES_TEXTURE,
-            given: A::GIVEN,
-            knows_holes: A::KNOWS_HOLES,
-            record: |scene| {
-                A::record(scene).unwrap_or_else(|refusal| refusal.run(scene, A::SUBJECT))
-            },
-            takes: |scene| A::input(scene).is_ok(),
-            fate: fate::<A>,
-            found: found::<A>,
-        },
-    }
-}
-
-const fn told<M: PolygonTelling>() -> Entry<MethodInfo> {
+const fn info<M: PolygonTelling>() -> Entry<MethodInfo> {
     Entry {
         card: MethodCard::told::<M>(),
         info: MethodInfo {
@@ -78,8 +60,8 @@ const fn told<M: PolygonTelling>() -> Entry<MethodInfo> {
                 M::record(scene).unwrap_or_else(|refusal| refusal.run(scene, M::SUBJECT))
             },
             takes: |scene| M::input(scene).is_ok(),
-            fate: fate_told::<M>,
-            found: found_told::<M>,
+            fate: fate::<M>,
+            found: found::<M>,
         },
     }
 }
@@ -88,8 +70,8 @@ const fn told<M: PolygonTelling>() -> Entry<MethodInfo> {
 pub static METHODS: [Entry<MethodInfo>; 10] = [
     info::<polygon::SutherlandHodgman>(),
     info::<polygon::Pipeline>(),
-    told::<polygon::weiler_atherton::WeilerAtherton>(),
-    told::<polygon::EarClipping>(),
+    info::<polygon::weiler_atherton::WeilerAtherton>(),
+    info::<polygon::EarClipping>(),
     info::<polygon::TriangulateAndClip>(),
     info::<faulty::OnBorder>(),
     info::<faulty::Open>(),

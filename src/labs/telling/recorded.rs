@@ -100,7 +100,7 @@ impl<M: Telling> Run for Recorded<M> {
         if self.differs_at == Some(step) {
             return Tick::Reject;
         }
-        self.row(step).map_or(Tick::Phase, |row| row.tick)
+        self.row(step).map_or(Tick::Phase, M::tick)
     }
 
     fn code_line(&self, step: usize) -> Option<usize> {

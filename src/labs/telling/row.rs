@@ -128,6 +128,22 @@ impl Row {
     }
 }
 
+/// The rows of a method and of its parts, in one table of `N`.
+#[must_use]
+pub const fn all_rows<const N: usize>(tables: &[&[Row]]) -> [Row; N] {
+    let mut all = [tables[0][0]; N];
+    let (mut n, mut i) = (0, 0);
+    while i < tables.len() {
+        let mut k = 0;
+        while k < tables[i].len() {
+            all[n] = tables[i][k];
+            (n, k) = (n + 1, k + 1);
+        }
+        i += 1;
+    }
+    all
+}
+
 /// The table of a method, as a constant `ROWS`, and the function `row` that finds the row of a step: every event must have a row,
 /// or the table does not compile. Guards may look at the step, which is the one after the event.
 ///

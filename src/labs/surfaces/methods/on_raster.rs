@@ -201,7 +201,7 @@ pub fn seen_corners(surfaces: &Surfaces, id: u32) -> Vec<[f64; 2]> {
         at: clip_from_view.times([x, y, z, 1.0]),
         attributes: [],
     });
-    let seen = silent::<HomogeneousTriangle<[f32; 0]>>(&corners);
+    let seen = told::silent::<HomogeneousTriangle<[f32; 0]>>(&corners);
     let place = |vertex: &ClipVertex<[f32; 0]>| {
         let [x, y, _, w] = vertex.at;
         surfaces.viewport().screen_from_ndc([x / w, y / w])
