@@ -23,7 +23,7 @@ pub use on_scene::{OnScene, OnSceneInput};
 pub use raster_plan::{RasterPlan, Tones};
 pub use scene::{MAX_OBJECTS, Method, MethodInfo, Scene, SceneError, SpaceLab};
 pub use street::street;
-pub use subject::{FaceFate, FaceTest, Places, Subject};
+pub use subject::{Places, Subject};
 pub use taught_camera::{Opening, TaughtCamera};
 
 pub(in crate::labs) use demo::{SpaceDemo, SpaceTelling, scenery_of};

@@ -75,9 +75,9 @@ rows! { [L: Variant] |event, step: Funnel<L>|
     plane_straddles: Event::Plane { class: Straddles, .. } => sphere_says(Straddles, PLANE);
     plane_outside: Event::Plane { class: Outside, .. } => sphere_says(Outside, PLANE);
     inside: Event::Sphere { class: Inside, .. } =>
-        Row::new(Accept, STRADDLES, "funnel-sphere-inside").keeps("object");
+        Row::new(Accept, STRADDLES, "funnel-sphere-inside").keeps("object").answers("sphere");
     straddles: Event::Sphere { class: Straddles, .. } =>
-        Row::new(Accept, STRADDLES, "funnel-sphere-straddles").cuts("object");
+        Row::new(Accept, STRADDLES, "funnel-sphere-straddles").cuts("object").answers("sphere");
     culled: Event::Sphere { class: Outside, .. } =>
         Row::new(Reject, CULL, "funnel-sphere-outside").drops("object").picks("plane", "planes");
     whole: Event::Triangle { fate: TriangleFate::Inside, .. } =>
