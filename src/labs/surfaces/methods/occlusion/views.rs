@@ -61,6 +61,37 @@ fn raster(at: &At<'_, Occlusion>) -> Raster {
     // Objects are in the order of their triangles.
     let object_of = |id: u32| input.objects.partition_point(|object| object.first <= id) as u32 - 1;
     let picture = at.step.held.drawing.so_far.picture.renamed(object_of);
+    let drawn = if let Some(Event::Draw { object_idx, .. }) = event {
+        Some(object_idx as u32)
+    } else {
+        None
+    };
+    let edges = asked_box(at).into_iter().flat_map(|it| it.edges());
+    let marks = edges.map(|ends| {
+        let ends = ends.map(|at| camera.world_from_view(at));
+        Mark3::new(Role::Signal, Shape3::Segment(ends))
+    });
+    let views = vec![
+        scenery.observer(fate, marks.collect()),
+        View::new(RASTER_VIEW, Body::Raster(raster(at))),
+        View::new(LIST_VIEW, Body::Lists(lists(at))),
+    ];
+    fitting(scenery, views)
+}
+
+/// The box that is asked, in view space.
+fn asked_box(at: &At<'_, Occlusion>) -> Option<AlignedBox> {
+    let (bounds, _) = answer(at.step.past)?;
+    let [[x, y, z], [right, top, front]] = bounds?;
+    AlignedBox::new([x, y, z, right, top, front]).ok()
+}
+
+/// The picture so far by objects, the box over it, and where it would be seen.
+fn raster(at: &At<'_, Occlusion>) -> Raster {
+    let (input, event) = (at.step.input, at.step.event());
+    // Objects are in the order of their triangles.
+    let object_of = |id: u32| input.objects.partition_point(|object| object.first <= id) as u32 - 1;
+    let picture = at.step.held.drawing.so_far.picture.renamed(object_of);
     let drawn = match event {
         Some(Event::Draw { object_idx, .. }) => Some(object_idx as u32),
         Some(Event::Query { .. } | Event::Skip { .. } | Event::Done) | None => None,
@@ -69,11 +100,10 @@ fn raster(at: &At<'_, Occlusion>) -> Raster {
     let mut over: Vec<RasterMark> = edges
         .filter_map(|ends| segment(&input.surfaces, ends, Role::Signal))
         .collect();
-    let asked: &[([u32; 2], bool)] = match event {
-        Some(Event::Done) => &[],
-        Some(Event::Query { .. } | Event::Skip { .. } | Event::Draw { .. }) | None => {
-            &at.step.held.asked
-        }
+    let asked: &[([u32; 2], bool)] = if event == Some(Event::Done) {
+        &[]
+    } else {
+        &at.step.held.asked
     };
     over.extend(asked.iter().filter(|_| drawn.is_none()).map(mark));
     let names = lettered(&picture, |object| name_of(at.scenery, object as usize));
@@ -128,14 +158,11 @@ fn lists(at: &At<'_, Occlusion>) -> Lists {
             ..ListRow::new(name_of(at.scenery, object_idx))
         }
     };
-    let reach = ListColumn::reach(objects.len(), focus);
     let columns = ["occlusion-asked", "occlusion-passed", "story-fate"];
+    let title = Value::Term("occlusion-objects");
     let column = ListColumn {
         columns: columns.map(Value::Term).to_vec(),
-        n_before: reach.start,
-        n_after: objects.len() - reach.end,
-        focus: focus.map(|at| at - reach.start),
-        ..ListColumn::new(Value::Term("occlusion-objects"), reach.map(row).collect())
+        ..ListColumn::about(title, objects.len(), focus, row)
     };
     Lists {
         lists: vec![column],
