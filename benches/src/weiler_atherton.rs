@@ -5,7 +5,7 @@ use std::{f64::consts::TAU, hint::black_box};
 use clipscope::{
     algo::polygon::weiler_atherton::{WeilerAtherton, WeilerAthertonInput, WeilerAthertonOutput},
     geom::{Point, SimplePolygon},
-    trace::{Trace, silent},
+    trace::told::{Recording, silent},
 };
 use geo::{Area, BooleanOps};
 use i_overlay::{
@@ -143,7 +143,7 @@ fn measure(outlines: &[Outline; 2], n_rounds: usize, names: &[&'static str]) -> 
             black_box(silent::<WeilerAtherton>(&prepared(black_box(outlines))));
         }),
         RECORDED => Contender::new(name, || {
-            black_box(Trace::<WeilerAtherton>::record(black_box(&input).clone()));
+            black_box(Recording::<WeilerAtherton>::new(black_box(&input).clone()));
         }),
         GEO => Contender::new(name, || {
             black_box(black_box(&geo_subject).intersection(black_box(&geo_clip)));
@@ -192,8 +192,8 @@ fn check(outlines: &[Outline; 2]) -> usize {
             "{name} finds {theirs}, not {ours}"
         );
     }
-    let trace = Trace::<WeilerAtherton>::record(input);
-    trace.state_at(trace.events().len()).nodes.len()
+    let run = Recording::<WeilerAtherton>::new(input);
+    run.held().lists.nodes.len()
 }
 
 fn area(clipped: &WeilerAthertonOutput) -> f64 {

@@ -9,7 +9,7 @@ use clipscope::{
         Relation, WeilerAtherton, WeilerAthertonInput, WeilerAthertonOutput,
     },
     geom::{GeomError, Location, Point, Region, SimplePolygon, locate},
-    trace::{laws, silent},
+    trace::told::{self, silent},
 };
 use libfuzzer_sys::fuzz_target;
 
@@ -35,7 +35,7 @@ fuzz_target!(|bytes: &[u8]| {
         clip,
     };
     if subject.vertices().len() + input.clip.vertices().len() < 60 {
-        laws::check::<WeilerAtherton>(&input);
+        told::check::<WeilerAtherton>(&input);
     }
     let answer = silent::<WeilerAtherton>(&input);
     check_rings(&answer, &input);

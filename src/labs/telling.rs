@@ -68,6 +68,11 @@ pub trait Telling: Method<Output: Answer, Event: Serialize> + 'static {
         Vec::new()
     }
 
+    /// Of a list that is only a part of what it stands for: the place of its first entry, and how long all of it is.
+    fn part(_: &At<'_, Self>, _list: &str) -> Option<[usize; 2]> {
+        None
+    }
+
     /// The watch table. Only a method with a table of several columns says it in another way.
     fn watch(at: &At<'_, Self>) -> Watch {
         Self::WATCH
@@ -236,6 +241,13 @@ impl<M: Telling> At<'_, M> {
         formulas.fold(Caption::new(self.message(row.key)), Caption::so)
     }
 
+    /// The sections of a watch table that have a row now.
+    #[must_use]
+    pub fn filled(&self, watched: &[Watched]) -> Watch {
+        let sections = watched.iter().map(|watched| self.section(watched));
+        sections.filter(|it| !it.rows.is_empty()).collect()
+    }
+
     /// The watch rows of a few names or of a list.
     #[must_use]
     pub fn section(&self, watched: &Watched) -> WatchSection {
@@ -247,7 +259,11 @@ impl<M: Telling> At<'_, M> {
         };
         let list = |list: &'static str| {
             let entries = M::listed(self, list).into_iter();
-            WatchSection::list(entries.map(|entry| entry.watched(list)).collect())
+            let section = WatchSection::list(entries.map(|entry| entry.watched(list)).collect());
+            match M::part(self, list) {
+                Some([first, of]) => section.part(first, of),
+                None => section,
+            }
         };
         match *watched {
             Watched::Names(of) => names(of),

@@ -47,6 +47,35 @@ pub trait Method: Sized {
     fn max_events(input: &Self::Input) -> usize;
 }
 
+/// A method that does all that `Part` does, in a part of its own memory.
+pub trait Includes<Part: Method>: Method {
+    /// The memory of the part.
+    fn part(held: &Self::Held) -> &Part::Held;
+
+    /// The same, to be changed.
+    fn part_mut(held: &mut Self::Held) -> &mut Part::Held;
+
+    /// An event of the part, as one of the whole.
+    fn as_own(event: Part::Event) -> Self::Event;
+}
+
+impl<M: Method> Includes<M> for M {
+    #[inline(always)]
+    fn part(held: &M::Held) -> &M::Held {
+        held
+    }
+
+    #[inline(always)]
+    fn part_mut(held: &mut M::Held) -> &mut M::Held {
+        held
+    }
+
+    #[inline(always)]
+    fn as_own(event: M::Event) -> M::Event {
+        event
+    }
+}
+
 /// Who listens to a run.
 pub trait Tell<M: Method> {
     /// What a run can be stopped for; [`Infallible`] where nothing stops it, and then `?` compiles to nothing.

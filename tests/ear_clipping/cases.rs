@@ -3,7 +3,7 @@
 use clipscope::{
     algo::polygon::{Corner, EarClipping, EarClippingEvent as Event, Triangle},
     geom::SimplePolygon,
-    trace::{Algorithm, Trace, laws, silent},
+    trace::told::{self, Method, Recording, silent},
 };
 
 use super::{
@@ -15,8 +15,8 @@ use super::{
 /// A name, an outline, and its triangles in the order in which they are cut off.
 type Case = (&'static str, &'static [[i64; 2]], &'static [Triangle]);
 
-fn trace(outline: &[[i64; 2]]) -> Trace<EarClipping> {
-    Trace::record(polygon(outline))
+fn trace(outline: &[[i64; 2]]) -> Recording<EarClipping> {
+    Recording::new(polygon(outline))
 }
 
 #[test]
@@ -57,7 +57,7 @@ fn outlines_and_their_triangles() {
     for (name, outline, expected) in cases {
         assert!(is_simple(outline), "{name}");
         assert_eq!(triangulated(outline), expected, "{name}");
-        laws::check::<EarClipping>(&polygon(outline));
+        told::check::<EarClipping>(&polygon(outline));
     }
 }
 
@@ -78,7 +78,7 @@ fn combs_spirals_and_stars() {
         let mut from_another_vertex = outline.clone();
         from_another_vertex.rotate_left(outline.len() / 2);
         triangulated(&from_another_vertex);
-        laws::check::<EarClipping>(&polygon(&outline));
+        told::check::<EarClipping>(&polygon(&outline));
     }
 }
 

@@ -8,7 +8,7 @@ use clipscope::{
         SphereCull, SphereCullInput, Viewer,
     },
     geom::{AlignedBox, Plane, Sphere},
-    trace::{laws, silent, told},
+    trace::told::{check, silent},
 };
 use proptest::prelude::*;
 
@@ -60,7 +60,7 @@ fn a_sphere_too_far_out_to_be_measured_straddles() {
         (vec![far], Containment::Straddles),
     ] {
         let input = SphereCullInput { planes, sphere };
-        assert_eq!(told::silent::<SphereCull>(&input).class, expected);
+        assert_eq!(silent::<SphereCull>(&input).class, expected);
     }
 }
 
@@ -70,7 +70,7 @@ proptest! {
         let [x, y, z] = center;
         let sphere = Sphere::new(numbers([x, y, z, radius])).expect("a sphere");
         let input = SphereCullInput { planes: planes(&planes_in), sphere };
-        let output = told::silent::<SphereCull>(&input);
+        let output = silent::<SphereCull>(&input);
         let expected = all(&planes_in, |plane| {
             let distance = sum(plane, center);
             if distance < 0 && compare_with_radius(-distance, radius, plane).is_gt() {
@@ -84,9 +84,9 @@ proptest! {
         prop_assert_eq!(output.class, expected);
         let asked_all = output.distances.len() == planes_in.len();
         prop_assert!(asked_all || output.class == Containment::Outside);
-        told::check::<SphereCull>(&input);
+        check::<SphereCull>(&input);
         let point = PointPlanesInput { planes: input.planes.clone(), point: sphere.center() };
-        laws::check::<PointPlanes>(&point);
+        check::<PointPlanes>(&point);
         let answer = silent::<PointPlanes>(&point);
         prop_assert_eq!(answer.inside, planes_in.iter().all(|&plane| sum(plane, center) >= 0));
     }
@@ -123,7 +123,7 @@ proptest! {
         }
         let meets = have_a_common_point(rows);
         prop_assert_eq!(output.false_positive, output.class != Containment::Outside && !meets);
-        laws::check::<BoxCull>(&input);
+        check::<BoxCull>(&input);
     }
 
     #[test]
@@ -137,7 +137,7 @@ proptest! {
         let scaled = |p: [i64; 3]| numbers(p).map(|x| x * scale);
         let triangle = corners.map(scaled);
         let input = BackFaceInput { triangle, viewer: Viewer::Eye(scaled(eye)) };
-        laws::check::<BackFace>(&input);
+        check::<BackFace>(&input);
         let away = eye.map(|x| -x);
         let looking = BackFaceInput { triangle, viewer: Viewer::Direction(scaled(away)) };
         if scale == 1.0 {

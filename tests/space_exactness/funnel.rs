@@ -9,7 +9,7 @@ use clipscope::{
         surface::{Cull, MeshRef, Viewport, assemble, draw_rows},
     },
     geom::{Camera, Matrix, Mesh, Solid, ViewVolume},
-    trace::{laws, silent, told},
+    trace::told::{check, silent},
 };
 use proptest::prelude::*;
 
@@ -66,12 +66,12 @@ proptest! {
             FunnelObject::new(&solid.mesh(), world_from_model).expect("finite")
         });
         let input = FunnelInput { camera, objects: objects.collect() };
-        laws::check::<Funnel>(&input);
-        laws::check::<Funnel<OneAngle>>(&input);
-        laws::check::<Funnel<ConstantView>>(&input);
-        laws::check::<Funnel<TurnsSign>>(&input);
-        laws::check::<Funnel<AroundOrigin>>(&input);
-        laws::check::<Funnel<Clockwise>>(&input);
+        check::<Funnel>(&input);
+        check::<Funnel<OneAngle>>(&input);
+        check::<Funnel<ConstantView>>(&input);
+        check::<Funnel<TurnsSign>>(&input);
+        check::<Funnel<AroundOrigin>>(&input);
+        check::<Funnel<Clockwise>>(&input);
         let levels = silent::<Funnel>(&input);
         prop_assert!(levels.scene.triangles >= levels.spheres.triangles);
         prop_assert!(levels.spheres.triangles >= levels.vertices.triangles);
@@ -88,7 +88,7 @@ proptest! {
         let mesh = solid.mesh();
         let object = FunnelObject::new(&mesh, &world_from_model).expect("finite");
         let planes = camera.planes_in_world().to_vec();
-        let class = told::silent::<SphereCull>(&SphereCullInput { planes, sphere: object.sphere }).class;
+        let class = silent::<SphereCull>(&SphereCullInput { planes, sphere: object.sphere }).class;
         if has_a_pixel(&mesh, &world_from_model, &camera) {
             prop_assert_ne!(class, Containment::Outside);
             let is_whole = is_ahead_of_near(&mesh, &world_from_model, &camera);

@@ -9,7 +9,10 @@ use clipscope::{
         surface::Viewport,
     },
     geom::{Camera, ViewVolume},
-    trace::{Algorithm, Counted, Counts, laws, silent},
+    trace::{
+        Counted, Counts,
+        told::{self, Recording, held_after, silent},
+    },
 };
 use proptest::prelude::*;
 
@@ -45,7 +48,7 @@ fn check(from: [i64; 2], to: [i64; 2]) {
     let mut back = pixels(to, from);
     back.reverse();
     assert_eq!(found, back, "{from:?} to {to:?} and back");
-    laws::check::<Bresenham>(&input(from, to));
+    told::check::<Bresenham>(&input(from, to));
 }
 
 #[test]
@@ -71,11 +74,10 @@ proptest! {
         let major = input.major();
         let [a, b] = [major, 1 - major].map(|i| to[i].abs());
         let step = to.map(i64::signum);
-        Bresenham::run::<f64>(&input, |event| {
-            let BresenhamEvent::Pixel { at, error, .. } = event;
+        for &BresenhamEvent::Pixel { at, error, .. } in Recording::<Bresenham>::new(input).events() {
             let (k, m) = (at[major] * step[major], at[1 - major] * step[1 - major]);
             assert_eq!(error, 2 * b * (k + 1) - a * (2 * m + 1));
-        });
+        }
     }
 }
 
@@ -95,7 +97,7 @@ fn the_ends_of_all_numbers() {
 
 #[test]
 fn no_product_and_no_quotient() {
-    let (_, counts) = Counts::of(|| Bresenham::run::<Counted>(&input([0, 0], [8, 4]), |_| {}));
+    let (_, counts) = Counts::of(|| held_after::<Bresenham, Counted>(&input([0, 0], [8, 4])));
     assert_eq!((counts.mul, counts.div), (0, 0));
     // Each step adds 2b, and each of the four diagonal ones takes 2a off.
     assert_eq!((counts.add, counts.cmp), (3 + 8 + 4, 8));
@@ -119,13 +121,12 @@ const MOST_OFF: f64 = 1.06;
 /// Every pixel is on the picture, and the line's image passes near its middle.
 fn check_drawn(ends: [[f64; 3]; 2], size: [u32; 2]) {
     let input = drawn(ends, size);
-    laws::check::<LineToPixels>(&input);
+    told::check::<LineToPixels>(&input);
     let found = silent::<LineToPixels>(&input);
-    let mut screen = None;
-    LineToPixels::run::<f64>(&input, |event| {
-        if let LineToPixelsEvent::Divide { screen: ends } = event {
-            screen = Some(ends);
-        }
+    let recording = Recording::<LineToPixels>::new(input);
+    let screen = recording.events().iter().find_map(|event| match *event {
+        LineToPixelsEvent::Divide { screen } => Some(screen),
+        _ => None,
     });
     assert_eq!(screen.is_some(), !found.is_empty());
     let Some([a, b]) = screen else {
@@ -178,6 +179,6 @@ fn an_end_in_the_corner_of_its_pixel() {
 #[test]
 fn a_segment_behind_the_eye_has_no_pixels() {
     let behind = drawn([[0.0, 2.0, 8.0], [3.0, 2.0, 9.0]], [24, 16]);
-    laws::check::<LineToPixels>(&behind);
+    told::check::<LineToPixels>(&behind);
     assert!(silent::<LineToPixels>(&behind).is_empty());
 }

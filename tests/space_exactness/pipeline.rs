@@ -6,7 +6,7 @@ use clipscope::{
         surface::Viewport,
     },
     geom::{Camera, Matrix, ViewVolume},
-    trace::{laws, silent},
+    trace::told::{check, silent},
 };
 use proptest::prelude::*;
 
@@ -18,7 +18,7 @@ fn viewport(size: [u32; 2]) -> Viewport {
 }
 
 fn through(input: &ViewingPipelineInput) -> ViewingPipelineOutput {
-    laws::check::<ViewingPipeline>(input);
+    check::<ViewingPipeline>(input);
     silent::<ViewingPipeline>(input)
 }
 

@@ -103,7 +103,7 @@ proptest! {
         is_parallel in any::<bool>(),
     ) {
         let viewer = if is_parallel { Viewer::Direction(eye) } else { Viewer::Eye(eye) };
-        let is_front = |triangle| silent::<BackFace>(&BackFaceInput { triangle, viewer }).front;
+        let is_front = |triangle| told::silent::<BackFace>(&BackFaceInput { triangle, viewer }).front;
         let turn = face_turn(&BackFaceInput { triangle, viewer });
         prop_assume!(turn.is_some());
         let FaceTurn { axis, degrees } = turn.expect("it has a normal");

@@ -6,7 +6,7 @@ use clipscope::{
         WeilerAthertonInput,
     },
     geom::Region,
-    trace::{Trace, laws},
+    trace::told::{self, Recording},
 };
 
 use super::{clip, rings, shapes};
@@ -54,7 +54,7 @@ fn check(case: &Case<'_>) {
     assert_eq!(answer.relation, *relation, "{name}");
     let expected: Vec<Vec<[f64; 2]>> = expected.iter().map(|ring| ring.to_vec()).collect();
     assert_eq!(rings(&answer), expected, "{name}");
-    laws::check::<WeilerAtherton>(&WeilerAthertonInput {
+    told::check::<WeilerAtherton>(&WeilerAthertonInput {
         subject: region.clone(),
         clip: clipper.clone(),
     });
@@ -443,7 +443,7 @@ fn met(subject: Outline, outline: Outline) -> (Vec<Contact>, Vec<IntersectionLab
         subject: shapes::simple(subject).expect("simple").into(),
         clip: shapes::simple(outline).expect("simple"),
     };
-    let trace = Trace::<WeilerAtherton>::record(input);
+    let trace = Recording::<WeilerAtherton>::new(input);
     let contacts = trace.events().iter().filter_map(|event| match event {
         Event::Found { contact, .. } => Some(*contact),
         _ => None,

@@ -5,7 +5,7 @@ use clipscope::{
         WeilerAtherton, WeilerAthertonEvent as Event, WeilerAthertonInput, WeilerAthertonOutput,
     },
     geom::{Point, Region, SimplePolygon},
-    trace::{Trace, laws, silent},
+    trace::told::{self, Recording, silent},
 };
 use proptest::prelude::*;
 
@@ -50,7 +50,7 @@ fn on_edge(subject: &SimplePolygon, clip: &SimplePolygon, ends: [Point; 2]) -> V
         subject: subject.clone().into(),
         clip: clip.clone(),
     };
-    let trace = Trace::<WeilerAtherton>::record(input);
+    let trace = Recording::<WeilerAtherton>::new(input);
     let mut points: Vec<[u64; 2]> = trace
         .events()
         .iter()
@@ -80,7 +80,7 @@ proptest! {
             simple(&turned)
         };
         prop_assert_eq!(rings(&answer), rings(&clip(&turned(&a).into(), &turned(&b))));
-        laws::check::<WeilerAtherton>(&WeilerAthertonInput { subject: simple(&a).into(), clip: simple(&b) });
+        told::check::<WeilerAtherton>(&WeilerAthertonInput { subject: simple(&a).into(), clip: simple(&b) });
     }
 
     #[test]
@@ -118,7 +118,7 @@ proptest! {
     #[test]
     fn crossings_stay_within_both_edges(a in star(3..40), b in star(3..40)) {
         let input = WeilerAthertonInput { subject: simple(&a).into(), clip: simple(&b) };
-        let trace = Trace::<WeilerAtherton>::record(input.clone());
+        let trace = Recording::<WeilerAtherton>::new(input.clone());
         for event in trace.events() {
             let Event::Found { edges: [s, c], at, .. } = event else { continue };
             let edges = [input.subject.outer().edge(*s as usize), input.clip.edge(*c as usize)];

@@ -19,7 +19,7 @@ mod shapes;
 use clipscope::{
     algo::polygon::weiler_atherton::{WeilerAtherton, WeilerAthertonInput, WeilerAthertonOutput},
     geom::{Point, Region, SimplePolygon},
-    trace::silent,
+    trace::told::silent,
 };
 
 fn clip(subject: &Region, clip: &SimplePolygon) -> WeilerAthertonOutput {

@@ -123,6 +123,9 @@ box-in-vain = It straddles { $cut ->
 box-done-inside = All { $planes } planes have it inside.
 box-done-straddles = No plane of { $planes } rejects it: its triangles are asked in turn.
 box-done-in-vain = The { $planes } planes keep it, and it would be drawn in vain: conservative, not wrong.
+option-box-inside = All eight corners are inside the { $plane } plane.
+option-box-straddles = Only some corners are inside the { $plane } plane: the box straddles it.
+option-box-outside = All eight corners are outside the { $plane } plane: the box is culled.
 code-box-corners = count corners with n·p + D < 0
 code-box-outside = if all eight: cull
 code-box-meets = is any point of it inside all?
@@ -195,6 +198,9 @@ funnel-triangle-across = Triangle { $triangle }: { $inside ->
        *[other] { $pieces } triangles
     }.
 funnel-triangle-nothing = Triangle { $triangle }: { $inside } vertices are inside, and the clipper finds { $pieces } pieces.
+option-triangle-inside = Triangle { $triangle } is inside and kept whole.
+option-triangle-outside = Triangle { $triangle } lies beyond one side and is culled.
+option-triangle-clipped = Triangle { $triangle } goes to the clipper.
 funnel-face-front = Triangle { $triangle } of object { $object } faces the camera: drawn.
 funnel-face-back = Triangle { $triangle } of object { $object } looks away: culled.
 funnel-face-edge-on = Triangle { $triangle } of object { $object } is edge-on: culled.

@@ -126,6 +126,9 @@ box-in-vain = Cruza { $cut ->
 box-done-inside = Los { $planes } planos la tienen dentro.
 box-done-straddles = Ninguno de los { $planes } planos la rechaza: se prueban sus triángulos.
 box-done-in-vain = Los { $planes } planos la conservan y se dibujaría en vano: es conservador, no erróneo.
+option-box-inside = Los ocho vértices están por dentro del plano { $plane }.
+option-box-straddles = Solo algunos vértices están por dentro del plano { $plane }: la caja lo cruza.
+option-box-outside = Los ocho vértices están por fuera del plano { $plane }: la caja se descarta.
 code-box-corners = contar vértices con n·p + D < 0
 code-box-outside = si los ocho: descartar
 code-box-meets = ¿hay un punto dentro de todos?
@@ -198,6 +201,9 @@ funnel-triangle-across = Triángulo { $triangle }: { $inside ->
        *[other] { $pieces } triángulos
     }.
 funnel-triangle-nothing = Triángulo { $triangle }: { $inside } vértices dentro, y el recorte deja { $pieces } trozos.
+option-triangle-inside = El triángulo { $triangle } está dentro y se conserva entero.
+option-triangle-outside = El triángulo { $triangle } queda más allá de un lado y se descarta.
+option-triangle-clipped = El triángulo { $triangle } pasa al recorte.
 funnel-face-front = El triángulo { $triangle } del objeto { $object } está de frente a la cámara: se dibuja.
 funnel-face-back = El triángulo { $triangle } del objeto { $object } está de espaldas a la cámara: se descarta.
 funnel-face-edge-on = El triángulo { $triangle } del objeto { $object } se ve de canto: se descarta.

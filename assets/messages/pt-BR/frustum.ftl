@@ -123,6 +123,9 @@ box-in-vain = Cruza { $cut ->
 box-done-inside = Está dentro dos { $planes } planos.
 box-done-straddles = Nenhum dos { $planes } planos a rejeita: seus triângulos são testados.
 box-done-in-vain = Os { $planes } planos a mantêm e ela seria desenhada em vão: é conservador, não errado.
+option-box-inside = Os oito cantos estão do lado de dentro do plano { $plane }.
+option-box-straddles = Só alguns cantos estão do lado de dentro do plano { $plane }: a caixa o cruza.
+option-box-outside = Os oito cantos estão do lado de fora do plano { $plane }: a caixa é descartada.
 code-box-corners = contar cantos com n·p + D < 0
 code-box-outside = se os oito: descartar
 code-box-meets = há um ponto dentro de todos?
@@ -195,6 +198,9 @@ funnel-triangle-across = Triângulo { $triangle }: { $inside ->
        *[other] { $pieces } triângulos
     }.
 funnel-triangle-nothing = Triângulo { $triangle }: { $inside } vértices dentro, e o recorte deixa { $pieces } pedaços.
+option-triangle-inside = O triângulo { $triangle } está dentro e é mantido inteiro.
+option-triangle-outside = O triângulo { $triangle } fica além de um lado e é descartado.
+option-triangle-clipped = O triângulo { $triangle } vai para o recorte.
 funnel-face-front = O triângulo { $triangle } do objeto { $object } está de frente para a câmera: desenhado.
 funnel-face-back = O triângulo { $triangle } do objeto { $object } está de costas: descartado.
 funnel-face-edge-on = O triângulo { $triangle } do objeto { $object } está de perfil: descartado.

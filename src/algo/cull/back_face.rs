@@ -24,7 +24,7 @@
 //! ```
 //! use clipscope::{
 //!     algo::cull::{BackFace, BackFaceInput, Viewer},
-//!     trace::silent,
+//!     trace::told::silent,
 //! };
 //! let triangle = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 //! let seen_from = |eye| silent::<BackFace>(&BackFaceInput { triangle, viewer: Viewer::Eye(eye) });
@@ -39,7 +39,10 @@ use serde::Serialize;
 use crate::{
     algo::ring::Right,
     geom::sign_of_four,
-    trace::{Algorithm, Real},
+    trace::{
+        Real,
+        told::{Method, Tell, Told},
+    },
 };
 
 use super::CullRules;
@@ -97,7 +100,7 @@ pub enum BackFaceEvent {
 }
 
 /// The answer.
-#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
+#[derive(Clone, Copy, PartialEq, Debug, Default, Serialize)]
 pub struct BackFaceOutput {
     /// Does it show its front? Edge-on it does not.
     pub front: bool,
@@ -107,26 +110,23 @@ pub struct BackFaceOutput {
     pub det: f64,
 }
 
-/// What the picture of a step needs.
-#[derive(Clone, Copy, PartialEq, Debug, Default)]
-pub struct BackFaceState {
-    /// V1 − V0, V2 − V0 and n, once computed.
-    pub normal: Option<([[f64; 3]; 2], [f64; 3])>,
-    /// e, once computed.
-    pub to_viewer: Option<[f64; 3]>,
-    /// n·e and the determinant, once computed.
-    pub products: Option<[f64; 2]>,
-    /// The answer, once known.
-    pub front: Option<bool>,
-}
-
-impl<L: CullRules> Algorithm for BackFace<L> {
+impl<L: CullRules> Method for BackFace<L> {
     type Input = BackFaceInput;
+    type Held = BackFaceOutput;
     type Output = BackFaceOutput;
     type Event = BackFaceEvent;
-    type State = BackFaceState;
 
-    fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Self::Output {
+    #[inline]
+    fn begin(_: &Self::Input) -> Self::Held {
+        BackFaceOutput::default()
+    }
+
+    #[inline]
+    fn run<R: Real, T: Tell<Self>>(
+        input: &Self::Input,
+        held: &mut Self::Held,
+        tell: &mut T,
+    ) -> Told<T::Stop> {
         let input = &BackFaceInput {
             triangle: taken(input.triangle, L::CLOCKWISE),
             ..*input
@@ -134,53 +134,33 @@ impl<L: CullRules> Algorithm for BackFace<L> {
         let [v0, v1, v2] = input.triangle.map(|v| v.map(R::new));
         let edges = [minus(v1, v0), minus(v2, v0)];
         let normal = cross(edges);
-        emit(BackFaceEvent::Normal {
+        let perpendicular = BackFaceEvent::Normal {
             edges: edges.map(|edge| edge.map(R::get)),
             normal: normal.map(R::get),
-        });
+        };
+        tell.tell(held, perpendicular)?;
         let e = match input.viewer {
             Viewer::Eye(eye) => minus(eye.map(R::new), v0),
             Viewer::Direction(view) => view.map(|x| -R::new(x)),
         };
-        emit(BackFaceEvent::ToViewer {
-            to_viewer: e.map(R::get),
-        });
+        let to_viewer = e.map(R::get);
+        tell.tell(held, BackFaceEvent::ToViewer { to_viewer })?;
         let dot = normal[0] * e[0] + normal[1] * e[1] + normal[2] * e[2];
         let det = determinant([e, edges[0], edges[1]]);
-        let [dot_value, det_value] = [dot, det].map(R::get);
-        emit(BackFaceEvent::Products {
-            dot: dot_value,
-            det: det_value,
-        });
-        let front = is_front(input, edges, e, dot);
-        emit(BackFaceEvent::Done { front });
-        BackFaceOutput {
-            front,
-            dot: dot_value,
-            det: det_value,
-        }
+        [held.dot, held.det] = [dot, det].map(R::get);
+        let products = BackFaceEvent::Products {
+            dot: held.dot,
+            det: held.det,
+        };
+        tell.tell(held, products)?;
+        held.front = is_front(input, edges, e, dot);
+        let front = held.front;
+        tell.tell(held, BackFaceEvent::Done { front })
     }
 
-    fn start(_: &Self::Input) -> Self::State {
-        BackFaceState::default()
-    }
-
-    fn apply(state: &mut Self::State, event: Self::Event) {
-        match event {
-            BackFaceEvent::Normal { edges, normal } => state.normal = Some((edges, normal)),
-            BackFaceEvent::ToViewer { to_viewer } => state.to_viewer = Some(to_viewer),
-            BackFaceEvent::Products { dot, det } => state.products = Some([dot, det]),
-            BackFaceEvent::Done { front } => state.front = Some(front),
-        }
-    }
-
-    fn finish(state: &Self::State) -> Self::Output {
-        let [dot, det] = state.products.unwrap_or_default();
-        BackFaceOutput {
-            front: state.front.unwrap_or_default(),
-            dot,
-            det,
-        }
+    #[inline]
+    fn output(held: Self::Held) -> Self::Output {
+        held
     }
 
     fn max_events(_: &Self::Input) -> usize {

@@ -22,7 +22,7 @@
 //! use clipscope::{
 //!     algo::cull::{BoxCull, BoxCullInput, Containment},
 //!     geom::{AlignedBox, ViewVolume},
-//!     trace::silent,
+//!     trace::told::silent,
 //! };
 //! let planes = ViewVolume::perspective(90.0, 1.0, 1.0, 10.0)?.planes().to_vec();
 //! let bounds = AlignedBox::new([10.5, -1.0, -11.0, 40.0, 1.0, 20.0])?;
@@ -36,7 +36,10 @@ use serde::Serialize;
 use crate::{
     algo::volume::weighted_sum,
     geom::{AlignedBox, Plane, meets},
-    trace::{Algorithm, Real},
+    trace::{
+        Real,
+        told::{Method, Tell, Told},
+    },
 };
 
 use super::Containment;
@@ -90,27 +93,28 @@ pub struct BoxCullOutput {
     pub false_positive: bool,
 }
 
-/// What the picture of a step needs.
-#[derive(Clone, PartialEq, Debug)]
-pub struct BoxCullState {
-    /// What each plane says: the eight sums, and the box's side.
-    pub asked: Vec<([f64; 8], Containment)>,
-    /// Has it a point inside, once that is known?
-    pub meets: Option<bool>,
-    /// The answer, once known.
-    pub class: Option<Containment>,
-}
-
-impl Algorithm for BoxCull {
+impl Method for BoxCull {
     type Input = BoxCullInput;
+    type Held = BoxCullOutput;
     type Output = BoxCullOutput;
     type Event = BoxCullEvent;
-    type State = BoxCullState;
 
-    fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Self::Output {
+    #[inline]
+    fn begin(_: &Self::Input) -> Self::Held {
+        BoxCullOutput {
+            class: Containment::Inside,
+            false_positive: false,
+        }
+    }
+
+    #[inline]
+    fn run<R: Real, T: Tell<Self>>(
+        input: &Self::Input,
+        held: &mut Self::Held,
+        tell: &mut T,
+    ) -> Told<T::Stop> {
         let corners = input.bounds.corners();
         let zero = R::new(0.0);
-        let mut all = Containment::Inside;
         for (plane_idx, plane) in input.planes.iter().enumerate() {
             let sums = corners.map(|corner| weighted_sum::<R>(plane, corner));
             let n_outside = sums.iter().filter(|&&sum| sum < zero).count();
@@ -119,51 +123,30 @@ impl Algorithm for BoxCull {
                 8 => Containment::Outside,
                 _ => Containment::Straddles,
             };
-            emit(BoxCullEvent::Plane {
+            held.class = held.class.and(class);
+            let asked = BoxCullEvent::Plane {
                 plane_idx,
                 sums: sums.map(R::get),
                 n_outside,
                 class,
-            });
-            all = all.and(class);
+            };
+            tell.tell(held, asked)?;
             if class == Containment::Outside {
                 break;
             }
         }
-        let mut false_positive = false;
-        if all == Containment::Straddles {
+        if held.class == Containment::Straddles {
             let meets = meets(&input.bounds, &input.planes);
-            emit(BoxCullEvent::Meets { meets });
-            false_positive = !meets;
+            held.false_positive = !meets;
+            tell.tell(held, BoxCullEvent::Meets { meets })?;
         }
-        emit(BoxCullEvent::Done { class: all });
-        BoxCullOutput {
-            class: all,
-            false_positive,
-        }
+        let class = held.class;
+        tell.tell(held, BoxCullEvent::Done { class })
     }
 
-    fn start(_: &Self::Input) -> Self::State {
-        BoxCullState {
-            asked: Vec::new(),
-            meets: None,
-            class: None,
-        }
-    }
-
-    fn apply(state: &mut Self::State, event: Self::Event) {
-        match event {
-            BoxCullEvent::Plane { sums, class, .. } => state.asked.push((sums, class)),
-            BoxCullEvent::Meets { meets } => state.meets = Some(meets),
-            BoxCullEvent::Done { class } => state.class = Some(class),
-        }
-    }
-
-    fn finish(state: &Self::State) -> Self::Output {
-        BoxCullOutput {
-            class: state.class.unwrap_or(Containment::Straddles),
-            false_positive: state.meets == Some(false),
-        }
+    #[inline]
+    fn output(held: Self::Held) -> Self::Output {
+        held
     }
 
     /// One a plane, the second test, the end.

@@ -8,11 +8,13 @@
 //!   faces       seen from the back     █████████                       culled
 //! ```
 //!
-//! 1. Each object's sphere is asked of every plane ([`SphereCull`]). Outside: it is culled. Inside: its triangles need not
+//! 1. Each object's sphere is asked of every plane ([`SphereCull`](super::SphereCull)). Outside: it is culled. Inside: its triangles need not
 //!    be asked.
 //! 2. Of an object that straddles each triangle's vertices get their codes: all beyond one side: it is culled. None beyond
 //!    any: it is kept whole. Else it is clipped ([`HomogeneousTriangle`]): it may come to several triangles, or none.
 //! 3. Every triangle that is left is asked whether it shows its front ([`BackFace`]).
+//!
+//! The run rests before each object, and within one of many triangles after every few of them.
 //!
 //! *Conventions*: as in the three. *Bound*: for each object its turn, those of its sphere, and its fate; for each
 //! triangle its cut and its face; the end. *Cost*: of the tests that are asked; the clipper is not counted here.
@@ -24,7 +26,7 @@
 //! use clipscope::{
 //!     algo::cull::{Funnel, FunnelInput, FunnelObject},
 //!     geom::{Camera, Matrix, Solid, ViewVolume},
-//!     trace::silent,
+//!     trace::told::silent,
 //! };
 //! let volume = ViewVolume::perspective(60.0, 1.0, 1.0, 20.0)?;
 //! let camera = Camera::new([0.0, 0.0, 5.0], [0.0; 3], [0.0, 1.0, 0.0], volume)?;
@@ -34,7 +36,7 @@
 //! # Ok::<(), clipscope::geom::SpaceError>(())
 //! ```
 
-use std::{convert::Infallible, marker::PhantomData};
+use std::marker::PhantomData;
 
 use serde::Serialize;
 
@@ -43,16 +45,15 @@ use crate::{
         ring::Right,
         volume::{ClipVertex, HomogeneousTriangle, SideCode},
     },
-    geom::{Matrix, VolumeSide},
+    geom::{Matrix, Plane, VolumeSide},
     trace::{
-        Algorithm, Real, silent,
-        told::{Listening, Method, Told},
+        Real, silent,
+        told::{Method, Tell, Told, held_after},
     },
 };
 
 use super::{
-    BackFace, BackFaceInput, BackFaceOutput, Containment, CullRules, SphereCull, SphereCullEvent,
-    SphereCullInput, SphereCullOutput, Viewer,
+    BackFace, BackFaceInput, Containment, CullRules, SphereCullOutput, Viewer,
     funnel_input::{FunnelInput, FunnelObject, asked_camera, asked_sphere, asked_viewer},
     funnel_levels::FunnelLevels,
 };
@@ -132,86 +133,68 @@ pub enum FunnelEvent {
     Done,
 }
 
-/// How far an object's sphere has been asked.
-#[derive(Clone, PartialEq, Debug, Default)]
-pub struct AskedSphere {
-    /// Each asked plane's distance, and what it says.
-    pub asked: Vec<(f64, Containment)>,
-    /// The answer, once known.
-    pub class: Option<Containment>,
-}
-
-/// What the picture of a step needs.
-#[derive(Clone, PartialEq, Debug)]
-pub struct FunnelState {
+/// What the funnel works in.
+#[derive(Clone, Debug)]
+pub struct FunnelHeld {
     /// How much is left, as far as it is known.
     pub levels: FunnelLevels,
-    /// The object whose turn it is.
-    pub object_idx: Option<usize>,
-    /// How far its sphere's test has come.
-    pub sphere: AskedSphere,
-    /// What the spheres said of each object so far.
-    pub classes: Vec<Containment>,
-    /// The triangles of this object so far, with their fates.
-    pub triangles: Vec<(usize, TriangleFate)>,
-    /// The faces of this object so far, and whether they show their front.
-    pub faces: Vec<(usize, bool)>,
-    /// Is nothing left to be asked?
-    pub is_done: bool,
+    /// The object whose turn it is; after the last one, how many there are.
+    pub object_idx: usize,
+    /// What the planes say of its sphere.
+    pub sphere: SphereCullOutput,
+    /// How much was left before its triangles were asked.
+    before: FunnelLevels,
+    /// The triangle that the run goes on from; before the first, the object has not had its turn.
+    n_asked: usize,
 }
 
-impl<L: CullRules> Algorithm for Funnel<L> {
+impl<L: CullRules> Method for Funnel<L> {
     type Input = FunnelInput;
+    type Held = FunnelHeld;
     type Output = FunnelLevels;
     type Event = FunnelEvent;
-    type State = FunnelState;
 
-    fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Self::Output {
-        let Some(first) = input.objects.first() else {
-            emit(FunnelEvent::Done);
-            return FunnelLevels::default();
-        };
-        let mut asking = Asking {
-            sphere: SphereCullInput {
-                planes: asked_camera::<L>(&input.camera).planes_in_world().to_vec(),
-                sphere: asked_sphere::<L>(first),
-            },
+    #[inline]
+    fn begin(_: &Self::Input) -> Self::Held {
+        FunnelHeld {
+            levels: FunnelLevels::default(),
+            object_idx: 0,
+            sphere: SphereCullOutput::unasked(VolumeSide::ALL.len()),
+            before: FunnelLevels::default(),
+            n_asked: 0,
+        }
+    }
+
+    #[inline]
+    fn run<R: Real, T: Tell<Self>>(
+        input: &Self::Input,
+        held: &mut Self::Held,
+        tell: &mut T,
+    ) -> Told<T::Stop> {
+        let asking = Asking::<L> {
+            planes: asked_camera::<L>(&input.camera).planes_in_world(),
             clip_from_world: input.camera.clip_from_world(),
             viewer: asked_viewer::<L>(&input.camera),
+            rules: PhantomData,
         };
-        let mut levels = FunnelLevels::default();
-        for (object_idx, object) in input.objects.iter().enumerate() {
-            let n_triangles = object.triangles.len();
-            levels.scene.add(1, n_triangles);
-            emit(FunnelEvent::Object {
-                object_idx,
-                n_triangles,
-                levels,
-            });
-            asking.object::<R, L>(object, &mut levels, &mut emit);
+        while let Some(object) = input.objects.get(held.object_idx) {
+            if held.n_asked == 0 {
+                tell.rest(held);
+                asking.sphere::<R, T>(object, held, tell)?;
+                held.before = held.levels;
+            }
+            if held.sphere.class != Containment::Outside {
+                asking.triangles::<R, T>(object, held, tell)?;
+            }
+            held.object_idx += 1;
+            held.n_asked = 0;
         }
-        emit(FunnelEvent::Done);
-        levels
+        tell.tell(held, FunnelEvent::Done)
     }
 
-    fn start(_: &Self::Input) -> Self::State {
-        FunnelState {
-            levels: FunnelLevels::default(),
-            object_idx: None,
-            sphere: AskedSphere::default(),
-            classes: Vec::new(),
-            triangles: Vec::new(),
-            faces: Vec::new(),
-            is_done: false,
-        }
-    }
-
-    fn apply(state: &mut Self::State, event: Self::Event) {
-        state.apply(event);
-    }
-
-    fn finish(state: &Self::State) -> Self::Output {
-        state.levels
+    #[inline]
+    fn output(held: Self::Held) -> Self::Output {
+        held.levels
     }
 
     /// For each object its turn, its sphere's planes and their end; for each triangle its fate and its face; the end.
@@ -221,88 +204,105 @@ impl<L: CullRules> Algorithm for Funnel<L> {
     }
 }
 
+/// Triangles between two rests within an object: few enough that a step is soon there, many enough to cost nothing.
+const BETWEEN_RESTS: usize = 64;
+
 /// What all objects are asked by.
-struct Asking {
-    /// Of each object in turn, against the same planes.
-    sphere: SphereCullInput,
+struct Asking<L> {
+    planes: [Plane; 6],
     clip_from_world: Matrix,
     viewer: Viewer,
+    rules: PhantomData<L>,
 }
 
-impl Asking {
-    fn object<R: Real, L: CullRules>(
-        &mut self,
+impl<L: CullRules> Asking<L> {
+    /// An object's turn begins: its sphere.
+    #[inline]
+    fn sphere<R: Real, T: Tell<Funnel<L>>>(
+        &self,
         object: &FunnelObject,
-        levels: &mut FunnelLevels,
-        emit: &mut impl FnMut(FunnelEvent),
-    ) {
-        self.sphere.sphere = asked_sphere::<L>(object);
+        held: &mut FunnelHeld,
+        tell: &mut T,
+    ) -> Told<T::Stop> {
         let n_triangles = object.triangles.len();
-        let mut sphere = SphereCull::<L>::begin(&self.sphere);
-        let mut listening = Listening(|_: &SphereCullOutput, told| {
-            match told {
-                SphereCullEvent::Plane {
-                    plane_idx,
-                    distance,
-                    class,
-                } => emit(FunnelEvent::Plane {
-                    side: VolumeSide::ALL[plane_idx],
-                    distance,
-                    class,
-                }),
-                SphereCullEvent::Done { class } => {
-                    levels.spheres_done(class, n_triangles);
-                    emit(FunnelEvent::Sphere {
-                        class,
-                        levels: *levels,
-                    });
-                }
-            }
-            Told::<Infallible>::Continue(())
-        });
-        let Told::Continue(()) =
-            <SphereCull<L> as Method>::run::<R, _>(&self.sphere, &mut sphere, &mut listening);
-        let class = sphere.class;
-        if class == Containment::Outside {
-            return;
-        }
-        // Whether anything of it was left before its triangles were asked.
-        let before = *levels;
-        for (triangle_idx, triangle) in object.triangles.iter().enumerate() {
-            let n_pieces = if class == Containment::Inside {
-                1
-            } else {
-                self.triangle::<R>(triangle_idx, triangle, levels, &before, emit)
+        held.levels.scene.add(1, n_triangles);
+        held.sphere = SphereCullOutput::unasked(self.planes.len());
+        let begins = FunnelEvent::Object {
+            object_idx: held.object_idx,
+            n_triangles,
+            levels: held.levels,
+        };
+        tell.tell(held, begins)?;
+        let sphere = asked_sphere::<L>(object);
+        for (side, plane) in VolumeSide::ALL.into_iter().zip(&self.planes) {
+            let (distance, class) = held.sphere.ask::<R, L>(plane, &sphere);
+            let asked = FunnelEvent::Plane {
+                side,
+                distance,
+                class,
             };
-            if n_pieces > 0 {
-                let input = BackFaceInput {
-                    triangle: *triangle,
-                    viewer: self.viewer,
-                };
-                let BackFaceOutput { dot, front, .. } = BackFace::<L>::run::<R>(&input, |_| {});
-                if front {
-                    levels.facing.gain(n_pieces, before.facing);
-                }
-                emit(FunnelEvent::Face {
-                    triangle_idx,
-                    n_pieces,
-                    dot,
-                    front,
-                    levels: *levels,
-                });
+            tell.tell(held, asked)?;
+            if class == Containment::Outside {
+                break;
             }
         }
+        let class = held.sphere.class;
+        held.levels.spheres_done(class, n_triangles);
+        let levels = held.levels;
+        tell.tell(held, FunnelEvent::Sphere { class, levels })
     }
 
-    /// To how many triangles it comes.
-    fn triangle<R: Real>(
+    /// The triangles of an object that was not culled, from the one that the run goes on from.
+    #[inline]
+    fn triangles<R: Real, T: Tell<Funnel<L>>>(
         &self,
-        triangle_idx: usize,
-        triangle: &[[f64; 3]; 3],
-        levels: &mut FunnelLevels,
-        before: &FunnelLevels,
-        emit: &mut impl FnMut(FunnelEvent),
-    ) -> usize {
+        object: &FunnelObject,
+        held: &mut FunnelHeld,
+        tell: &mut T,
+    ) -> Told<T::Stop> {
+        let is_inside = held.sphere.class == Containment::Inside;
+        let triangles = object.triangles.iter().enumerate();
+        for (triangle_idx, triangle) in triangles.skip(held.n_asked) {
+            if triangle_idx > 0 && triangle_idx.is_multiple_of(BETWEEN_RESTS) {
+                held.n_asked = triangle_idx;
+                tell.rest(held);
+            }
+            let n_pieces = if is_inside {
+                1
+            } else {
+                self.codes::<R, T>((triangle_idx, triangle), held, tell)?
+            };
+            if n_pieces == 0 {
+                continue;
+            }
+            let asked = BackFaceInput {
+                triangle: *triangle,
+                viewer: self.viewer,
+            };
+            let face = held_after::<BackFace<L>, R>(&asked);
+            if face.front {
+                held.levels.facing.gain(n_pieces, held.before.facing);
+            }
+            let told = FunnelEvent::Face {
+                triangle_idx,
+                n_pieces,
+                dot: face.dot,
+                front: face.front,
+                levels: held.levels,
+            };
+            tell.tell(held, told)?;
+        }
+        Told::Continue(())
+    }
+
+    /// A triangle of an object that straddles: to how many triangles it comes.
+    #[inline]
+    fn codes<R: Real, T: Tell<Funnel<L>>>(
+        &self,
+        (triangle_idx, triangle): (usize, &[[f64; 3]; 3]),
+        held: &mut FunnelHeld,
+        tell: &mut T,
+    ) -> Told<T::Stop, usize> {
         let corners = triangle.map(|[x, y, z]| ClipVertex {
             at: self.clip_from_world.times([x, y, z, 1.0]),
             attributes: (),
@@ -318,64 +318,19 @@ impl Asking {
             (TriangleFate::Cut, n)
         };
         if fate != TriangleFate::Outside {
-            levels.vertices.gain(1, before.vertices);
+            held.levels.vertices.gain(1, held.before.vertices);
         }
         if n_pieces > 0 {
-            levels.cuts.gain(n_pieces, before.cuts);
+            held.levels.cuts.gain(n_pieces, held.before.cuts);
         }
-        emit(FunnelEvent::Triangle {
+        let told = FunnelEvent::Triangle {
             triangle_idx,
             codes,
             fate,
             n_pieces,
-            levels: *levels,
-        });
-        n_pieces
-    }
-}
-
-impl FunnelState {
-    fn apply(&mut self, event: FunnelEvent) {
-        match event {
-            FunnelEvent::Object {
-                object_idx, levels, ..
-            } => {
-                self.object_idx = Some(object_idx);
-                self.sphere = AskedSphere::default();
-                self.triangles.clear();
-                self.faces.clear();
-                self.levels = levels;
-            }
-            FunnelEvent::Plane {
-                distance, class, ..
-            } => self.sphere.asked.push((distance, class)),
-            FunnelEvent::Sphere { class, levels } => {
-                self.sphere.class = Some(class);
-                self.classes.push(class);
-                self.levels = levels;
-            }
-            FunnelEvent::Triangle {
-                triangle_idx,
-                fate,
-                levels,
-                ..
-            } => {
-                self.triangles.push((triangle_idx, fate));
-                self.levels = levels;
-            }
-            FunnelEvent::Face {
-                triangle_idx,
-                front,
-                levels,
-                ..
-            } => {
-                self.faces.push((triangle_idx, front));
-                self.levels = levels;
-            }
-            FunnelEvent::Done => {
-                self.object_idx = None;
-                self.is_done = true;
-            }
-        }
+            levels: held.levels,
+        };
+        tell.tell(held, told)?;
+        Told::Continue(n_pieces)
     }
 }

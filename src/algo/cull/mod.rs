@@ -17,20 +17,18 @@ mod verdict;
 
 use serde::Serialize;
 
-pub use back_face::{
-    BackFace, BackFaceEvent, BackFaceInput, BackFaceOutput, BackFaceState, Viewer,
-};
+pub use back_face::{BackFace, BackFaceEvent, BackFaceInput, BackFaceOutput, Viewer};
 pub use batch::SphereBatch;
-pub use box_cull::{BoxCull, BoxCullEvent, BoxCullInput, BoxCullOutput, BoxCullState};
-pub use funnel::{AskedSphere, Funnel, FunnelEvent, FunnelState, TriangleFate};
+pub use box_cull::{BoxCull, BoxCullEvent, BoxCullInput, BoxCullOutput};
+pub use funnel::{Funnel, FunnelEvent, FunnelHeld, TriangleFate};
 pub use funnel_input::{FunnelInput, FunnelObject, asked_camera, asked_sphere, asked_viewer};
 pub use funnel_levels::{FunnelLevels, Level};
-pub use point_planes::{
-    PointPlanes, PointPlanesEvent, PointPlanesInput, PointPlanesOutput, PointPlanesState,
-};
+pub use point_planes::{PointPlanes, PointPlanesEvent, PointPlanesInput, PointPlanesOutput};
 pub use rules::CullRules;
-pub use sphere_cull::{SphereCull, SphereCullEvent, SphereCullInput, SphereCullOutput};
-pub use triangle_turn::{FaceTurn, face_turn, triangle_fate, triangle_move};
+pub use sphere_cull::{
+    SphereCull, SphereCullEvent, SphereCullInput, SphereCullOutput, sphere_side,
+};
+pub use triangle_turn::{FaceTurn, face_turn, triangle_move};
 pub use verdict::{SphereVerdict, sphere_verdict};
 
 /// Where something lies, as seen from one plane or from a volume.

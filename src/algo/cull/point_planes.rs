@@ -20,7 +20,7 @@
 //! use clipscope::{
 //!     algo::cull::{PointPlanes, PointPlanesInput},
 //!     geom::ViewVolume,
-//!     trace::silent,
+//!     trace::told::silent,
 //! };
 //! let planes = ViewVolume::perspective(90.0, 1.0, 1.0, 10.0)?.planes().to_vec();
 //! let at = |point| silent::<PointPlanes>(&PointPlanesInput { planes: planes.clone(), point });
@@ -34,7 +34,10 @@ use serde::Serialize;
 use crate::{
     algo::volume::{PlaneSide, signed_distance},
     geom::Plane,
-    trace::{Algorithm, Real},
+    trace::{
+        Real,
+        told::{Method, Tell, Told},
+    },
 };
 
 /// The algorithm; see the module.
@@ -79,55 +82,45 @@ pub struct PointPlanesOutput {
     pub distances: Vec<f64>,
 }
 
-/// What the picture of a step needs.
-#[derive(Clone, PartialEq, Debug, Default)]
-pub struct PointPlanesState {
-    /// Each asked plane's distance, and its answer.
-    pub asked: Vec<(f64, PlaneSide)>,
-    /// The answer, once known.
-    pub inside: Option<bool>,
-}
-
-impl Algorithm for PointPlanes {
+impl Method for PointPlanes {
     type Input = PointPlanesInput;
+    type Held = PointPlanesOutput;
     type Output = PointPlanesOutput;
     type Event = PointPlanesEvent;
-    type State = PointPlanesState;
 
-    fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Self::Output {
-        let mut distances = Vec::with_capacity(input.planes.len());
-        let mut inside = true;
+    #[inline]
+    fn begin(input: &Self::Input) -> Self::Held {
+        PointPlanesOutput {
+            inside: true,
+            distances: Vec::with_capacity(input.planes.len()),
+        }
+    }
+
+    #[inline]
+    fn run<R: Real, T: Tell<Self>>(
+        input: &Self::Input,
+        held: &mut Self::Held,
+        tell: &mut T,
+    ) -> Told<T::Stop> {
         for (plane_idx, plane) in input.planes.iter().enumerate() {
             let distance = signed_distance::<R>(plane, input.point);
             let side = PlaneSide::of(distance);
-            inside &= side != PlaneSide::Outside;
-            distances.push(distance.get());
-            emit(PointPlanesEvent::Plane {
+            held.inside &= side != PlaneSide::Outside;
+            held.distances.push(distance.get());
+            let asked = PointPlanesEvent::Plane {
                 plane_idx,
                 distance: distance.get(),
                 side,
-            });
+            };
+            tell.tell(held, asked)?;
         }
-        emit(PointPlanesEvent::Done { inside });
-        PointPlanesOutput { inside, distances }
+        let inside = held.inside;
+        tell.tell(held, PointPlanesEvent::Done { inside })
     }
 
-    fn start(_: &Self::Input) -> Self::State {
-        PointPlanesState::default()
-    }
-
-    fn apply(state: &mut Self::State, event: Self::Event) {
-        match event {
-            PointPlanesEvent::Plane { distance, side, .. } => state.asked.push((distance, side)),
-            PointPlanesEvent::Done { inside } => state.inside = Some(inside),
-        }
-    }
-
-    fn finish(state: &Self::State) -> Self::Output {
-        PointPlanesOutput {
-            inside: state.inside.unwrap_or_default(),
-            distances: state.asked.iter().map(|&(distance, _)| distance).collect(),
-        }
+    #[inline]
+    fn output(held: Self::Held) -> Self::Output {
+        held
     }
 
     /// One a plane, and the end.

@@ -87,6 +87,45 @@ pub struct SphereCullOutput {
     pub distances: Vec<f64>,
 }
 
+impl SphereCullOutput {
+    /// No plane has been asked.
+    #[inline]
+    pub(super) fn unasked(n_planes: usize) -> Self {
+        Self {
+            class: Containment::Inside,
+            distances: Vec::with_capacity(n_planes),
+        }
+    }
+
+    /// Asks one plane more: how far from it the centre lies, and what it says of the sphere.
+    #[inline]
+    pub(super) fn ask<R: Real, L: CullRules>(
+        &mut self,
+        plane: &Plane,
+        sphere: &Sphere,
+    ) -> (f64, Containment) {
+        let distance = signed_distance::<R>(plane, sphere.center());
+        let class = sphere_side::<R, L>(distance, R::new(sphere.radius()));
+        self.distances.push(distance.get());
+        self.class = self.class.and(class);
+        (distance.get(), class)
+    }
+}
+
+/// What a plane says of a sphere whose centre lies at this distance.
+#[inline]
+pub fn sphere_side<R: Real, L: CullRules>(distance: R, radius: R) -> Containment {
+    let inwards = if L::TURNS_SIGN { -distance } else { distance };
+    if inwards < -radius {
+        Containment::Outside
+    } else if inwards >= radius {
+        Containment::Inside
+    } else {
+        // Also where sums are larger than any number: a test that cannot tell keeps.
+        Containment::Straddles
+    }
+}
+
 impl<L: CullRules> Method for SphereCull<L> {
     type Input = SphereCullInput;
     type Held = SphereCullOutput;
@@ -95,10 +134,7 @@ impl<L: CullRules> Method for SphereCull<L> {
 
     #[inline]
     fn begin(input: &Self::Input) -> Self::Held {
-        SphereCullOutput {
-            class: Containment::Inside,
-            distances: Vec::with_capacity(input.planes.len()),
-        }
+        SphereCullOutput::unasked(input.planes.len())
     }
 
     #[inline]
@@ -107,37 +143,20 @@ impl<L: CullRules> Method for SphereCull<L> {
         held: &mut Self::Held,
         tell: &mut T,
     ) -> Told<T::Stop> {
-        let SphereCullInput { planes, sphere } = input;
-        let radius = R::new(sphere.radius());
-        let mut all = Containment::Inside;
-        for (plane_idx, plane) in planes.iter().enumerate() {
-            let distance = signed_distance::<R>(plane, sphere.center());
-            let inwards = if L::TURNS_SIGN { -distance } else { distance };
-            let class = if inwards < -radius {
-                Containment::Outside
-            } else if inwards >= radius {
-                Containment::Inside
-            } else {
-                // Also where sums are larger than any number: a test that cannot tell keeps.
-                Containment::Straddles
+        for (plane_idx, plane) in input.planes.iter().enumerate() {
+            let (distance, class) = held.ask::<R, L>(plane, &input.sphere);
+            let asked = SphereCullEvent::Plane {
+                plane_idx,
+                distance,
+                class,
             };
-            let distance = distance.get();
-            held.distances.push(distance);
-            all = all.and(class);
-            held.class = all;
-            tell.tell(
-                held,
-                SphereCullEvent::Plane {
-                    plane_idx,
-                    distance,
-                    class,
-                },
-            )?;
+            tell.tell(held, asked)?;
             if class == Containment::Outside {
                 break;
             }
         }
-        tell.tell(held, SphereCullEvent::Done { class: all })
+        let class = held.class;
+        tell.tell(held, SphereCullEvent::Done { class })
     }
 
     #[inline]

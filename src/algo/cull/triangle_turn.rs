@@ -1,4 +1,4 @@
-//! What decided a triangle's fate in the funnel, and the smallest change that would turn it.
+//! The smallest change that would turn a triangle's fate in the funnel.
 //!
 //! ```text
 //!      ┊   V0 ●                     all corners beyond plane k: moved along its normal until the nearest corner touches,
@@ -16,12 +16,12 @@
 use glam::DVec3;
 
 use crate::{
-    algo::{parameter::moves_allowed, ring::Right, volume::signed_distance},
+    algo::{parameter::moves_allowed, volume::signed_distance},
     geom::Plane,
-    trace::Algorithm,
+    trace::told::Recording,
 };
 
-use super::{BackFace, BackFaceEvent, BackFaceInput, CullRules, Funnel, FunnelEvent, FunnelInput};
+use super::{BackFace, BackFaceEvent, BackFaceInput};
 
 /// How a triangle has to be turned so that it shows its other side.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -32,64 +32,46 @@ pub struct FaceTurn {
     pub degrees: f64,
 }
 
-/// The step that decided a triangle's fate, from 1, and what was said there: of the tests that it came to, the last one.
-#[must_use]
-pub fn triangle_fate<L: CullRules>(
-    input: &FunnelInput,
-    object_idx: usize,
-    triangle_idx: usize,
-) -> Option<(usize, FunnelEvent)> {
-    let (mut step, mut object, mut last) = (0, None, None);
-    Funnel::<L>::run::<f64>(input, |event| {
-        step += 1;
-        let is_about = match event {
-            FunnelEvent::Object { object_idx, .. } => {
-                object = Some(object_idx);
-                false
-            }
-            FunnelEvent::Sphere { .. } => true,
-            FunnelEvent::Triangle {
-                triangle_idx: i, ..
-            }
-            | FunnelEvent::Face {
-                triangle_idx: i, ..
-            } => i == triangle_idx,
-            FunnelEvent::Plane { .. } | FunnelEvent::Done => false,
-        };
-        if is_about && object == Some(object_idx) {
-            last = Some((step, event));
-        }
-    });
-    last
-}
-
 /// How far a triangle has to be moved along a plane's normal so that no plane has all of its corners outside; none where no
 /// such move is there.
 #[must_use]
 pub fn triangle_move(planes: &[Plane], triangle: &[[f64; 3]; 3], plane_idx: usize) -> Option<f64> {
+    move_along(planes, plane_idx, |plane| {
+        let distances = triangle.map(|corner| signed_distance::<f64>(plane, corner));
+        distances.into_iter().fold(f64::NEG_INFINITY, f64::max)
+    })
+}
+
+/// The least move along a plane's normal by which no plane rejects something any more, where each plane leaves it `room`.
+pub(super) fn move_along(
+    planes: &[Plane],
+    plane_idx: usize,
+    room: impl Fn(&Plane) -> f64,
+) -> Option<f64> {
     let along = planes.get(plane_idx)?.unit_normal();
     let [low, _] = moves_allowed(planes.iter().map(|plane| {
-        let distances = triangle.map(|corner| signed_distance::<f64>(plane, corner));
         let both = plane.unit_normal().into_iter().zip(along);
         let slope: f64 = both.map(|(a, b)| a * b).sum();
-        [
-            distances.into_iter().fold(f64::NEG_INFINITY, f64::max),
-            slope,
-        ]
+        [room(plane), slope]
     }))?;
+    // The deciding plane rejects it where it is, so that the move leads inwards.
     Some(low)
 }
 
 /// How a triangle has to be turned so that it shows its other side; none where it has no normal.
 #[must_use]
 pub fn face_turn(input: &BackFaceInput) -> Option<FaceTurn> {
-    let (mut normal, mut to_viewer) = (None, None);
-    BackFace::<Right>::run::<f64>(input, |event| match event {
-        BackFaceEvent::Normal { normal: n, .. } => normal = Some(DVec3::from(n)),
-        BackFaceEvent::ToViewer { to_viewer: e } => to_viewer = Some(DVec3::from(e)),
-        BackFaceEvent::Products { .. } | BackFaceEvent::Done { .. } => {}
-    });
-    let (n, e) = (normal?.try_normalize()?, to_viewer?.try_normalize()?);
+    let recording = Recording::<BackFace>::new(*input);
+    let [
+        BackFaceEvent::Normal { normal, .. },
+        BackFaceEvent::ToViewer { to_viewer },
+        ..,
+    ] = recording.events()
+    else {
+        return None;
+    };
+    let [n, e] = [normal, to_viewer].map(|&at| DVec3::from(at).try_normalize());
+    let (n, e) = (n?, e?);
     let across = n.cross(e);
     // Straight towards the viewer or away from him any way round is as near.
     let axis = across

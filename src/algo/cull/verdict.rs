@@ -11,13 +11,9 @@
 //! for which s it does not reject; what all of them allow is an interval, and its end that is nearer to 0 is the answer. Where there
 //! is none, no move along this normal turns the verdict.
 
-use crate::{
-    algo::{parameter::moves_allowed, volume::signed_distance},
-    geom::{Plane, Sphere},
-    trace::told::silent,
-};
+use crate::{algo::volume::signed_distance, trace::told::silent};
 
-use super::{Containment, SphereCull, SphereCullInput};
+use super::{Containment, SphereCull, SphereCullInput, triangle_turn::move_along};
 
 /// What decided a sphere's fate.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -46,7 +42,10 @@ pub fn sphere_verdict(input: &SphereCullInput) -> Option<SphereVerdict> {
         distances.min_by(|a, b| a.1.total_cmp(&b.1))
     }?;
     let turn = if is_culled {
-        least_move(planes, sphere, plane_idx)
+        move_along(planes, plane_idx, |plane| {
+            let distance: f64 = signed_distance(plane, sphere.center());
+            distance + sphere.radius()
+        })
     } else {
         // One step beyond the touch, which is kept.
         Some(-(distance + sphere.radius()))
@@ -57,17 +56,4 @@ pub fn sphere_verdict(input: &SphereCullInput) -> Option<SphereVerdict> {
         distance,
         turn,
     })
-}
-
-/// The least move along a plane's normal by which no plane rejects a sphere any more.
-fn least_move(planes: &[Plane], sphere: &Sphere, plane_idx: usize) -> Option<f64> {
-    let along = planes.get(plane_idx)?.unit_normal();
-    let [low, _] = moves_allowed(planes.iter().map(|plane| {
-        let distance: f64 = signed_distance(plane, sphere.center());
-        let both = plane.unit_normal().into_iter().zip(along);
-        let slope: f64 = both.map(|(a, b)| a * b).sum();
-        [distance + sphere.radius(), slope]
-    }))?;
-    // The deciding plane rejects it where it is, so that the move leads inwards.
-    Some(low)
 }

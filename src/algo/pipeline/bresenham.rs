@@ -28,7 +28,7 @@
 //! ```
 //! use clipscope::{
 //!     algo::pipeline::{Bresenham, BresenhamInput},
-//!     trace::silent,
+//!     trace::told::silent,
 //! };
 //! let pixels = |from, to| silent::<Bresenham>(&BresenhamInput::new(from, to).expect("few pixels"));
 //! assert_eq!(pixels([0, 0], [4, 2]), [[0, 0], [1, 0], [2, 1], [3, 1], [4, 2]]);
@@ -39,7 +39,10 @@
 
 use serde::Serialize;
 
-use crate::trace::{Algorithm, Log, Real};
+use crate::trace::{
+    Real,
+    told::{Method, Tell, Told},
+};
 
 /// The algorithm; see the module.
 #[derive(Clone, Copy, Debug)]
@@ -118,22 +121,23 @@ pub enum BresenhamEvent {
     },
 }
 
-/// What the picture of a step needs.
-#[derive(Clone, PartialEq, Debug, Default)]
-pub struct BresenhamState {
-    /// Pixels so far.
-    pub pixels: Log<[i64; 2]>,
-    /// e at the last of them.
-    pub error: Option<i64>,
-}
-
-impl Algorithm for Bresenham {
+impl Method for Bresenham {
     type Input = BresenhamInput;
+    type Held = Vec<[i64; 2]>;
     type Output = Vec<[i64; 2]>;
     type Event = BresenhamEvent;
-    type State = BresenhamState;
 
-    fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Self::Output {
+    #[inline]
+    fn begin(input: &Self::Input) -> Self::Held {
+        Vec::with_capacity(Self::max_events(input))
+    }
+
+    #[inline]
+    fn run<R: Real, T: Tell<Self>>(
+        input: &Self::Input,
+        held: &mut Self::Held,
+        tell: &mut T,
+    ) -> Told<T::Stop> {
         let BresenhamInput { from, to } = *input;
         let major = input.major();
         let minor = 1 - major;
@@ -144,18 +148,18 @@ impl Algorithm for Bresenham {
         let mut error = two_b - a;
         let zero = R::new(0.0);
         let mut at = from;
-        let mut pixels = Vec::with_capacity(distances[major] as usize + 1);
         let mut put = |at: [i64; 2], diagonal: bool, error: R| {
+            held.push(at);
             // A whole number below 2¹⁸.
             let error = error.get() as i64;
-            emit(BresenhamEvent::Pixel {
+            let put = BresenhamEvent::Pixel {
                 at,
                 diagonal,
                 error,
-            });
-            pixels.push(at);
+            };
+            tell.tell(held, put)
         };
-        put(at, false, error);
+        put(at, false, error)?;
         while at[major] != to[major] {
             // Exactly between two: the smaller coordinate, whichever way is walked.
             let is_beyond = if step[minor] < 0 {
@@ -169,26 +173,14 @@ impl Algorithm for Bresenham {
             }
             at[major] += step[major];
             error = error + two_b;
-            put(at, is_beyond, error);
+            put(at, is_beyond, error)?;
         }
-        pixels
+        Told::Continue(())
     }
 
-    fn start(_: &Self::Input) -> Self::State {
-        BresenhamState::default()
-    }
-
-    fn apply(state: &mut Self::State, event: Self::Event) {
-        match event {
-            BresenhamEvent::Pixel { at, error, .. } => {
-                state.pixels.push(at);
-                state.error = Some(error);
-            }
-        }
-    }
-
-    fn finish(state: &Self::State) -> Self::Output {
-        state.pixels.iter().copied().collect()
+    #[inline]
+    fn output(held: Self::Held) -> Self::Output {
+        held
     }
 
     /// One a pixel.

@@ -27,7 +27,7 @@
 //!         surface::Viewport,
 //!     },
 //!     geom::{Camera, ViewVolume},
-//!     trace::silent,
+//!     trace::told::silent,
 //! };
 //! let volume = ViewVolume::perspective(90.0, 1.0, 1.0, 9.0)?;
 //! let drawn = DrawnSegment {
@@ -49,7 +49,10 @@ use crate::{
         volume::{ClipSpace, HomogeneousLine, LineInput},
     },
     geom::Camera,
-    trace::{Algorithm, Log, Real},
+    trace::{
+        Algorithm, Real,
+        told::{Listening, Method, Tell, Told},
+    },
 };
 
 use super::{Bresenham, BresenhamEvent, BresenhamInput, row_times};
@@ -119,23 +122,19 @@ pub enum LineToPixelsEvent {
     },
 }
 
-/// What the picture of a step needs.
-#[derive(Clone, PartialEq, Debug, Default)]
-pub struct LineToPixelsState {
-    /// Ends in clip space, once known.
-    pub projected: [Option<[f64; 4]>; 2],
-    /// What is left of them.
-    pub clipped: Option<[[f64; 4]; 2]>,
-    /// Nothing is left.
-    pub is_rejected: bool,
-    /// In pixels, with fractions.
-    pub screen: Option<[[f64; 2]; 2]>,
-    /// The pixels that they lie in.
-    pub rounded: Option<[[i64; 2]; 2]>,
-    /// Pixels so far.
-    pub pixels: Log<[i64; 2]>,
-    /// e at the last of them.
-    pub error: Option<i64>,
+impl From<BresenhamEvent> for LineToPixelsEvent {
+    fn from(event: BresenhamEvent) -> Self {
+        let BresenhamEvent::Pixel {
+            at,
+            diagonal,
+            error,
+        } = event;
+        Self::Pixel {
+            at,
+            diagonal,
+            error,
+        }
+    }
 }
 
 impl DrawnSegment {
@@ -149,14 +148,17 @@ impl DrawnSegment {
         })
     }
 
-    /// The pixels of both ends, once all before them has been told.
-    fn ends<R: Real>(&self, emit: &mut impl FnMut(LineToPixelsEvent)) -> Option<BresenhamInput> {
+    /// The pixels of both ends, once all before them has been told; none where nothing is left.
+    fn ends<R: Real, S>(
+        &self,
+        tell: &mut impl FnMut(LineToPixelsEvent) -> Told<S>,
+    ) -> Told<S, Option<BresenhamInput>> {
         let rows = self.camera.clip_from_world().rows();
         let mut projected = [[0.0; 4]; 2];
         for (end, at) in End::BOTH.into_iter().zip(&mut projected) {
             let from = self.ends[end.idx()].map(R::new);
             *at = rows.map(|row| row_times(row, from).get());
-            emit(LineToPixelsEvent::Project { end, clip: *at });
+            tell(LineToPixelsEvent::Project { end, clip: *at })?;
         }
         let input = LineInput {
             bounds: ClipSpace,
@@ -166,69 +168,57 @@ impl DrawnSegment {
         // What is inside of all sides has w > 0: but for the eye itself, and for rounding.
         let left = left.filter(|ends| ends.iter().all(|end| R::new(end[3]) > R::new(0.0)));
         let Some(ends) = left else {
-            emit(LineToPixelsEvent::Reject);
-            return None;
+            tell(LineToPixelsEvent::Reject)?;
+            return Told::Continue(None);
         };
-        emit(LineToPixelsEvent::Clip { ends });
+        tell(LineToPixelsEvent::Clip { ends })?;
         let screen = ends.map(|[x, y, _, w]| {
             let [x, y, w] = [x, y, w].map(R::new);
             self.viewport.screen_from_ndc([x / w, y / w]).map(R::get)
         });
-        emit(LineToPixelsEvent::Divide { screen });
+        tell(LineToPixelsEvent::Divide { screen })?;
         let [from, to] = screen.map(|at| self.pixel(at));
-        emit(LineToPixelsEvent::Round { from, to });
+        tell(LineToPixelsEvent::Round { from, to })?;
         // A picture has at most 4096 pixels a side.
-        BresenhamInput::new(from, to).ok()
+        Told::Continue(BresenhamInput::new(from, to).ok())
     }
 }
 
-impl Algorithm for LineToPixels {
+impl Method for LineToPixels {
     type Input = LineToPixelsInput;
+    type Held = Vec<[i64; 2]>;
     type Output = Vec<[i64; 2]>;
     type Event = LineToPixelsEvent;
-    type State = LineToPixelsState;
 
-    fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Self::Output {
+    #[inline]
+    fn begin(_: &Self::Input) -> Self::Held {
+        Vec::new()
+    }
+
+    #[inline]
+    fn run<R: Real, T: Tell<Self>>(
+        input: &Self::Input,
+        held: &mut Self::Held,
+        tell: &mut T,
+    ) -> Told<T::Stop> {
         let ends = match input {
             LineToPixelsInput::Pixels(ends) => Some(*ends),
-            LineToPixelsInput::Segment(drawn) => drawn.ends::<R>(&mut emit),
+            LineToPixelsInput::Segment(drawn) => {
+                drawn.ends::<R, _>(&mut |event| tell.tell(held, event))?
+            }
         };
         let Some(ends) = ends else {
-            return Vec::new();
+            return Told::Continue(());
         };
-        Bresenham::run::<R>(&ends, |event| match event {
-            BresenhamEvent::Pixel {
-                at,
-                diagonal,
-                error,
-            } => emit(LineToPixelsEvent::Pixel {
-                at,
-                diagonal,
-                error,
-            }),
-        })
+        held.reserve(Bresenham::max_events(&ends));
+        let mut put =
+            Listening(|held: &Self::Held, event: BresenhamEvent| tell.tell(held, event.into()));
+        Bresenham::run::<R, _>(&ends, held, &mut put)
     }
 
-    fn start(_: &Self::Input) -> Self::State {
-        LineToPixelsState::default()
-    }
-
-    fn apply(state: &mut Self::State, event: Self::Event) {
-        match event {
-            LineToPixelsEvent::Project { end, clip } => state.projected[end.idx()] = Some(clip),
-            LineToPixelsEvent::Clip { ends } => state.clipped = Some(ends),
-            LineToPixelsEvent::Reject => state.is_rejected = true,
-            LineToPixelsEvent::Divide { screen } => state.screen = Some(screen),
-            LineToPixelsEvent::Round { from, to } => state.rounded = Some([from, to]),
-            LineToPixelsEvent::Pixel { at, error, .. } => {
-                state.pixels.push(at);
-                state.error = Some(error);
-            }
-        }
-    }
-
-    fn finish(state: &Self::State) -> Self::Output {
-        state.pixels.iter().copied().collect()
+    #[inline]
+    fn output(held: Self::Held) -> Self::Output {
+        held
     }
 
     /// Two ends, the clip, the divide, the pixels of both ends; then one a pixel.

@@ -4,11 +4,9 @@ mod bresenham;
 mod line_to_pixels;
 mod viewing_pipeline;
 
-pub use bresenham::{Bresenham, BresenhamEvent, BresenhamInput, BresenhamState, TooManyPixels};
-pub use line_to_pixels::{
-    DrawnSegment, LineToPixels, LineToPixelsEvent, LineToPixelsInput, LineToPixelsState,
-};
+pub use bresenham::{Bresenham, BresenhamEvent, BresenhamInput, TooManyPixels};
+pub use line_to_pixels::{DrawnSegment, LineToPixels, LineToPixelsEvent, LineToPixelsInput};
 pub use viewing_pipeline::{
     PipelineSpace, ViewingPipeline, ViewingPipelineEvent, ViewingPipelineInput,
-    ViewingPipelineOutput, ViewingPipelineState, row_times,
+    ViewingPipelineOutput, row_times,
 };

@@ -32,7 +32,7 @@
 //!         surface::Viewport,
 //!     },
 //!     geom::{Camera, Matrix, ViewVolume},
-//!     trace::silent,
+//!     trace::told::silent,
 //! };
 //! let volume = ViewVolume::perspective(90.0, 1.0, 1.0, 3.0)?;
 //! let camera = Camera::new([0.0, 0.0, 4.0], [0.0; 3], [0.0, 1.0, 0.0], volume)?;
@@ -58,7 +58,10 @@ use serde::Serialize;
 use crate::{
     algo::surface::Viewport,
     geom::{Camera, Matrix},
-    trace::{Algorithm, Real},
+    trace::{
+        Real,
+        told::{Method, Tell, Told},
+    },
 };
 
 /// The algorithm; see the module.
@@ -167,25 +170,23 @@ pub struct ViewingPipelineOutput {
     pub screen: Option<[f64; 2]>,
 }
 
-/// What the picture of a step needs.
-#[derive(Clone, PartialEq, Debug, Default)]
-pub struct ViewingPipelineState {
-    /// Coordinates known so far in each of [`PipelineSpace::ALL`].
-    pub known: [Vec<f64>; 3],
-    /// Inside or not, once asked.
-    pub inside: Option<bool>,
-    /// Once divided.
-    pub ndc: Option<[f64; 3]>,
-    /// Once there.
-    pub screen: Option<[f64; 2]>,
-}
-
-impl ViewingPipelineState {
-    /// The first coordinates in a space; what is not known yet is 0.
+impl ViewingPipelineOutput {
+    /// The coordinates in a space; before they are worked out they are 0.
     #[must_use]
-    pub fn at<const N: usize>(&self, space: PipelineSpace) -> [f64; N] {
-        let known = &self.known[space as usize];
-        std::array::from_fn(|i| known.get(i).copied().unwrap_or_default())
+    pub const fn at(&self, space: PipelineSpace) -> &[f64] {
+        match space {
+            PipelineSpace::World => &self.world,
+            PipelineSpace::View => &self.view,
+            PipelineSpace::Clip => &self.clip,
+        }
+    }
+
+    const fn at_mut(&mut self, space: PipelineSpace) -> &mut [f64] {
+        match space {
+            PipelineSpace::World => &mut self.world,
+            PipelineSpace::View => &mut self.view,
+            PipelineSpace::Clip => &mut self.clip,
+        }
     }
 }
 
@@ -197,85 +198,60 @@ pub fn row_times<R: Real>(row: [f64; 4], [x, y, z]: [R; 3]) -> R {
     a * x + b * y + c * z + d
 }
 
-impl Algorithm for ViewingPipeline {
+impl Method for ViewingPipeline {
     type Input = ViewingPipelineInput;
+    type Held = ViewingPipelineOutput;
     type Output = ViewingPipelineOutput;
     type Event = ViewingPipelineEvent;
-    type State = ViewingPipelineState;
 
-    fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Self::Output {
+    #[inline]
+    fn begin(_: &Self::Input) -> Self::Held {
+        ViewingPipelineOutput::default()
+    }
+
+    #[inline]
+    fn run<R: Real, T: Tell<Self>>(
+        input: &Self::Input,
+        held: &mut Self::Held,
+        tell: &mut T,
+    ) -> Told<T::Stop> {
         let mut at = [R::new(0.0); 4];
         let mut from = input.point.map(R::new);
-        let mut reached = [[R::new(0.0); 4]; 3];
         for space in PipelineSpace::ALL {
             let rows = input.matrix(space).rows();
             for row in 0..space.n_rows() {
                 at[row] = row_times(rows[row], from);
                 let value = at[row].get();
-                emit(ViewingPipelineEvent::Row { space, row, value });
+                held.at_mut(space)[row] = value;
+                tell.tell(held, ViewingPipelineEvent::Row { space, row, value })?;
             }
-            reached[space as usize] = at;
             from = [at[0], at[1], at[2]];
         }
         let [x, y, z, w] = at;
         let inside = [x, y, z].iter().all(|&along| -w <= along && along <= w);
-        emit(ViewingPipelineEvent::Test { inside });
-        let (mut ndc, mut screen) = (None, None);
+        held.inside = inside;
+        tell.tell(held, ViewingPipelineEvent::Test { inside })?;
         if w > R::new(0.0) {
             let divided = [x / w, y / w, z / w];
-            let coordinates = divided.map(R::get);
-            emit(ViewingPipelineEvent::Divide { ndc: coordinates });
+            let ndc = divided.map(R::get);
+            held.ndc = Some(ndc);
+            tell.tell(held, ViewingPipelineEvent::Divide { ndc })?;
             let pixels = input.viewport.screen_from_ndc([divided[0], divided[1]]);
-            let place = pixels.map(R::get);
-            emit(ViewingPipelineEvent::Screen { screen: place });
-            (ndc, screen) = (Some(coordinates), Some(place));
+            let screen = pixels.map(R::get);
+            held.screen = Some(screen);
+            tell.tell(held, ViewingPipelineEvent::Screen { screen })
         } else {
-            emit(ViewingPipelineEvent::Behind);
-        }
-        let [world, view, clip] = reached.map(|at| at.map(R::get));
-        ViewingPipelineOutput {
-            world: three(world),
-            view: three(view),
-            clip,
-            inside,
-            ndc,
-            screen,
+            tell.tell(held, ViewingPipelineEvent::Behind)
         }
     }
 
-    fn start(_: &Self::Input) -> Self::State {
-        ViewingPipelineState::default()
-    }
-
-    fn apply(state: &mut Self::State, event: Self::Event) {
-        match event {
-            ViewingPipelineEvent::Row { space, value, .. } => {
-                state.known[space as usize].push(value);
-            }
-            ViewingPipelineEvent::Test { inside } => state.inside = Some(inside),
-            ViewingPipelineEvent::Divide { ndc } => state.ndc = Some(ndc),
-            ViewingPipelineEvent::Screen { screen } => state.screen = Some(screen),
-            ViewingPipelineEvent::Behind => {}
-        }
-    }
-
-    fn finish(state: &Self::State) -> Self::Output {
-        ViewingPipelineOutput {
-            world: state.at(PipelineSpace::World),
-            view: state.at(PipelineSpace::View),
-            clip: state.at(PipelineSpace::Clip),
-            inside: state.inside.unwrap_or_default(),
-            ndc: state.ndc,
-            screen: state.screen,
-        }
+    #[inline]
+    fn output(held: Self::Held) -> Self::Output {
+        held
     }
 
     /// Ten rows, the test, the divide and the viewport.
     fn max_events(_: &Self::Input) -> usize {
         13
     }
-}
-
-const fn three([x, y, z, _]: [f64; 4]) -> [f64; 3] {
-    [x, y, z]
 }

@@ -45,7 +45,7 @@
 //! prune-and-search", Pattern Recognition Letters 14(9), 1993, pp. 719–722, doi:10.1016/0167-8655(93)90141-Y.
 //!
 //! ```
-//! use clipscope::{algo::polygon::EarClipping, geom::SimplePolygon, trace::silent};
+//! use clipscope::{algo::polygon::EarClipping, geom::SimplePolygon, trace::told::silent};
 //! let arrowhead = SimplePolygon::new(&[[0.0, 0.0], [2.0, 1.0], [4.0, 0.0], [2.0, 4.0]])?;
 //! assert_eq!(silent::<EarClipping>(&arrowhead).triangles(), [[3, 0, 1], [1, 2, 3]]);
 //! # Ok::<(), clipscope::geom::GeomError>(())
@@ -56,19 +56,24 @@ mod ring;
 mod rivals;
 mod triangulation;
 
+use std::sync::Arc;
+
 use serde::Serialize;
 
 use crate::{
     geom::{Point, SimplePolygon},
-    trace::{Algorithm, Real},
+    trace::{
+        Real,
+        told::{Includes, Method, Tell, Told},
+    },
 };
 
 use self::{
     corner::double_area,
     rivals::{Rival, Rivals},
-    triangulation::order_of,
 };
 
+pub(super) use self::triangulation::order_of;
 pub use self::{
     corner::Corner,
     ring::Ring,
@@ -148,123 +153,64 @@ pub enum EarClippingEvent {
     },
 }
 
-/// What the picture of a step needs.
+/// What is left of the polygon, and what has been cut off it.
 #[derive(Clone, PartialEq, Debug)]
-pub struct EarClippingState {
+pub struct EarClippingHeld {
+    /// What has been cut off so far: after the end, the answer.
+    pub cut_off: Triangulation,
     /// What is left.
     pub ring: Ring,
-    /// By vertex, once known; those cut off keep theirs.
+    /// By vertex, once they are known; those that have been cut off keep theirs.
     pub corners: Vec<Option<Corner>>,
-    /// The vertex that is asked.
-    pub stand: Option<usize>,
-    /// Its corner where it is convex, also when it has just been cut off.
-    pub candidate: Option<Triangle>,
-    /// The vertex that lies in it.
-    pub blocked_by: Option<usize>,
-    /// Is the candidate known to be an ear?
-    pub is_ear: bool,
-    /// What has been cut off so far.
-    pub cut_off: Triangulation,
-    /// Is everything cut off?
-    pub is_done: bool,
+    points: Arc<[Point]>,
+    rivals: Rivals,
+    /// The last round in which a vertex was asked, or the next one in which it will be.
+    due: Vec<usize>,
+    round_idx: usize,
+    /// The vertices that this round may ask, in order.
+    round: Vec<usize>,
+    /// How many of them have had their turn.
+    n_turns: usize,
+    next_round: Vec<usize>,
 }
 
-impl Algorithm for EarClipping {
+impl Method for EarClipping {
     type Input = SimplePolygon;
+    type Held = EarClippingHeld;
     type Output = Triangulation;
     type Event = EarClippingEvent;
-    type State = EarClippingState;
 
-    fn run<R: Real>(
-        input: &SimplePolygon,
-        mut emit: impl FnMut(EarClippingEvent),
-    ) -> Triangulation {
-        use EarClippingEvent as Event;
-        let mut round = order_of(input);
-        let mut answer = Triangulation::new(input, &round);
-        let points = answer.points();
-        let mut left = Left::classified::<R>(&points, &round, &mut emit);
-        let mut rivals = Rivals::new(&points, &left.ring, &left.corners);
-        // The last round in which a vertex was asked, or the next one in which it will be.
-        let mut due = vec![0; points.len()];
-        for round_idx in 0..round.len() - 3 {
-            let n_left = left.ring.len();
-            if n_left == 3 {
-                break;
-            }
-            emit(Event::Round { round_idx, n_left });
-            let mut next_round = Vec::new();
-            for vertex_idx in round {
-                let is_due = due[vertex_idx] == round_idx && left.ring.len() > 3;
-                if !is_due || !left.is_ear::<R>(vertex_idx, &rivals, &mut emit) {
-                    continue;
-                }
-                answer.push(left.ring.corner(vertex_idx));
-                for neighbour in left.cut::<R>(vertex_idx, &mut rivals, &mut emit) {
-                    if due[neighbour] <= round_idx {
-                        due[neighbour] = round_idx + 1;
-                        next_round.push(neighbour);
-                    }
-                }
-            }
-            round = next_round;
-        }
-        debug_assert_eq!(left.ring.len(), 3, "a simple polygon has an ear");
-        let triangle = left.ring.corner(left.ring.next(left.ring.first()));
-        answer.push(triangle);
-        emit(Event::Last { triangle });
-        let n_triangles = answer.triangles().len();
-        emit(Event::Done { n_triangles });
-        answer
-    }
-
-    fn start(input: &SimplePolygon) -> EarClippingState {
+    #[inline]
+    fn begin(input: &SimplePolygon) -> EarClippingHeld {
         let order = order_of(input);
         let cut_off = Triangulation::new(input, &order);
-        EarClippingState {
-            ring: Ring::through(&order),
-            corners: vec![None; cut_off.points().len()],
-            stand: None,
-            candidate: None,
-            blocked_by: None,
-            is_ear: false,
+        let points = cut_off.points();
+        EarClippingHeld {
             cut_off,
-            is_done: false,
+            ring: Ring::through(&order),
+            corners: vec![None; points.len()],
+            rivals: Rivals::default(),
+            due: vec![0; points.len()],
+            points,
+            round_idx: 0,
+            round: order,
+            n_turns: 0,
+            next_round: Vec::new(),
         }
     }
 
-    fn apply(state: &mut EarClippingState, event: EarClippingEvent) {
-        use EarClippingEvent as Event;
-        match event {
-            Event::Classify {
-                vertex_idx, corner, ..
-            } => state.corners[vertex_idx] = Some(corner),
-            Event::Round { .. } => {
-                state.stand = None;
-                state.candidate = None;
-            }
-            Event::Pass { vertex_idx, .. } => state.stand_at(vertex_idx, None),
-            Event::Candidate { triangle } => state.stand_at(triangle[1], Some(triangle)),
-            Event::Blocked { by_idx, .. } => state.blocked_by = Some(by_idx),
-            Event::Ear { .. } => state.is_ear = true,
-            Event::Cut { triangle, .. } => {
-                state.ring.remove(triangle[1]);
-                state.cut_off.push(triangle);
-            }
-            Event::Last { triangle } => {
-                state.stand_at(triangle[1], Some(triangle));
-                state.cut_off.push(triangle);
-            }
-            Event::Done { .. } => {
-                state.candidate = None;
-                state.stand = None;
-                state.is_done = true;
-            }
-        }
+    #[inline]
+    fn run<R: Real, T: Tell<Self>>(
+        _: &SimplePolygon,
+        held: &mut EarClippingHeld,
+        tell: &mut T,
+    ) -> Told<T::Stop> {
+        cut_all::<Self, R, T>(held, tell)
     }
 
-    fn finish(state: &EarClippingState) -> Triangulation {
-        state.cut_off.clone()
+    #[inline]
+    fn output(held: EarClippingHeld) -> Triangulation {
+        held.cut_off
     }
 
     /// n classifications and two a cut; two events for as many vertices asked; n − 3 rounds and cuts; the last
@@ -275,112 +221,172 @@ impl Algorithm for EarClipping {
     }
 }
 
-impl EarClippingState {
-    fn stand_at(&mut self, vertex_idx: usize, candidate: Option<Triangle>) {
-        self.stand = Some(vertex_idx);
-        self.candidate = candidate;
-        self.blocked_by = None;
-        self.is_ear = false;
+impl EarClippingHeld {
+    /// The vertex whose turn it is in this round.
+    #[must_use]
+    pub fn asked(&self) -> Option<usize> {
+        self.round.get(self.n_turns.checked_sub(1)?).copied()
     }
-}
 
-/// What is left of the polygon, with the kind of each vertex.
-struct Left<'a> {
-    points: &'a [Point],
-    ring: Ring,
-    corners: Vec<Corner>,
-}
-
-impl<'a> Left<'a> {
-    fn classified<R: Real>(
-        points: &'a [Point],
-        order: &[usize],
-        emit: &mut impl FnMut(EarClippingEvent),
-    ) -> Self {
-        let mut left = Self {
-            points,
-            ring: Ring::through(order),
-            corners: vec![Corner::Straight; points.len()],
-        };
-        for &vertex_idx in order {
-            left.corners[vertex_idx] = left.classify::<R>(vertex_idx, emit);
+    /// The vertex is to be asked in the next round, if it is not already.
+    fn ask_again(&mut self, vertex_idx: usize) {
+        if self.due[vertex_idx] <= self.round_idx {
+            self.due[vertex_idx] = self.round_idx + 1;
+            self.next_round.push(vertex_idx);
         }
-        left
     }
 
-    fn classify<R: Real>(
-        &self,
-        vertex_idx: usize,
-        emit: &mut impl FnMut(EarClippingEvent),
-    ) -> Corner {
-        let [prev_idx, _, next_idx] = self.ring.corner(vertex_idx);
-        let [a, b, c] = [prev_idx, vertex_idx, next_idx].map(|i| self.points[i]);
+    /// Where everyone has had a turn, those of the next round are asked.
+    fn end_turn(&mut self) {
+        if self.n_turns == self.round.len() {
+            self.round = std::mem::take(&mut self.next_round);
+            (self.round_idx, self.n_turns) = (self.round_idx + 1, 0);
+        }
+    }
+}
+
+/// Cuts the polygon into triangles, as all or a part of what `M` does.
+///
+/// # Errors
+/// What `tell` stopped the run for.
+#[inline]
+pub(super) fn cut_all<M: Includes<EarClipping>, R: Real, T: Tell<M>>(
+    held: &mut M::Held,
+    tell: &mut T,
+) -> Told<T::Stop> {
+    Cutting { held, tell }.run::<R>()
+}
+
+/// A run at work.
+struct Cutting<'a, M: Method, T> {
+    held: &'a mut M::Held,
+    tell: &'a mut T,
+}
+
+impl<M: Includes<EarClipping>, T: Tell<M>> Cutting<'_, M, T> {
+    #[inline]
+    fn run<R: Real>(&mut self) -> Told<T::Stop> {
+        if self.ears().corners[self.ears().ring.first()].is_none() {
+            for i in 0..self.ears().round.len() {
+                self.classify::<R>(self.ears().round[i])?;
+            }
+            let ears = self.ears_mut();
+            ears.rivals = Rivals::new(&ears.points, &ears.ring, &ears.corners);
+        }
+        // A simple polygon has an ear, so no round is without anyone to ask.
+        while self.ears().ring.len() > 3 && !self.ears().round.is_empty() {
+            self.tell.rest(self.held);
+            self.turn::<R>()?;
+            self.ears_mut().end_turn();
+        }
+        let ears = self.ears_mut();
+        debug_assert_eq!(ears.ring.len(), 3, "a simple polygon has an ear");
+        let triangle = ears.ring.corner(ears.ring.next(ears.ring.first()));
+        ears.cut_off.push(triangle);
+        let n_triangles = ears.cut_off.triangles().len();
+        self.tell(EarClippingEvent::Last { triangle })?;
+        self.tell(EarClippingEvent::Done { n_triangles })
+    }
+
+    /// The next vertex of the round, and before the first of them the round itself.
+    #[inline]
+    fn turn<R: Real>(&mut self) -> Told<T::Stop> {
+        let ears = self.ears();
+        let (n_turns, round_idx) = (ears.n_turns, ears.round_idx);
+        let vertex_idx = ears.round[n_turns];
+        if n_turns == 0 {
+            let n_left = ears.ring.len();
+            self.tell(EarClippingEvent::Round { round_idx, n_left })?;
+        }
+        self.ears_mut().n_turns += 1;
+        if self.ears().due[vertex_idx] == round_idx && self.is_ear::<R>(vertex_idx)? {
+            self.cut::<R>(vertex_idx)?;
+        }
+        Told::Continue(())
+    }
+
+    #[inline]
+    fn classify<R: Real>(&mut self, vertex_idx: usize) -> Told<T::Stop> {
+        let ears = self.ears_mut();
+        let [prev_idx, _, next_idx] = ears.ring.corner(vertex_idx);
+        let [a, b, c] = [prev_idx, vertex_idx, next_idx].map(|i| ears.points[i]);
         let double_area = double_area::<R>(a, b, c);
         let corner = Corner::of(double_area);
-        emit(EarClippingEvent::Classify {
+        ears.corners[vertex_idx] = Some(corner);
+        self.tell(EarClippingEvent::Classify {
             vertex_idx,
             prev_idx,
             next_idx,
             double_area: double_area.get(),
             corner,
-        });
-        corner
+        })
     }
 
-    /// Cuts an ear off and gives its neighbours. The angles at both have become smaller, so that only one that
-    /// was not convex can have changed its kind.
-    fn cut<R: Real>(
-        &mut self,
-        vertex_idx: usize,
-        rivals: &mut Rivals<'_>,
-        emit: &mut impl FnMut(EarClippingEvent),
-    ) -> [usize; 2] {
-        let triangle @ [prev, _, next] = self.ring.corner(vertex_idx);
-        self.ring.remove(vertex_idx);
-        let n_left = self.ring.len();
-        emit(EarClippingEvent::Cut { triangle, n_left });
-        for neighbour in [prev, next] {
-            if n_left == 3 || self.corners[neighbour] == Corner::Convex {
-                continue;
-            }
-            self.corners[neighbour] = self.classify::<R>(neighbour, emit);
-            if self.corners[neighbour] == Corner::Convex {
-                rivals.one_less(&self.corners);
-            }
-        }
-        [prev, next]
-    }
-
-    fn is_ear<R: Real>(
-        &self,
-        vertex_idx: usize,
-        rivals: &Rivals<'_>,
-        emit: &mut impl FnMut(EarClippingEvent),
-    ) -> bool {
+    #[inline]
+    fn is_ear<R: Real>(&mut self, vertex_idx: usize) -> Told<T::Stop, bool> {
         use EarClippingEvent as Event;
-        let corner = self.corners[vertex_idx];
-        if corner != Corner::Convex {
-            emit(Event::Pass { vertex_idx, corner });
-            return false;
+        if let Some(corner @ (Corner::Straight | Corner::Reflex)) = self.ears().corners[vertex_idx]
+        {
+            self.tell(Event::Pass { vertex_idx, corner })?;
+            return Told::Continue(false);
         }
-        let triangle = self.ring.corner(vertex_idx);
-        emit(Event::Candidate { triangle });
-        match rivals.inside::<R>(triangle, &self.corners) {
+        let triangle = self.ears().ring.corner(vertex_idx);
+        self.tell(Event::Candidate { triangle })?;
+        let ears = self.ears();
+        let rivals = &ears.rivals;
+        let rival = rivals.inside::<R>(&ears.points, triangle, &ears.corners);
+        let is_ear = rival.is_none();
+        self.tell(match rival {
             Some(Rival {
                 vertex_idx: by_idx,
                 double_areas,
-            }) => {
-                emit(Event::Blocked {
-                    vertex_idx,
-                    by_idx,
-                    double_areas,
-                });
-                false
+            }) => Event::Blocked {
+                vertex_idx,
+                by_idx,
+                double_areas,
+            },
+            None => Event::Ear { vertex_idx },
+        })?;
+        Told::Continue(is_ear)
+    }
+
+    /// Cuts an ear off. The angles at both neighbours become smaller, so that only one that was not convex can change its
+    /// kind.
+    #[inline]
+    fn cut<R: Real>(&mut self, vertex_idx: usize) -> Told<T::Stop> {
+        let ears = self.ears_mut();
+        let triangle @ [prev, _, next] = ears.ring.corner(vertex_idx);
+        ears.cut_off.push(triangle);
+        ears.ring.remove(vertex_idx);
+        let n_left = ears.ring.len();
+        self.tell(EarClippingEvent::Cut { triangle, n_left })?;
+        for neighbour in [prev, next] {
+            let is_convex =
+                |ears: &EarClippingHeld| ears.corners[neighbour] == Some(Corner::Convex);
+            if n_left > 3 && !is_convex(self.ears()) {
+                self.classify::<R>(neighbour)?;
+                let ears = self.ears_mut();
+                if is_convex(ears) {
+                    ears.rivals.one_less(&ears.corners);
+                }
             }
-            None => {
-                emit(Event::Ear { vertex_idx });
-                true
-            }
+            self.ears_mut().ask_again(neighbour);
         }
+        Told::Continue(())
+    }
+
+    #[inline]
+    fn ears(&self) -> &EarClippingHeld {
+        M::part(self.held)
+    }
+
+    #[inline]
+    fn ears_mut(&mut self) -> &mut EarClippingHeld {
+        M::part_mut(self.held)
+    }
+
+    #[inline]
+    fn tell(&mut self, event: EarClippingEvent) -> Told<T::Stop> {
+        self.tell.tell(self.held, M::as_own(event))
     }
 }

@@ -15,7 +15,7 @@ pub mod weiler_atherton;
 pub use clipped_ring::{ClippedRing, RingOutcome};
 pub use clipper::{Clipped, Clipper};
 pub use ear_clipping::{
-    Corner, EarClipping, EarClippingEvent, EarClippingState, Ring, Triangle, Triangulation,
+    Corner, EarClipping, EarClippingEvent, EarClippingHeld, Ring, Triangle, Triangulation,
 };
 pub use pipeline::{Pipeline, PipelineEvent, PipelineStage, PipelineState};
 pub use region::ClipRegion;
@@ -24,7 +24,7 @@ pub use sutherland_hodgman::{
     SutherlandHodgmanState,
 };
 pub use triangulate_and_clip::{
-    EachTriangleEvent, Pieces, TriangulateAndClip, TriangulateAndClipEvent,
+    EachTriangleEvent, EarsSoFar, Pieces, TriangulateAndClip, TriangulateAndClipEvent,
     TriangulateAndClipInput, TriangulateAndClipState,
 };
 pub use vertex::{Textured, Vertex};

@@ -41,19 +41,25 @@
 //! # Ok::<(), clipscope::geom::GeomError>(())
 //! ```
 
-use std::collections::{HashMap, HashSet};
+use std::{
+    collections::{HashMap, HashSet},
+    convert::Infallible,
+};
 
 use serde::Serialize;
 
 use crate::{
     geom::{Point, Segment, SimplePolygon},
-    trace::{Algorithm, Real},
+    trace::{
+        Algorithm, Real,
+        told::{Listening, Method, Told},
+    },
 };
 
 use super::{
-    ClipRegion, ClippedRing, EarClipping, EarClippingEvent, EarClippingState, RingOutcome,
-    SutherlandHodgman, SutherlandHodgmanEvent, SutherlandHodgmanInput, SutherlandHodgmanState,
-    Triangle,
+    ClipRegion, ClippedRing, EarClipping, EarClippingEvent, RingOutcome, SutherlandHodgman,
+    SutherlandHodgmanEvent, SutherlandHodgmanInput, SutherlandHodgmanState, Triangle,
+    Triangulation, ear_clipping::order_of,
 };
 
 /// The algorithm; see the module.
@@ -120,7 +126,7 @@ pub struct Pieces {
 #[derive(Clone, PartialEq, Debug)]
 pub struct TriangulateAndClipState {
     /// The triangulation, as far as it has come.
-    pub ears: EarClippingState,
+    pub ears: EarsSoFar,
     /// Each triangle is clipped against this.
     pub region: ClipRegion,
     /// The triangle that is clipped, or was clipped last.
@@ -133,6 +139,17 @@ pub struct TriangulateAndClipState {
     pub is_done: bool,
 }
 
+/// A polygon that is cut into triangles, and how far that has come.
+#[derive(Clone, PartialEq, Debug)]
+pub struct EarsSoFar {
+    /// The polygon.
+    pub polygon: SimplePolygon,
+    /// How many events that is.
+    pub n_steps: usize,
+    /// What has been cut off.
+    pub cut_off: Triangulation,
+}
+
 impl Algorithm for TriangulateAndClip {
     type Input = TriangulateAndClipInput;
     type Output = Pieces;
@@ -142,7 +159,13 @@ impl Algorithm for TriangulateAndClip {
     fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Pieces {
         use EachTriangleEvent::{Finish, Piece, Triangle};
         use TriangulateAndClipEvent as Event;
-        let whole = EarClipping::run::<R>(&input.polygon, |e| emit(Event::Triangulate(e)));
+        let mut ears = EarClipping::begin(&input.polygon);
+        let mut telling = Listening(|_: &_, event| {
+            emit(Event::Triangulate(event));
+            Told::<Infallible>::Continue(())
+        });
+        let Told::Continue(()) = EarClipping::run::<R, _>(&input.polygon, &mut ears, &mut telling);
+        let whole = EarClipping::output(ears);
         let mut pieces = Pieces::default();
         for (triangle_idx, &triangle) in whole.triangles().iter().enumerate() {
             let corners = whole.corners(triangle);
@@ -167,7 +190,11 @@ impl Algorithm for TriangulateAndClip {
 
     fn start(input: &Self::Input) -> Self::State {
         TriangulateAndClipState {
-            ears: EarClipping::start(&input.polygon),
+            ears: EarsSoFar {
+                polygon: input.polygon.clone(),
+                n_steps: 0,
+                cut_off: Triangulation::new(&input.polygon, &order_of(&input.polygon)),
+            },
             region: input.region.clone(),
             triangle_idx: None,
             clip: None,
@@ -180,7 +207,14 @@ impl Algorithm for TriangulateAndClip {
         use EachTriangleEvent::{Finish, Piece, Triangle};
         use TriangulateAndClipEvent as Event;
         match event {
-            Event::Triangulate(event) => EarClipping::apply(&mut state.ears, event),
+            Event::Triangulate(event) => {
+                state.ears.n_steps += 1;
+                if let EarClippingEvent::Cut { triangle, .. }
+                | EarClippingEvent::Last { triangle } = event
+                {
+                    state.ears.cut_off.push(triangle);
+                }
+            }
             Event::Clip(event) => {
                 if let Some(clip) = &mut state.clip {
                     <SutherlandHodgman>::apply(clip, event);

@@ -24,10 +24,10 @@ use super::Solver;
 
 /// The lab's methods that have one case each; the funnel and those that are wrong on purpose left out.
 pub(super) static SOLVERS: [Solver; 13] = [
-    Solver::of::<OnScene<PointPlanes>>(),
+    Solver::told::<PointPlanes>(),
     Solver::told::<SphereCull>(),
-    Solver::of::<OnScene<BoxCull>>(),
-    Solver::of::<OnScene<BackFace>>(),
+    Solver::told::<BoxCull>(),
+    Solver::told::<BackFace>(),
     Solver::of::<OnScene<CohenSutherland3d>>(),
     Solver::of::<OnScene<LiangBarsky3d>>(),
     Solver::of::<OnScene<PlaneLine>>(),
@@ -35,6 +35,6 @@ pub(super) static SOLVERS: [Solver; 13] = [
     Solver::of::<OnScene<PlaneAtATime>>(),
     Solver::of::<OnScene<IntersectionPolygon>>(),
     Solver::of::<OnScene<HomogeneousTriangle<Option<[f64; 2]>>>>(),
-    Solver::of::<OnScene<ViewingPipeline>>(),
-    Solver::of::<OnScene<LineToPixels>>(),
+    Solver::told::<ViewingPipeline>(),
+    Solver::told::<LineToPixels>(),
 ];

@@ -6,18 +6,17 @@ use crate::{
         ViewingPipelineOutput,
     },
     case::{
-        Code, Detail, Field, Fields, Given, Node, Path, Refusal, Solve, Told,
+        Code, Detail, Field, Fields, Given, Node, Path, Refusal, SolveTold, Told,
         picture::read_picture,
         volume::{VOLUME_FIELDS, read_volume_of, refused},
     },
     geom::{Camera, Matrix},
-    labs::space::OnScene,
     text::{Formula, Message, Value},
 };
 
 use super::reader::Reader;
 
-impl Solve for OnScene<ViewingPipeline> {
+impl SolveTold for ViewingPipeline {
     const FIELDS: &'static [Field] = &[
         Field::required("point"),
         Field::optional("model"),
@@ -40,7 +39,7 @@ impl Solve for OnScene<ViewingPipeline> {
             camera,
             viewport,
         };
-        Ok((input.into(), reader.told()))
+        Ok((input, reader.told()))
     }
 
     fn verdict(output: &ViewingPipelineOutput) -> Message {
@@ -53,7 +52,7 @@ impl Solve for OnScene<ViewingPipeline> {
     }
 }
 
-impl Solve for OnScene<LineToPixels> {
+impl SolveTold for LineToPixels {
     const FIELDS: &'static [Field] = &[Field::required("from"), Field::required("to")];
 
     fn read(fields: &Fields<'_>) -> Result<(Self::Input, Told), Refusal> {
@@ -71,7 +70,7 @@ impl Solve for OnScene<LineToPixels> {
                 .with("max", BresenhamInput::MOST_PIXELS.to_string());
             Refusal::at(Code::TooLarge, &Path::Field("to"), problem)
         })?;
-        Ok((LineToPixelsInput::Pixels(ends).into(), reader.told()))
+        Ok((LineToPixelsInput::Pixels(ends), reader.told()))
     }
 
     fn verdict(output: &Vec<[i64; 2]>) -> Message {

@@ -6,14 +6,14 @@ use crate::{
         PointPlanes, PointPlanesInput, PointPlanesOutput, SphereCull, SphereCullInput,
         SphereCullOutput,
     },
-    case::{Field, Fields, Refusal, Solve, SolveTold, Told},
-    labs::{plane_symbol, space::OnScene},
+    case::{Field, Fields, Refusal, SolveTold, Told},
+    labs::plane_symbol,
     text::Message,
 };
 
 use super::reader::Reader;
 
-impl Solve for OnScene<PointPlanes> {
+impl SolveTold for PointPlanes {
     const FIELDS: &'static [Field] = &[
         Field::choice("planes"),
         Field::choice("frustum"),
@@ -24,7 +24,7 @@ impl Solve for OnScene<PointPlanes> {
         let mut reader = Reader::new(fields);
         let (planes, point) = (reader.planes()?, reader.point()?);
         let input = PointPlanesInput { planes, point };
-        Ok((input.into(), reader.told()))
+        Ok((input, reader.told()))
     }
 
     fn verdict(output: &PointPlanesOutput) -> Message {
@@ -61,7 +61,7 @@ impl SolveTold for SphereCull {
     }
 }
 
-impl Solve for OnScene<BoxCull> {
+impl SolveTold for BoxCull {
     const FIELDS: &'static [Field] = &[
         Field::choice("planes"),
         Field::choice("frustum"),
@@ -72,7 +72,7 @@ impl Solve for OnScene<BoxCull> {
         let mut reader = Reader::new(fields);
         let (planes, bounds) = (reader.planes()?, reader.bounds()?);
         let input = BoxCullInput { planes, bounds };
-        Ok((input.into(), reader.told()))
+        Ok((input, reader.told()))
     }
 
     fn verdict(output: &BoxCullOutput) -> Message {
@@ -85,7 +85,7 @@ impl Solve for OnScene<BoxCull> {
     }
 }
 
-impl Solve for OnScene<BackFace> {
+impl SolveTold for BackFace {
     const FIELDS: &'static [Field] = &[
         Field::required("triangle"),
         Field::choice("eye"),
@@ -96,7 +96,7 @@ impl Solve for OnScene<BackFace> {
         let mut reader = Reader::new(fields);
         let (triangle, viewer) = (reader.triangle()?, reader.viewer()?);
         let input = BackFaceInput { triangle, viewer };
-        Ok((input.into(), reader.told()))
+        Ok((input, reader.told()))
     }
 
     fn verdict(output: &BackFaceOutput) -> Message {

@@ -15,8 +15,8 @@ use super::{Fields, Refusal, Solvable, Solver, solver::read_problem};
 pub(super) static SOLVERS: [Solver; 5] = [
     Solver::of::<SutherlandHodgman>().reading(read_sutherland_hodgman),
     Solver::of::<Pipeline>(),
-    Solver::of::<WeilerAtherton>(),
-    Solver::of::<EarClipping>(),
+    Solver::told::<WeilerAtherton>(),
+    Solver::told::<EarClipping>(),
     Solver::of::<TriangulateAndClip>(),
 ];
 

@@ -6,7 +6,7 @@ use crate::{
         TriangulateAndClip, TriangulateAndClipInput,
         weiler_atherton::{WeilerAtherton, WeilerAthertonInput, WeilerAthertonOutput},
     },
-    case::{Field, Fields, Refusal, Solve, Told},
+    case::{Field, Fields, Refusal, Solve, SolveTold, Told},
     geom::SimplePolygon,
     text::Message,
 };
@@ -75,7 +75,7 @@ impl Solve for Pipeline {
 
 const WITH_HOLES: [Field; 4] = [CLIPPED[0], CLIPPED[1], CLIPPED[2], Field::optional("holes")];
 
-impl Solve for WeilerAtherton {
+impl SolveTold for WeilerAtherton {
     const FIELDS: &'static [Field] = &WITH_HOLES;
 
     fn read(fields: &Fields<'_>) -> Result<(WeilerAthertonInput, Told), Refusal> {
@@ -90,7 +90,7 @@ impl Solve for WeilerAtherton {
     }
 }
 
-impl Solve for EarClipping {
+impl SolveTold for EarClipping {
     const FIELDS: &'static [Field] = &ALONE;
 
     fn read(fields: &Fields<'_>) -> Result<(SimplePolygon, Told), Refusal> {

@@ -7,15 +7,16 @@ use crate::{
             sphere_verdict, triangle_move,
         },
         ring::Right,
+        volume::SideCode,
     },
-    figure::{Caption, Link, Moment, Run},
+    figure::{Caption, Link, Run},
     geom::VolumeSide,
     labs::{Verdict, space::pixel_verdict},
     text::{Message, Value},
 };
 
 use super::{
-    FaceFate, FaceTest, Scene,
+    Scene,
     stage::{face_link, object_link, side_name},
 };
 
@@ -32,28 +33,39 @@ pub fn verdict(scene: &Scene, about: Link, run: &dyn Run) -> Option<Verdict> {
 }
 
 fn face_verdict(scene: &Scene, face_idx: usize, run: &dyn Run) -> Option<Verdict> {
-    let method = scene.method;
-    let FaceFate { step, test } = (method.info().face_fate)(scene, face_idx)?;
-    let turn = match test {
-        FaceTest::Sphere => return object_verdict(scene, object_link(scene.focus()), run),
-        FaceTest::Corners(side) => corners_turn(scene, face_idx, side),
-        FaceTest::Cut => Some(Message::new("verdict-face-cut")),
-        FaceTest::Facing => facing_turn(scene, face_idx),
+    let Some(step) = run.why(face_link(face_idx)) else {
+        // No step asks it where its object is culled whole.
+        let culled = object_verdict(scene, object_link(scene.focus()), run);
+        return culled.filter(|verdict| verdict.step.is_some());
+    };
+    let turn = if run.event_json(step)["event"] == "triangle" {
+        corners_turn(scene, face_idx)
+    } else {
+        facing_turn(scene, face_idx)
     };
     Some(Verdict {
         why: run.caption(step),
         notes: turn
             .into_iter()
-            .filter(|_| !method.card().is_faulty)
+            .filter(|_| !scene.method.card().is_faulty)
             .collect(),
         step: Some(step),
     })
 }
 
-/// How far a face has to be moved until its corners do not all lie beyond one plane.
-fn corners_turn(scene: &Scene, face_idx: usize, side: VolumeSide) -> Option<Message> {
-    let planes = scene.culler().planes_in_world();
-    let by = triangle_move(&planes, &scene.focused().face(face_idx)?, side as usize);
+/// How far a face has to be moved until its corners do not all lie beyond one plane; where they do not, the clipper decided.
+fn corners_turn(scene: &Scene, face_idx: usize) -> Option<Message> {
+    let (planes, corners) = (
+        scene.culler().planes_in_world(),
+        scene.focused().face(face_idx)?,
+    );
+    let clip_from_world = scene.culler().clip_from_world();
+    let code = |[x, y, z]: [f64; 3]| SideCode::of(clip_from_world.times([x, y, z, 1.0]));
+    let [a, b, c] = corners.map(code);
+    let Some(side) = a.and(b).and(c).lowest() else {
+        return Some(Message::new("verdict-face-cut"));
+    };
+    let by = triangle_move(&planes, &corners, side as usize);
     let message = Message::new(match by {
         Some(_) => "verdict-face-in",
         None => "verdict-face-never",
@@ -102,11 +114,10 @@ fn object_verdict(scene: &Scene, about: Link, run: &dyn Run) -> Option<Verdict> 
             "move",
             Value::Number(verdict.turn.unwrap_or_default().abs()),
         );
-    let moment = format!("sphere #{}", object_idx + 1).parse().ok();
     Some(Verdict {
         why: Caption::new(message),
         notes: Vec::new(),
-        step: moment.and_then(|moment: Moment| run.find(&moment)),
+        step: run.why(about),
     })
 }
 
@@ -132,7 +143,7 @@ mod tests {
     }
 
     /// Holds what is told of the object in focus and of its faces to the run; which kinds of tests decided.
-    fn told_of_faces(scene: &Scene) -> Vec<std::mem::Discriminant<FaceTest>> {
+    fn told_of_faces(scene: &Scene) -> Vec<String> {
         let runs = scene.record();
         let event = |about| {
             let told = verdict(scene, about, &*runs[0]).expect("it is told");
@@ -141,16 +152,13 @@ mod tests {
         assert_eq!(event(object_link(scene.focus()))["event"], "sphere");
         let faces = 0..scene.focused().model().mesh().faces().len();
         let kinds = faces.map(|face_idx| {
-            let fate = (scene.method.info().face_fate)(scene, face_idx);
-            let FaceFate { test, .. } = fate.expect("it is told");
             let event = event(face_link(face_idx));
-            match test {
-                FaceTest::Sphere => assert_eq!(event["class"], "outside"),
-                FaceTest::Corners(_) | FaceTest::Cut | FaceTest::Facing => {
-                    assert_eq!(event["triangle_idx"], face_idx);
-                }
+            if event["event"] == "sphere" {
+                assert_eq!(event["class"], "outside");
+            } else {
+                assert_eq!(event["triangle_idx"], face_idx);
             }
-            std::mem::discriminant(&test)
+            event["event"].to_string()
         });
         kinds.collect()
     }

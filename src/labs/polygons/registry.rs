@@ -88,8 +88,8 @@ const fn told<M: PolygonTelling>() -> Entry<MethodInfo> {
 pub static METHODS: [Entry<MethodInfo>; 10] = [
     info::<polygon::SutherlandHodgman>(),
     info::<polygon::Pipeline>(),
-    info::<polygon::weiler_atherton::WeilerAtherton>(),
-    info::<polygon::EarClipping>(),
+    told::<polygon::weiler_atherton::WeilerAtherton>(),
+    told::<polygon::EarClipping>(),
     info::<polygon::TriangulateAndClip>(),
     info::<faulty::OnBorder>(),
     info::<faulty::Open>(),

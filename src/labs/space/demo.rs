@@ -10,7 +10,7 @@ use crate::{
     },
 };
 
-use super::{FaceFate, MethodInfo, Scene, SpaceLab, Subject, stage::Scenery};
+use super::{MethodInfo, Scene, SpaceLab, Subject, stage::Scenery};
 
 /// A method of this lab.
 pub trait SpaceDemo: Demo {
@@ -25,11 +25,6 @@ pub trait SpaceDemo: Demo {
 
     /// Its card, where this scene changes its pseudocode.
     fn card(_: &Scene) -> Option<&'static MethodCard> {
-        None
-    }
-
-    /// The step that decided the fate of a face of the object in focus, and what was asked there.
-    fn face_fate(_: &Scene, _face_idx: usize) -> Option<FaceFate> {
         None
     }
 
@@ -60,11 +55,6 @@ pub trait SpaceTelling: Telling<Scenery = Scenery> {
         None
     }
 
-    /// The step that decided the fate of a face of the object in focus, and what was asked there.
-    fn face_fate(_: &Scene, _face_idx: usize) -> Option<FaceFate> {
-        None
-    }
-
     /// What decided the fate of a part of what it clips, in a run of it.
     fn verdict(_: &Scene, _about: Link, _run: &dyn Run) -> Option<Verdict> {
         None
@@ -91,7 +81,6 @@ pub(in crate::labs) const fn told<A: SpaceTelling>(
         subject: A::SUBJECT,
         tells_faces: A::TELLS_FACES,
         record: A::record,
-        face_fate: A::face_fate,
         verdict: A::verdict,
     };
     let card = MethodCard::told::<A>();
@@ -108,7 +97,6 @@ pub(in crate::labs) const fn entry<A: SpaceDemo>(
         subject: A::SUBJECT,
         tells_faces: A::TELLS_FACES,
         record: A::record,
-        face_fate: A::face_fate,
         verdict: A::verdict,
     };
     let card = MethodCard::of::<A>();

@@ -9,7 +9,7 @@ use crate::{
     text::{Diagnostic, Message},
 };
 
-use super::{FaceFate, Object, Places, RasterPlan, Subject, TaughtCamera};
+use super::{Object, Places, RasterPlan, Subject, TaughtCamera};
 
 /// More objects than this are refused: a frame could not draw them in time.
 pub const MAX_OBJECTS: usize = 10_000;
@@ -62,8 +62,6 @@ pub struct MethodInfo {
     pub tells_faces: bool,
     /// Runs it on a scene.
     pub record: fn(&Scene) -> Box<dyn Run>,
-    /// The step that decided the fate of a face of the object in focus.
-    pub face_fate: fn(&Scene, usize) -> Option<FaceFate>,
     /// What decided the fate of something, in a run of it; none where only the lab knows.
     pub verdict: fn(&Scene, Link, &dyn Run) -> Option<Verdict>,
 }

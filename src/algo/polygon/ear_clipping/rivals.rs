@@ -16,8 +16,8 @@ use super::{
 };
 
 /// The vertices that are not convex, by x. A vertex that has become convex is passed over.
-pub(super) struct Rivals<'a> {
-    points: &'a [Point],
+#[derive(Clone, PartialEq, Debug, Default)]
+pub(super) struct Rivals {
     by_x: Vec<usize>,
     n_convex: usize,
 }
@@ -29,42 +29,43 @@ pub(super) struct Rival {
     pub double_areas: [f64; 3],
 }
 
-impl<'a> Rivals<'a> {
-    pub fn new(points: &'a [Point], ring: &Ring, corners: &[Corner]) -> Self {
+impl Rivals {
+    pub fn new(points: &[Point], ring: &Ring, corners: &[Option<Corner>]) -> Self {
         let mut by_x: Vec<usize> = ring.iter().collect();
-        by_x.retain(|&i| corners[i] != Corner::Convex);
+        by_x.retain(|&i| corners[i] != Some(Corner::Convex));
         by_x.sort_by(|&i, &j| points[i].x().total_cmp(&points[j].x()));
-        Self {
-            points,
-            by_x,
-            n_convex: 0,
-        }
+        Self { by_x, n_convex: 0 }
     }
 
     /// One of them has become convex.
-    pub fn one_less(&mut self, corners: &[Corner]) {
+    pub fn one_less(&mut self, corners: &[Option<Corner>]) {
         self.n_convex += 1;
         // Each vertex is moved at most twice in all.
         if self.n_convex * 2 > self.by_x.len() {
-            self.by_x.retain(|&i| corners[i] != Corner::Convex);
+            self.by_x.retain(|&i| corners[i] != Some(Corner::Convex));
             self.n_convex = 0;
         }
     }
 
     /// The leftmost one in the closed triangle, which runs counter-clockwise; its own corners do not count.
-    pub fn inside<R: Real>(&self, triangle: [usize; 3], corners: &[Corner]) -> Option<Rival> {
-        let abc = triangle.map(|i| self.points[i]);
+    pub fn inside<R: Real>(
+        &self,
+        points: &[Point],
+        triangle: [usize; 3],
+        corners: &[Option<Corner>],
+    ) -> Option<Rival> {
+        let abc = triangle.map(|i| points[i]);
         let [xs, ys] = [abc.map(Point::x), abc.map(Point::y)];
         let [left, right] = ends(xs);
         let [bottom, top] = ends(ys).map(R::new);
-        let first = self.by_x.partition_point(|&i| self.points[i].x() < left);
+        let first = self.by_x.partition_point(|&i| points[i].x() < left);
         let in_reach = self.by_x[first..]
             .iter()
-            .take_while(|&&i| self.points[i].x() <= right);
+            .take_while(|&&i| points[i].x() <= right);
         let mut others =
-            in_reach.filter(|&&i| corners[i] != Corner::Convex && !triangle.contains(&i));
+            in_reach.filter(|&&i| corners[i] != Some(Corner::Convex) && !triangle.contains(&i));
         others.find_map(|&vertex_idx| {
-            let p = self.points[vertex_idx];
+            let p = points[vertex_idx];
             let y = R::new(p.y());
             if y < bottom || y > top {
                 return None;

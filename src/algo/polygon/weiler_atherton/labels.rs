@@ -15,42 +15,47 @@
 
 use crate::{
     geom::{Point, Rings},
-    trace::Real,
+    trace::{
+        Real,
+        told::{Tell, Told},
+    },
 };
 
 use super::{
+    Clipping, WeilerAtherton,
     event::WeilerAthertonEvent as Event,
-    lists::{Intersection, LinkedLists},
+    lists::Intersection,
     meeting::Contact,
     predicate::{Ray, ray},
     side::{IntersectionLabel, Labelled, Side, bounds_the_result},
 };
 
-/// Labels every intersection, in the order of the subject's list.
-pub fn label<R: Real>(
-    subject: &Rings,
-    clip: &Rings,
-    lists: &LinkedLists,
-    emit: &mut impl FnMut(Event),
-) -> Vec<Labelled> {
-    let nodes = lists.nodes.iter().enumerate();
-    nodes
-        .map(|(node_idx, node)| {
-            let labelled = of_node::<R>(subject, clip, node);
+impl<T: Tell<WeilerAtherton>> Clipping<'_, T> {
+    /// Labels every intersection, in the order of the subject's list.
+    pub fn label<R: Real>(&mut self) -> Told<T::Stop> {
+        let [subject, clip] = self.borders;
+        let n_nodes = self.held.lists.nodes.len();
+        self.held
+            .labels
+            .reserve_exact(n_nodes - self.held.labels.len());
+        for node_idx in self.held.labels.len()..n_nodes {
+            self.rest(node_idx, n_nodes);
+            let labelled = of_node::<R>(subject, clip, &self.held.lists.nodes[node_idx]);
             let Labelled {
                 label,
                 subject: [before, after],
                 ..
             } = labelled;
-            emit(Event::Labelled {
+            self.held.labels.push(labelled);
+            self.tell(Event::Labelled {
                 node_idx: node_idx as u32,
                 label,
                 before,
                 after,
-            });
-            labelled
-        })
-        .collect()
+            })?;
+        }
+        Told::Continue(())
+    }
 }
 
 fn of_node<R: Real>(subject: &Rings, clip: &Rings, node: &Intersection) -> Labelled {

@@ -14,179 +14,117 @@ use std::cmp::Ordering;
 
 use crate::{
     geom::{Point, Rings, lexicographic},
-    trace::Real,
+    trace::{
+        Real,
+        told::{Tell, Told},
+    },
 };
 
 use super::{
+    Clipping, WeilerAtherton,
     event::WeilerAthertonEvent as Event,
     grid::Grid,
     input::List,
     meeting::{Meeting, meetings},
     predicate::side,
+    side::Labelled,
 };
 
 /// No vertex, or no intersection, here.
-pub const NONE: u32 = u32::MAX;
+pub(super) const NONE: u32 = u32::MAX;
 
 /// A place in a list.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Entry {
     /// The polygon's own vertex.
-    pub vertex: u32,
+    vertex: u32,
     /// An intersection.
-    pub node: u32,
+    pub(super) node: u32,
     /// The entry after this one, in its ring.
     pub next: u32,
 }
 
+impl Entry {
+    /// The polygon's own vertex that stands there.
+    #[must_use]
+    pub fn vertex(&self) -> Option<u32> {
+        (self.vertex != NONE).then_some(self.vertex)
+    }
+
+    /// The intersection that stands there.
+    #[must_use]
+    pub fn node(&self) -> Option<u32> {
+        (self.node != NONE).then_some(self.node)
+    }
+
+    /// Is it a corner of a ring that passes it? A list's own vertices are; so are the other polygon's along an edge that both
+    /// share, so that they still share it afterwards. An intersection that a walk goes straight past is not.
+    pub(super) fn is_corner(&self, labels: &[Labelled]) -> bool {
+        self.vertex != NONE || self.node != NONE && labels[self.node as usize].shares_an_edge()
+    }
+}
+
 /// An intersection, which is an entry in each list.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Intersection {
     /// Where, and how both borders meet there.
     pub meeting: Meeting,
     /// The edges that own it, of the subject and of the clip polygon.
     pub edges: [u32; 2],
     /// Its places in the two lists.
-    pub places: [u32; 2],
+    pub(super) places: [u32; 2],
+}
+
+impl Intersection {
+    /// Its place in a list, once it is there.
+    #[must_use]
+    pub fn place(&self, list: List) -> Option<usize> {
+        let place = self.places[list.idx()];
+        (place != NONE).then_some(place as usize)
+    }
 }
 
 /// Both lists and what links them.
+#[derive(Clone, PartialEq, Debug)]
 pub struct LinkedLists {
     /// In the order of the subject's border.
     pub nodes: Vec<Intersection>,
     /// The subject's entries, then the clip polygon's.
     pub entries: [Vec<Entry>; 2],
     /// Of each list and ring the first entry; and the number of entries at the end.
-    pub starts: [Vec<u32>; 2],
+    pub(super) starts: [Vec<u32>; 2],
+    /// How many edges of each polygon have been dealt with.
+    n_edges: [usize; 2],
 }
 
 impl LinkedLists {
-    /// Finds every intersection and builds both lists.
-    pub fn build<R: Real>(subject: &Rings, clip: &Rings, emit: &mut impl FnMut(Event)) -> Self {
-        let mut lists = Self {
+    /// Without an entry yet.
+    pub(super) fn empty(borders: [&Rings; 2]) -> Self {
+        Self {
             nodes: Vec::new(),
-            entries: [subject, clip].map(|rings| Vec::with_capacity(2 * rings.points().len())),
+            entries: borders.map(|rings| Vec::with_capacity(2 * rings.points().len())),
             starts: [vec![0], vec![0]],
-        };
-        lists.find::<R>(subject, clip, emit);
-        lists.insert::<R>(subject, clip, emit);
-        lists
-    }
-
-    /// The subject's list, edge by edge, with the intersections found on each.
-    fn find<R: Real>(&mut self, subject: &Rings, clip: &Rings, emit: &mut impl FnMut(Event)) {
-        let mut grid = Grid::new(subject, clip);
-        let mut found: Vec<(u32, Meeting)> = Vec::new();
-        for ring_idx in 0..subject.n_rings() {
-            let [start, end] = subject.bounds(ring_idx);
-            for edge_idx in start..end {
-                let edge = subject.edge(edge_idx);
-                self.push_vertex(List::Subject, edge_idx, edge[0], emit);
-                grid.candidates(edge_idx, edge, |clip_edge| {
-                    let both = meetings::<R>(edge, clip.edge(clip_edge));
-                    found.extend(both.into_iter().flatten().map(|m| (clip_edge as u32, m)));
-                });
-                sort_along::<R, _>(edge, &mut found, |&(clip_edge, meeting)| On {
-                    at_vertex: meeting.contact.at_vertex(),
-                    at: meeting.at,
-                    other: clip.edge(clip_edge as usize),
-                });
-                for (clip_edge, meeting) in found.drain(..) {
-                    let node_idx = self.nodes.len() as u32;
-                    let place =
-                        self.push_node(List::Subject, node_idx, meeting.contact.at_vertex()[0]);
-                    self.nodes.push(Intersection {
-                        meeting,
-                        edges: [edge_idx as u32, clip_edge],
-                        places: [place, NONE],
-                    });
-                    let Meeting {
-                        contact,
-                        at,
-                        t,
-                        u,
-                        along,
-                        ..
-                    } = meeting;
-                    emit(Event::Found {
-                        node_idx,
-                        edges: [edge_idx as u32, clip_edge],
-                        contact,
-                        at,
-                        t,
-                        u,
-                        along,
-                    });
-                }
-            }
-            self.close_ring(List::Subject);
+            n_edges: [0; 2],
         }
     }
 
-    /// The clip polygon's list, with the same intersections.
-    fn insert<R: Real>(&mut self, subject: &Rings, clip: &Rings, emit: &mut impl FnMut(Event)) {
-        // By clip edge: counted, then dealt out.
-        let n_edges = clip.points().len();
-        let mut starts = vec![0_u32; n_edges + 2];
-        for node in &self.nodes {
-            starts[node.edges[1] as usize + 2] += 1;
+    /// Where an entry of the list of this border is.
+    #[must_use]
+    pub fn at(&self, entry: &Entry, border: &Rings) -> Point {
+        if entry.node == NONE {
+            border.points()[entry.vertex as usize]
+        } else {
+            self.nodes[entry.node as usize].meeting.at
         }
-        for edge_idx in 2..starts.len() {
-            starts[edge_idx] += starts[edge_idx - 1];
-        }
-        let mut by_edge = vec![0_u32; self.nodes.len()];
-        for (node_idx, node) in self.nodes.iter().enumerate() {
-            let place = &mut starts[node.edges[1] as usize + 1];
-            by_edge[*place as usize] = node_idx as u32;
-            *place += 1;
-        }
-        for edge_idx in 0..n_edges {
-            let edge = clip.edge(edge_idx);
-            self.push_vertex(List::Clip, edge_idx, edge[0], emit);
-            let [start, end] = [starts[edge_idx], starts[edge_idx + 1]].map(|i| i as usize);
-            let nodes = &self.nodes;
-            sort_along::<R, _>(edge, &mut by_edge[start..end], |&node_idx| {
-                let node = &nodes[node_idx as usize];
-                let [subject_vertex, clip_vertex] = node.meeting.contact.at_vertex();
-                On {
-                    at_vertex: [clip_vertex, subject_vertex],
-                    at: node.meeting.at,
-                    other: subject.edge(node.edges[0] as usize),
-                }
-            });
-            for &node_idx in &by_edge[start..end] {
-                let Meeting { contact, at, .. } = self.nodes[node_idx as usize].meeting;
-                let at_vertex = contact.at_vertex()[1];
-                let place = self.push_node(List::Clip, node_idx, at_vertex);
-                self.nodes[node_idx as usize].places[1] = place;
-                emit(Event::Inserted {
-                    node_idx,
-                    at,
-                    at_vertex,
-                });
-            }
-        }
-        self.close_ring(List::Clip);
     }
 
-    fn push_vertex(
-        &mut self,
-        list: List,
-        vertex_idx: usize,
-        at: Point,
-        emit: &mut impl FnMut(Event),
-    ) {
+    fn push_vertex(&mut self, list: List, vertex: u32) {
         let entries = &mut self.entries[list.idx()];
-        let (vertex, next) = (vertex_idx as u32, entries.len() as u32 + 1);
+        let next = entries.len() as u32 + 1;
         entries.push(Entry {
             vertex,
             node: NONE,
             next,
-        });
-        emit(Event::Vertex {
-            list,
-            vertex_idx: vertex,
-            at,
         });
     }
 
@@ -207,8 +145,13 @@ impl LinkedLists {
         entries.len() as u32 - 1
     }
 
-    /// The last entry leads back to the ring's first.
-    fn close_ring(&mut self, list: List) {
+    /// An edge has been dealt with. After a ring's last one, the last entry leads back to the ring's first.
+    fn end_edge(&mut self, list: List, border: &Rings) {
+        let edge_idx = self.n_edges[list.idx()];
+        self.n_edges[list.idx()] += 1;
+        if border.next(edge_idx) > edge_idx {
+            return;
+        }
         let (entries, starts) = (&mut self.entries[list.idx()], &mut self.starts[list.idx()]);
         let first = starts.last().copied().unwrap_or(0);
         if let Some(last) = entries.last_mut() {
@@ -216,6 +159,137 @@ impl LinkedLists {
         }
         starts.push(entries.len() as u32);
     }
+}
+
+impl<T: Tell<WeilerAtherton>> Clipping<'_, T> {
+    /// The subject's list, edge by edge, with the intersections found on each.
+    pub fn find<R: Real>(&mut self) -> Told<T::Stop> {
+        let [subject, clip] = self.borders;
+        let n_edges = subject.points().len();
+        if self.held.lists.n_edges[0] == n_edges {
+            return Told::Continue(());
+        }
+        let mut grid = Grid::new(subject, clip);
+        let mut found: Vec<(u32, Meeting)> = Vec::new();
+        for edge_idx in self.held.lists.n_edges[0]..n_edges {
+            self.rest(edge_idx, n_edges);
+            let edge = subject.edge(edge_idx);
+            self.vertex(List::Subject, edge_idx, edge[0])?;
+            grid.candidates(edge_idx, edge, |clip_edge| {
+                let both = meetings::<R>(edge, clip.edge(clip_edge));
+                found.extend(both.into_iter().flatten().map(|m| (clip_edge as u32, m)));
+            });
+            sort_along::<R, _>(edge, &mut found, |&(clip_edge, meeting)| On {
+                at_vertex: meeting.contact.at_vertex(),
+                at: meeting.at,
+                other: clip.edge(clip_edge as usize),
+            });
+            for (clip_edge, meeting) in found.drain(..) {
+                self.found([edge_idx as u32, clip_edge], meeting)?;
+            }
+            self.held.lists.end_edge(List::Subject, subject);
+        }
+        Told::Continue(())
+    }
+
+    /// The clip polygon's list, with the same intersections.
+    pub fn insert<R: Real>(&mut self) -> Told<T::Stop> {
+        let [subject, clip] = self.borders;
+        let n_edges = clip.points().len();
+        if self.held.lists.n_edges[1] == n_edges {
+            return Told::Continue(());
+        }
+        let (mut by_edge, starts) = by_clip_edge(&self.held.lists.nodes, n_edges);
+        for edge_idx in self.held.lists.n_edges[1]..n_edges {
+            self.rest(edge_idx, n_edges);
+            let edge = clip.edge(edge_idx);
+            self.vertex(List::Clip, edge_idx, edge[0])?;
+            let [start, end] = [starts[edge_idx], starts[edge_idx + 1]].map(|i| i as usize);
+            let nodes = &self.held.lists.nodes;
+            sort_along::<R, _>(edge, &mut by_edge[start..end], |&node_idx| {
+                let node = &nodes[node_idx as usize];
+                let [subject_vertex, clip_vertex] = node.meeting.contact.at_vertex();
+                On {
+                    at_vertex: [clip_vertex, subject_vertex],
+                    at: node.meeting.at,
+                    other: subject.edge(node.edges[0] as usize),
+                }
+            });
+            for &node_idx in &by_edge[start..end] {
+                let lists = &mut self.held.lists;
+                let Meeting { contact, at, .. } = lists.nodes[node_idx as usize].meeting;
+                let at_vertex = contact.at_vertex()[1];
+                let place = lists.push_node(List::Clip, node_idx, at_vertex);
+                lists.nodes[node_idx as usize].places[1] = place;
+                self.tell(Event::Inserted {
+                    node_idx,
+                    at,
+                    at_vertex,
+                })?;
+            }
+            self.held.lists.end_edge(List::Clip, clip);
+        }
+        Told::Continue(())
+    }
+
+    #[inline]
+    fn vertex(&mut self, list: List, vertex_idx: usize, at: Point) -> Told<T::Stop> {
+        let vertex_idx = vertex_idx as u32;
+        self.held.lists.push_vertex(list, vertex_idx);
+        self.tell(Event::Vertex {
+            list,
+            vertex_idx,
+            at,
+        })
+    }
+
+    /// The next intersection of the subject's list.
+    #[inline]
+    fn found(&mut self, edges: [u32; 2], meeting: Meeting) -> Told<T::Stop> {
+        let Meeting {
+            contact,
+            at,
+            t,
+            u,
+            along,
+            ..
+        } = meeting;
+        let lists = &mut self.held.lists;
+        let node_idx = lists.nodes.len() as u32;
+        let place = lists.push_node(List::Subject, node_idx, contact.at_vertex()[0]);
+        lists.nodes.push(Intersection {
+            meeting,
+            edges,
+            places: [place, NONE],
+        });
+        self.tell(Event::Found {
+            node_idx,
+            edges,
+            contact,
+            at,
+            t,
+            u,
+            along,
+        })
+    }
+}
+
+/// Intersections by clip edge, each edge's in the subject's order, and of each edge where they begin: counted, then dealt out.
+fn by_clip_edge(nodes: &[Intersection], n_edges: usize) -> (Vec<u32>, Vec<u32>) {
+    let mut starts = vec![0_u32; n_edges + 2];
+    for node in nodes {
+        starts[node.edges[1] as usize + 2] += 1;
+    }
+    for edge_idx in 2..starts.len() {
+        starts[edge_idx] += starts[edge_idx - 1];
+    }
+    let mut by_edge = vec![0_u32; nodes.len()];
+    for (node_idx, node) in nodes.iter().enumerate() {
+        let place = &mut starts[node.edges[1] as usize + 1];
+        by_edge[*place as usize] = node_idx as u32;
+        *place += 1;
+    }
+    (by_edge, starts)
 }
 
 /// An intersection as one of the two edges sees it.

@@ -38,7 +38,7 @@
 //! doi:10.1016/j.cagx.2019.100007.
 //!
 //! ```
-//! use clipscope::{algo::polygon::weiler_atherton::*, geom::{SimplePolygon, Window}, trace::silent};
+//! use clipscope::{algo::polygon::weiler_atherton::*, geom::{SimplePolygon, Window}, trace::told::silent};
 //! // A "U" through whose arms the window cuts leaves two pieces.
 //! let u = [[0.0, 0.0], [6.0, 0.0], [6.0, 4.0], [4.0, 4.0], [4.0, 2.0], [2.0, 2.0], [2.0, 4.0], [0.0, 4.0]];
 //! let subject = SimplePolygon::new(&u)?.into();
@@ -65,84 +65,100 @@ mod meeting;
 mod predicate;
 mod rings;
 mod side;
-mod state;
 mod walk;
+mod whole;
 
 use crate::{
-    geom::{Location, Rings},
-    trace::{Algorithm, Real},
+    geom::Rings,
+    trace::{
+        Real,
+        told::{Method, Tell, Told},
+    },
 };
 
-use labels::label;
-use lists::{LinkedLists, NONE};
-use rings::{BorderRing, owners, pieces};
-use walk::{Walker, kind, whole_ring, whole_ring_bounds};
+use rings::{owners, pieces};
 
 pub use answer::{OutputPolygon, Relation, WeilerAthertonOutput};
 pub use event::WeilerAthertonEvent;
 pub use input::{List, WeilerAthertonInput};
-pub use meeting::Contact;
-pub use rings::RingKind;
+pub use lists::{Entry, Intersection, LinkedLists};
+pub use meeting::{Contact, Meeting};
+pub use rings::{BorderRing, RingKind};
 pub use side::{IntersectionLabel, Labelled, Side};
-pub use state::{ListEntry, ListNode, NodeLabel, Passed, StateRing, WeilerAthertonState};
+pub use walk::Walk;
 
 /// The algorithm; see the module.
 #[derive(Clone, Copy, Debug)]
 pub struct WeilerAtherton;
 
-impl Algorithm for WeilerAtherton {
+/// What it works in: the two lists, the walk, and what the walks leave.
+#[derive(Clone, PartialEq, Debug)]
+pub struct WeilerAthertonHeld {
+    /// Both lists, with the intersections that link them.
+    pub lists: LinkedLists,
+    /// Of the intersections, as far as they have one.
+    pub labels: Vec<Labelled>,
+    /// The walks, one after the other.
+    pub walk: Walk,
+    /// Closed rings.
+    pub rings: Vec<BorderRing>,
+    /// Numbers of a hole and of the ring that it lies in.
+    owners: Vec<[u32; 2]>,
+    relation: Relation,
+}
+
+impl Method for WeilerAtherton {
     type Input = WeilerAthertonInput;
+    type Held = WeilerAthertonHeld;
     type Output = WeilerAthertonOutput;
     type Event = WeilerAthertonEvent;
-    type State = WeilerAthertonState;
 
-    fn run<R: Real>(
-        input: &Self::Input,
-        mut emit: impl FnMut(Self::Event),
-    ) -> WeilerAthertonOutput {
-        let (subject, clip) = (input.subject.rings(), input.clip.rings());
-        let lists = LinkedLists::build::<R>(subject, clip, &mut emit);
-        let labels = label::<R>(subject, clip, &lists, &mut emit);
-        let mut walker = Walker::new([subject, clip], &lists, &labels);
-        walker.walk_all(&mut emit);
-        let mut rings = walker.rings;
-        let mut sides = Sides::of(&labels);
-        for list in [List::Subject, List::Clip] {
-            whole_rings(
-                list,
-                input,
-                (&lists, &labels),
-                &mut rings,
-                &mut sides,
-                &mut emit,
-            );
+    fn begin(input: &Self::Input) -> Self::Held {
+        WeilerAthertonHeld {
+            lists: LinkedLists::empty([input.subject.rings(), input.clip.rings()]),
+            labels: Vec::new(),
+            walk: Walk::default(),
+            rings: Vec::new(),
+            owners: Vec::new(),
+            relation: Relation::Disjoint,
         }
-        let owners = owners(&rings);
-        for &[hole_idx, outer_idx] in &owners {
-            emit(Self::Event::Hole {
+    }
+
+    fn run<R: Real, T: Tell<Self>>(
+        input: &Self::Input,
+        held: &mut Self::Held,
+        tell: &mut T,
+    ) -> Told<T::Stop> {
+        let mut clipping = Clipping {
+            input,
+            borders: [input.subject.rings(), input.clip.rings()],
+            held,
+            tell,
+        };
+        clipping.find::<R>()?;
+        clipping.insert::<R>()?;
+        clipping.label::<R>()?;
+        clipping.walk_all()?;
+        let sides = clipping.whole_rings()?;
+        for owner @ [hole_idx, outer_idx] in owners(&clipping.held.rings) {
+            clipping.held.owners.push(owner);
+            clipping.tell(WeilerAthertonEvent::Hole {
                 hole_idx,
                 outer_idx,
-            });
+            })?;
         }
-        let relation = sides.relation(!rings.is_empty(), !labels.is_empty());
-        emit(Self::Event::Done { relation });
-        let rings = rings.iter().map(|ring| (&ring.points[..], ring.kind));
+        let held = &mut *clipping.held;
+        let relation = sides.relation(!held.rings.is_empty(), !held.labels.is_empty());
+        held.relation = relation;
+        held.walk.end();
+        clipping.tell(WeilerAthertonEvent::Done { relation })
+    }
+
+    fn output(held: Self::Held) -> WeilerAthertonOutput {
         WeilerAthertonOutput {
-            relation,
-            pieces: pieces(rings, owners),
+            relation: held.relation,
+            pieces: pieces(&held.rings, held.owners),
         }
-    }
-
-    fn start(_: &Self::Input) -> Self::State {
-        WeilerAthertonState::default()
-    }
-
-    fn apply(state: &mut Self::State, event: Self::Event) {
-        state.apply(event);
-    }
-
-    fn finish(state: &Self::State) -> WeilerAthertonOutput {
-        state.finish()
     }
 
     /// With k intersections: a vertex for each of both polygons' n; each intersection found, inserted and
@@ -156,119 +172,31 @@ impl Algorithm for WeilerAtherton {
     }
 }
 
-/// Where the parts of both borders lie, by the other polygon: all that [`Relation`] asks.
-#[derive(Default)]
-struct Sides {
-    subject_inside: bool,
-    subject_outside: bool,
-    clip_outside: bool,
+/// A run at work.
+struct Clipping<'a, T> {
+    input: &'a WeilerAthertonInput,
+    borders: [&'a Rings; 2],
+    held: &'a mut WeilerAthertonHeld,
+    tell: &'a mut T,
 }
 
-impl Sides {
-    fn of(labels: &[Labelled]) -> Self {
-        let mut sides = Self::default();
-        for labelled in labels {
-            for side in labelled.subject {
-                sides.add(List::Subject, side);
-            }
-            for side in labelled.clip {
-                sides.add(List::Clip, side);
-            }
-        }
-        sides
+/// A stage of the work rests so many times at most: copies of the lists are large.
+const MOST_RESTS: usize = 8;
+/// Between two rests there is at least so much to do: short runs need none.
+const FEWEST_BETWEEN_RESTS: usize = 1000;
+
+impl<T: Tell<WeilerAtherton>> Clipping<'_, T> {
+    #[inline]
+    fn tell(&mut self, event: WeilerAthertonEvent) -> Told<T::Stop> {
+        self.tell.tell(self.held, event)
     }
 
-    fn add(&mut self, list: List, side: Side) {
-        let outside = matches!(side, Side::Outside | Side::Against);
-        match list {
-            List::Subject => {
-                self.subject_inside |= side == Side::Inside;
-                self.subject_outside |= outside;
-            }
-            List::Clip => self.clip_outside |= outside,
+    /// At the head of a stage's loop, `n_done` of `n` times through.
+    #[inline]
+    fn rest(&mut self, n_done: usize, n: usize) {
+        let stride = n.div_ceil(MOST_RESTS).max(FEWEST_BETWEEN_RESTS);
+        if n_done > 0 && n_done.is_multiple_of(stride) {
+            self.tell.rest(self.held);
         }
-    }
-
-    fn relation(&self, common_area: bool, common_points: bool) -> Relation {
-        if !common_area {
-            return if common_points {
-                Relation::Touching
-            } else {
-                Relation::Disjoint
-            };
-        }
-        match (
-            self.subject_outside,
-            self.clip_outside || self.subject_inside,
-        ) {
-            (false, false) => Relation::Equal,
-            (false, true) => Relation::SubjectInside,
-            (true, false) => Relation::ClipInside,
-            (true, true) => Relation::Crossing,
-        }
-    }
-}
-
-/// Rings of one polygon that the walk cannot reach: where nothing crosses them, they bound the result all along
-/// or nowhere. One of their intersections tells, or where they have none, one of their vertices.
-fn whole_rings(
-    list: List,
-    input: &WeilerAthertonInput,
-    (lists, labels): (&LinkedLists, &[Labelled]),
-    rings: &mut Vec<BorderRing>,
-    sides: &mut Sides,
-    emit: &mut impl FnMut(WeilerAthertonEvent),
-) {
-    let borders: &Rings = match list {
-        List::Subject => input.subject.rings(),
-        List::Clip => input.clip.rings(),
-    };
-    for ring_idx in 0..borders.n_rings() {
-        let starts = &lists.starts[list.idx()];
-        let places = [starts[ring_idx], starts[ring_idx + 1]];
-        let entries = &lists.entries[list.idx()][places[0] as usize..places[1] as usize];
-        let mut nodes = entries.iter().filter(|entry| entry.node != NONE);
-        let labelled = |node: u32| &labels[node as usize];
-        if nodes
-            .clone()
-            .any(|entry| labelled(entry.node).label != IntersectionLabel::Touching)
-        {
-            continue;
-        }
-        let first = nodes.next().map(|entry| labelled(entry.node));
-        let side = first.map_or_else(
-            || {
-                let at = borders.ring(ring_idx)[0];
-                let location = match list {
-                    List::Subject => input.clip.locate(at),
-                    List::Clip => input.subject.locate(at),
-                };
-                let side = if location == Location::Outside {
-                    Side::Outside
-                } else {
-                    Side::Inside
-                };
-                sides.add(list, side);
-                side
-            },
-            |labelled| match list {
-                List::Subject => labelled.subject[1],
-                List::Clip => labelled.clip[1],
-            },
-        );
-        let is_hole = list == List::Subject && ring_idx > 0;
-        let ring = whole_ring_bounds(list, side).then(|| {
-            let points = whole_ring(entries, borders, lists, labels);
-            let kind = kind(&points, is_hole);
-            BorderRing { points, kind }
-        });
-        emit(WeilerAthertonEvent::Whole {
-            list,
-            ring_idx: ring_idx as u32,
-            places,
-            side,
-            kind: ring.as_ref().map(|ring| ring.kind),
-        });
-        rings.extend(ring);
     }
 }

@@ -54,18 +54,15 @@ pub fn owners(rings: &[BorderRing]) -> Vec<[u32; 2]> {
 }
 
 /// Outer rings in order, each with its holes; without repeated corners.
-pub fn pieces<'a>(
-    rings: impl Iterator<Item = (&'a [Point], RingKind)>,
-    owners: impl IntoIterator<Item = [u32; 2]>,
-) -> Vec<OutputPolygon> {
+pub fn pieces(rings: &[BorderRing], owners: Vec<[u32; 2]>) -> Vec<OutputPolygon> {
     let mut pieces = Vec::new();
     let mut holes: Vec<Option<Vec<Point>>> = Vec::new();
     let mut piece_of = Vec::new();
-    for (points, kind) in rings {
+    for BorderRing { points, kind } in rings {
         piece_of.push(pieces.len());
-        let is_hole = kind == RingKind::Hole;
+        let is_hole = *kind == RingKind::Hole;
         holes.push(is_hole.then(|| without_repeats(points)));
-        if kind == RingKind::Outer {
+        if *kind == RingKind::Outer {
             pieces.push(OutputPolygon {
                 outer: without_repeats(points),
                 holes: Vec::new(),

@@ -15,182 +15,188 @@
 
 use std::cmp::Ordering;
 
-use crate::geom::{Point, Rings, winding};
+use crate::{
+    geom::{Point, winding},
+    trace::told::{Tell, Told},
+};
 
 use super::{
+    Clipping, WeilerAtherton,
     event::WeilerAthertonEvent as Event,
     input::List,
-    lists::{Entry, LinkedLists, NONE},
+    lists::NONE,
     rings::{BorderRing, RingKind},
-    side::{IntersectionLabel, Labelled, Side, bounds_the_result},
+    side::{IntersectionLabel, Side, bounds_the_result},
 };
 
 /// Walks over both lists.
-pub struct Walker<'a> {
-    pub borders: [&'a Rings; 2],
-    pub lists: &'a LinkedLists,
-    pub labels: &'a [Labelled],
-    /// Steps that are left: see the module.
-    left: usize,
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Walk {
+    /// Where the walk stands.
+    pub position: Option<(List, u32)>,
+    /// Where it started: an intersection.
+    pub start: Option<u32>,
+    /// Corners since then that belong to no ring yet, and the intersections that they are.
+    pub path: Vec<(Point, u32)>,
+    /// The entry that comes next, and whether lists are changed there; none between two walks.
+    next: Option<(List, u32, bool)>,
+    /// Intersections that have been asked whether a walk starts there.
+    n_asked: usize,
+    /// Steps that have been taken: see the module.
+    n_steps: usize,
     /// Intersections from which the subject's list was entered, by a start or a switch.
     entered: Vec<bool>,
     /// Of each intersection its place on the path, which may be out of date.
     on_path: Vec<u32>,
-    path: Vec<(Point, u32)>,
     /// Where on the path the walk last switched lists.
     stretch: usize,
-    /// Closed so far.
-    pub rings: Vec<BorderRing>,
 }
 
-impl<'a> Walker<'a> {
-    pub fn new(borders: [&'a Rings; 2], lists: &'a LinkedLists, labels: &'a [Labelled]) -> Self {
-        let n_nodes = lists.nodes.len();
-        Self {
-            borders,
-            lists,
-            labels,
-            left: lists.entries.iter().map(Vec::len).sum(),
-            entered: vec![false; n_nodes],
-            on_path: vec![NONE; n_nodes],
-            path: Vec::new(),
-            stretch: 0,
-            rings: Vec::new(),
-        }
+impl Walk {
+    /// No walk is left.
+    pub(super) const fn end(&mut self) {
+        (self.position, self.start) = (None, None);
     }
+}
 
+impl<T: Tell<WeilerAtherton>> Clipping<'_, T> {
     /// Every ring that changes lists.
-    pub fn walk_all(&mut self, emit: &mut impl FnMut(Event)) {
-        for node_idx in 0..self.labels.len() {
+    pub fn walk_all(&mut self) -> Told<T::Stop> {
+        let n_nodes = self.held.labels.len();
+        let most_steps = self.held.lists.entries.iter().map(Vec::len).sum();
+        self.held.walk.entered.resize(n_nodes, false);
+        self.held.walk.on_path.resize(n_nodes, NONE);
+        if self.held.walk.next.is_some() {
+            self.walk_on(most_steps)?;
+        }
+        while self.held.walk.n_asked < n_nodes {
+            let node_idx = self.held.walk.n_asked;
+            self.held.walk.n_asked += 1;
             let starts = matches!(
-                self.labels[node_idx].label,
+                self.held.labels[node_idx].label,
                 IntersectionLabel::Entering | IntersectionLabel::Pinching
             );
-            if starts && !self.entered[node_idx] {
-                self.walk(node_idx, emit);
+            if starts && !self.held.walk.entered[node_idx] {
+                self.start(node_idx)?;
+                self.walk_on(most_steps)?;
             }
         }
+        Told::Continue(())
     }
 
-    fn walk(&mut self, start: usize, emit: &mut impl FnMut(Event)) {
-        emit(Event::Start {
-            node_idx: start as u32,
-        });
-        self.entered[start] = true;
-        self.path.clear();
-        self.stretch = 0;
-        let mut list = List::Subject;
-        let mut place = self.lists.nodes[start].places[0];
-        let mut switched = true;
-        while self.left > 0 {
-            self.left -= 1;
-            self.visit(list, place, switched, emit);
-            let entries = &self.lists.entries[list.idx()];
-            place = entries[place as usize].next;
-            let node = entries[place as usize].node;
-            switched = false;
+    fn start(&mut self, node_idx: usize) -> Told<T::Stop> {
+        let place = self.held.lists.nodes[node_idx].places[0];
+        let walk = &mut self.held.walk;
+        walk.start = Some(node_idx as u32);
+        walk.entered[node_idx] = true;
+        walk.path.clear();
+        walk.stretch = 0;
+        walk.next = Some((List::Subject, place, true));
+        self.tell(Event::Start {
+            node_idx: node_idx as u32,
+        })
+    }
+
+    /// Goes on with a walk until it is back where it started.
+    fn walk_on(&mut self, most_steps: usize) -> Told<T::Stop> {
+        while let Some((mut list, mut place, switched)) = self.held.walk.next {
+            if self.held.walk.n_steps == most_steps {
+                debug_assert!(false, "the walk ends where it started");
+                break;
+            }
+            self.rest(self.held.walk.n_steps, most_steps);
+            self.held.walk.n_steps += 1;
+            self.visit(list, place, switched)?;
+            let lists = &self.held.lists;
+            place = lists.entries[list.idx()][place as usize].next;
+            let node = lists.entries[list.idx()][place as usize].node;
+            self.held.walk.next = Some((list, place, false));
             if node == NONE {
                 continue;
             }
-            self.cut_at(list, place, node, emit);
-            switched = match self.labels[node as usize].label {
+            self.cut_at(list, place, node)?;
+            let switches = match self.held.labels[node as usize].label {
                 IntersectionLabel::Entering => list == List::Clip,
                 IntersectionLabel::Leaving => list == List::Subject,
                 IntersectionLabel::Pinching => true,
                 IntersectionLabel::Touching => false,
             };
-            if !switched {
+            if !switches {
                 continue;
             }
             list = list.other();
+            let walk = &mut self.held.walk;
             if list == List::Subject {
-                if node as usize == start {
-                    return;
+                if walk.start == Some(node) {
+                    walk.next = None;
+                    return Told::Continue(());
                 }
                 debug_assert!(
-                    !self.entered[node as usize],
+                    !walk.entered[node as usize],
                     "each list entry is visited once"
                 );
-                self.entered[node as usize] = true;
+                walk.entered[node as usize] = true;
             }
-            place = self.lists.nodes[node as usize].places[list.idx()];
-            emit(Event::Switch {
+            place = self.held.lists.nodes[node as usize].places[list.idx()];
+            walk.next = Some((list, place, true));
+            walk.position = Some((list, place));
+            walk.stretch = walk.path.len();
+            self.tell(Event::Switch {
                 node_idx: node,
                 to: list,
                 place,
-            });
-            self.stretch = self.path.len();
+            })?;
         }
-        debug_assert!(false, "the walk ends where it started");
+        Told::Continue(())
     }
 
-    /// Adds an entry to the path where it is a corner of the ring: see [`is_corner`].
-    fn visit(&mut self, list: List, place: u32, switched: bool, emit: &mut impl FnMut(Event)) {
-        let entry = self.lists.entries[list.idx()][place as usize];
-        let corner = switched || is_corner(&entry, self.labels);
-        let at = at(&entry, self.borders[list.idx()], self.lists);
+    /// Adds an entry to the path where it is a corner of the ring.
+    #[inline]
+    fn visit(&mut self, list: List, place: u32, switched: bool) -> Told<T::Stop> {
+        let entry = self.held.lists.entries[list.idx()][place as usize];
+        let corner = switched || entry.is_corner(&self.held.labels);
+        let at = self.held.lists.at(&entry, self.borders[list.idx()]);
+        let walk = &mut self.held.walk;
         if corner {
             if entry.node != NONE {
-                self.on_path[entry.node as usize] = self.path.len() as u32;
+                walk.on_path[entry.node as usize] = walk.path.len() as u32;
             }
-            self.path.push((at, entry.node));
+            walk.path.push((at, entry.node));
         }
-        emit(Event::Visit {
+        walk.position = Some((list, place));
+        self.tell(Event::Visit {
             list,
             place,
             at,
             corner,
-        });
+        })
     }
 
     /// Where the path has come back to an intersection that it holds, what lies between is a ring.
-    fn cut_at(&mut self, list: List, place: u32, node: u32, emit: &mut impl FnMut(Event)) {
-        let from = self.on_path[node as usize] as usize;
-        if self.path.get(from).is_none_or(|&(_, held)| held != node) {
-            return;
+    #[inline]
+    fn cut_at(&mut self, list: List, place: u32, node: u32) -> Told<T::Stop> {
+        let walk = &mut self.held.walk;
+        let from = walk.on_path[node as usize] as usize;
+        if walk.path.get(from).is_none_or(|&(_, held)| held != node) {
+            return Told::Continue(());
         }
-        let points: Vec<Point> = self.path.drain(from..).map(|(p, _)| p).collect();
+        let points: Vec<Point> = walk.path.drain(from..).map(|(p, _)| p).collect();
         // Without a switch it is a whole ring of the subject.
-        let is_hole =
-            list == List::Subject && self.stretch <= from && self.ring_of(list, place) > 0;
-        self.stretch = self.stretch.min(from);
+        let has_switched = list == List::Clip || walk.stretch > from;
+        walk.stretch = walk.stretch.min(from);
+        let is_hole = !has_switched && self.ring_of(list, place) > 0;
         let kind = kind(&points, is_hole);
-        emit(Event::Closed {
+        self.held.rings.push(BorderRing { points, kind });
+        self.tell(Event::Closed {
             from: from as u32,
             kind,
-        });
-        self.rings.push(BorderRing { points, kind });
+        })
     }
 
     fn ring_of(&self, list: List, place: u32) -> usize {
-        let starts = &self.lists.starts[list.idx()];
+        let starts = &self.held.lists.starts[list.idx()];
         starts.partition_point(|&start| start <= place) - 1
     }
-}
-
-/// A list's own vertices are corners of a ring; so are the other polygon's along an edge that both share, so that
-/// they still share it afterwards. An intersection that the walk goes straight past is not.
-fn is_corner(entry: &Entry, labels: &[Labelled]) -> bool {
-    entry.vertex != NONE || entry.node != NONE && labels[entry.node as usize].shares_an_edge()
-}
-
-fn at(entry: &Entry, border: &Rings, lists: &LinkedLists) -> Point {
-    if entry.node == NONE {
-        border.points()[entry.vertex as usize]
-    } else {
-        lists.nodes[entry.node as usize].meeting.at
-    }
-}
-
-/// All corners of a ring that changes no lists.
-pub fn whole_ring(
-    entries: &[Entry],
-    border: &Rings,
-    lists: &LinkedLists,
-    labels: &[Labelled],
-) -> Vec<Point> {
-    let corners = entries.iter().filter(|entry| is_corner(entry, labels));
-    corners.map(|entry| at(entry, border, lists)).collect()
 }
 
 /// What the rounded corners make of it: see [`RingKind::Sliver`].

@@ -6,32 +6,33 @@ use serde_json::{Value as Json, json};
 use crate::{
     algo::{
         cull::{
-            BackFace, BackFaceEvent as Event, BackFaceInput, BackFaceOutput,
-            BackFaceState as State, Viewer, asked_viewer,
+            BackFace, BackFaceEvent as Event, BackFaceInput, BackFaceOutput, Viewer, asked_viewer,
         },
         ring::Right,
     },
     figure::{
-        Body, Caption, Cell, Gauge, Gauges, Mark3, Role, Shape3, Table, TableRow, Tick, View,
-        Watch, WatchRow, WatchSection,
+        Body, Cell, Gauge, Gauges, Mark3, Role, Shape3, Table, TableRow,
+        Tick::{Accept, Phase, Reject, Test},
+        View,
     },
     geom::Camera,
-    labs::{Answer, CodeLine, Demo, Step, code_line, words::name},
+    labs::{
+        Answer, CodeLine, code_line,
+        space::SpaceTelling,
+        telling::{At, Named, Row, Telling, Watched, rows},
+        words::name,
+    },
     text::{Formula, Message, Value},
-    trace::{Algorithm, silent},
+    trace::told::{Step, silent},
 };
 
 use super::{
     super::{
-        FaceFate, FaceTest, OnScene, OnSceneInput, Scene, Subject,
-        demo::SpaceDemo,
-        stage::{FaceLook, Fate, face_link},
+        Scene, Subject,
+        stage::{FaceLook, Fate, Scenery, face_link},
     },
-    planes::{place, triple},
+    planes::place,
 };
-
-type Input = OnSceneInput<BackFaceInput>;
-type Shown = OnScene<BackFace>;
 
 const FACES_VIEW: &str = "faces";
 const COLUMNS_VIEW: &str = "columns";
@@ -56,24 +57,36 @@ fn input_of(scene: &Scene, face_idx: usize) -> Option<BackFaceInput> {
     })
 }
 
-impl SpaceDemo for Shown {
+impl SpaceTelling for BackFace {
     const SUBJECT: Subject = Subject::Face;
     const TELLS_FACES: bool = true;
 
-    fn input(scene: &Scene) -> Input {
-        let own = input_of(scene, scene.face()).expect("the face is one of the object's");
-        OnSceneInput::of(scene, own)
-    }
-
-    /// Of the face that is asked, at the last step: nothing before it decides.
-    fn face_fate(scene: &Scene, face_idx: usize) -> Option<FaceFate> {
-        let step = Self::max_events(&Self::input(scene));
-        let test = FaceTest::Facing;
-        (face_idx == scene.face()).then_some(FaceFate { step, test })
+    fn input(scene: &Scene) -> BackFaceInput {
+        input_of(scene, scene.face()).expect("the face is one of the object's")
     }
 }
 
-impl Demo for Shown {
+rows! { |event, step: BackFace|
+    normal: Event::Normal { .. } =>
+        Row::new(Phase, 0, "face-normal")
+            .so(&["V₁ − V₀ = {V₁ − V₀}", "V₂ − V₀ = {V₂ − V₀}", "n = {n}"]);
+    to_eye: Event::ToViewer { .. } if matches!(step.input.viewer, Viewer::Eye(_)) =>
+        Row::new(Phase, 1, "face-to-eye").so(&["e = {e}"]);
+    to_direction: Event::ToViewer { .. } =>
+        Row::new(Phase, 1, "face-to-direction").so(&["e = {e}"]);
+    products: Event::Products { .. } =>
+        Row::new(Test, 2, "face-products").so(&["{dot}", "det = |e, V₁ − V₀, V₂ − V₀|{=det}"]);
+    front: Event::Done { front: true } =>
+        Row::new(Accept, 3, "face-front").so(&["n·e{=n·e} > 0"]).answers("facing").keeps("face");
+    edge_on: Event::Done { .. } if step.held.dot == 0.0 =>
+        Row::new(Reject, 3, "face-edge-on").so(&["n·e{=n·e}"]).answers("facing").drops("face");
+    back: Event::Done { .. } =>
+        Row::new(Reject, 3, "face-back").so(&["n·e{=n·e} < 0"]).answers("facing").drops("face");
+}
+
+impl Telling for BackFace {
+    type Scenery = Scenery;
+
     const ID: &'static str = "back-face";
     const NAME_KEY: &'static str = "alg-back-face";
     const SOURCE: &'static str = "Sutherland, Sproull & Schumacker, 1974";
@@ -84,74 +97,57 @@ impl Demo for Shown {
         code_line(0, "code-face-decide", "words-face-decide"),
     ];
 
-    fn tick(event: &Event) -> Tick {
-        match event {
-            Event::Normal { .. } | Event::ToViewer { .. } => Tick::Phase,
-            Event::Products { .. } => Tick::Test,
-            Event::Done { front: true } => Tick::Accept,
-            Event::Done { front: false } => Tick::Reject,
-        }
+    const ROWS: &'static [Row] = ROWS;
+    const WATCH: &'static [Watched] = &[Watched::Names(&[
+        "V₀",
+        "V₁",
+        "V₂",
+        "n",
+        "e",
+        "n·e",
+        "det",
+        "det_screen",
+    ])];
+
+    fn row(step: &Step<'_, Self>) -> &'static Row {
+        row(step)
     }
 
-    fn code_line(event: &Event, _: &State) -> usize {
-        match event {
-            Event::Normal { .. } => 0,
-            Event::ToViewer { .. } => 1,
-            Event::Products { .. } => 2,
-            Event::Done { .. } => 3,
-        }
+    fn opening(_: &At<'_, Self>) -> &'static Row {
+        const OPENING: Row =
+            Row::new(Phase, 0, "face-opening").so(&["V₀ = {V₀}", "V₁ = {V₁}", "V₂ = {V₂}"]);
+        &OPENING
     }
 
-    fn caption(event: &Event, before: &State, input: &Input) -> Caption {
-        let say =
-            |key: &'static str| Caption::new(Message::new(key).with("face", face_name(input)));
-        match *event {
-            Event::Normal { edges, normal } => say("face-normal")
-                .so(triple("V₁ − V₀", edges[0]))
-                .so(triple("V₂ − V₀", edges[1]))
-                .so(triple("n", normal)),
-            Event::ToViewer { to_viewer } => {
-                let key = match input.own.viewer {
-                    Viewer::Eye(_) => "face-to-eye",
-                    Viewer::Direction(_) => "face-to-direction",
-                };
-                say(key).so(triple("e", to_viewer))
+    fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
+        let (known, triangle) = (Known::of(at), at.step.input.triangle);
+        let [v0, v1, v2] = triangle.map(place);
+        Some(match name {
+            "face" => face_name(at),
+            "V₀" => v0.into(),
+            "V₁" => v1.into(),
+            "V₂" => v2.into(),
+            "V₁ − V₀" => place(known.edges?[0]).into(),
+            "V₂ − V₀" => place(known.edges?[1]).into(),
+            "n" => Named::maybe(known.normal.map(place)),
+            "e" => Named::maybe(known.to_viewer.map(place)),
+            "n·e" => Named::maybe(known.products.map(|[dot, _]| dot)),
+            "det" => Named::maybe(known.products.map(|[_, det]| det)),
+            "det_screen" => {
+                let scenery = at.scenery.filter(|_| known.products.is_some());
+                let turn = |scenery: &Scenery| turn_on_screen(scenery.scene().culler(), &triangle);
+                Named::maybe(scenery.and_then(turn))
             }
-            Event::Products { dot, det } => {
-                let (_, n) = before.normal.unwrap_or_default();
-                let e = before.to_viewer.unwrap_or_default();
-                say("face-products")
-                    .so(dot_formula(n, e, dot))
-                    .so(Formula::default()
-                        .sym("det = |e, V₁ − V₀, V₂ − V₀|")
-                        .equals(det))
-            }
-            Event::Done { front } => {
-                let [dot, _] = before.products.unwrap_or_default();
-                let (key, relation) = if front {
-                    ("face-front", " > 0")
-                } else if dot == 0.0 {
-                    ("face-edge-on", "")
-                } else {
-                    ("face-back", " < 0")
-                };
-                say(key).so(Formula::default().sym("n·e").equals(dot).sym(relation))
-            }
-        }
+            "dot" => dot_formula(known.normal?, known.to_viewer?, known.products?[0]).into(),
+            _ => return None,
+        })
     }
 
-    fn opening(input: &Input) -> Caption {
-        let [v0, v1, v2] = input.own.triangle;
-        Caption::new(Message::new("face-opening").with("face", face_name(input)))
-            .so(triple("V₀", v0))
-            .so(triple("V₁", v1))
-            .so(triple("V₂", v2))
-    }
-
-    fn views(step: &Step<'_, Self>) -> Vec<View> {
-        let Some(scenery) = step.input.scenery.as_deref() else {
+    fn views(at: &At<'_, Self>) -> Vec<View> {
+        let Some(scenery) = at.scenery else {
             return Vec::new();
         };
+        let known = Known::of(at);
         let scene = scenery.scene();
         let fate = |i: usize| {
             if i == scene.focus() {
@@ -173,61 +169,63 @@ impl Demo for Shown {
                 Some(true) | None => FaceLook::Whole,
             }
         };
-        let corners = corner_marks(&step.input.own.triangle);
-        let gauges = face_gauges(step, scene);
-        let columns = (gauges.rows.len() <= MOST_BESIDE_COLUMNS).then(|| columns(step));
+        let corners = corner_marks(&at.step.input.triangle);
+        let gauges = face_gauges(&known, scene);
+        let columns = (gauges.rows.len() <= MOST_BESIDE_COLUMNS).then(|| columns(at, &known));
         let mut views = vec![
-            scenery.observer_with(fate, role, marks(step)),
+            scenery.observer_with(fate, role, marks(at.step.input, &known)),
             scenery.camera(fate, role, corners),
             View::new(FACES_VIEW, Body::Gauges(gauges)),
         ];
         views.extend(columns.map(|columns| View::new(COLUMNS_VIEW, Body::Table(columns))));
         views
     }
+}
 
-    fn watch(step: &Step<'_, Self>) -> Watch {
-        let corners = ["V₀", "V₁", "V₂"].into_iter().zip(step.input.own.triangle);
-        let mut rows: Vec<WatchRow> = corners
-            .map(|(symbol, at)| WatchRow::new(name(symbol), Some(place(at))))
-            .collect();
-        let State {
-            normal,
-            to_viewer,
-            products,
-            ..
-        } = *step.state;
-        rows.push(WatchRow::new(name("n"), normal.map(|(_, n)| place(n))));
-        rows.push(WatchRow::new(name("e"), to_viewer.map(place)));
-        rows.push(WatchRow::new(
-            name("n·e"),
-            products.map(|[dot, _]| Value::Number(dot)),
-        ));
-        rows.push(WatchRow::new(
-            name("det"),
-            products.map(|[_, det]| Value::Number(det)),
-        ));
-        let on_screen = step.input.scenery.as_deref().and_then(|scenery| {
-            let camera = scenery.scene().culler();
-            turn_on_screen(camera, &step.input.own.triangle)
-        });
-        let shown = on_screen.filter(|_| products.is_some());
-        rows.push(WatchRow::new(name("det_screen"), shown.map(Value::Number)));
-        vec![WatchSection::list(rows)]
+/// What the run has worked out so far.
+#[derive(Default)]
+struct Known {
+    /// V1 − V0 and V2 − V0.
+    edges: Option<[[f64; 3]; 2]>,
+    normal: Option<[f64; 3]>,
+    to_viewer: Option<[f64; 3]>,
+    /// n·e and the determinant.
+    products: Option<[f64; 2]>,
+}
+
+impl Known {
+    fn of(at: &At<'_, BackFace>) -> Self {
+        let mut known = Self::default();
+        for event in at.step.past {
+            match *event {
+                Event::Normal { edges, normal } => {
+                    (known.edges, known.normal) = (Some(edges), Some(normal));
+                }
+                Event::ToViewer { to_viewer } => known.to_viewer = Some(to_viewer),
+                Event::Products { dot, det } => known.products = Some([dot, det]),
+                Event::Done { .. } => {}
+            }
+        }
+        known
     }
 }
 
 /// The face's number, and whose it is where a scene has several objects.
-fn face_name(input: &Input) -> Value {
-    let Some(scenery) = input.scenery.as_deref() else {
-        return Value::Count(1);
+fn face_name(at: &At<'_, BackFace>) -> Named {
+    let Some(scenery) = at.scenery else {
+        return Value::Count(1).into();
     };
     let scene = scenery.scene();
     let face = scene.face() + 1;
-    if scene.objects().len() == 1 {
-        return Value::Count(face);
-    }
-    let named = Message::new("face-of-object").with("face", face);
-    Value::Message(named.with("object", scene.object_name(scene.focus())))
+    let named = if scene.objects().len() == 1 {
+        Named::from(face)
+    } else {
+        let named = Message::new("face-of-object").with("face", face);
+        named
+            .with("object", scene.object_name(scene.focus()))
+            .into()
+    };
+    named.linked(face_link(scene.face()))
 }
 
 /// `n·e = (−9)·8 + (−9)·5 + 9·4 = −81`.
@@ -273,21 +271,21 @@ fn corner_marks(triangle: &[[f64; 3]; 3]) -> Vec<Mark3> {
 }
 
 /// Normal and way to the camera, from the middle of the face, and the angle between them.
-fn marks(step: &Step<'_, Shown>) -> Vec<Mark3> {
-    let triangle = &step.input.own.triangle;
+fn marks(input: &BackFaceInput, known: &Known) -> Vec<Mark3> {
+    let triangle = &input.triangle;
     let mut marks = corner_marks(triangle);
     let [a, b, c] = triangle.map(DVec3::from);
     let middle = (a + b + c) / 3.0;
     let mut normal_tip = None;
-    if let Some((_, n)) = step.state.normal {
+    if let Some(n) = known.normal {
         let size = (b - a).length().max((c - a).length());
         let tip = middle + DVec3::from(n).normalize_or_zero() * NORMAL_PART * size;
         let arrow = Shape3::Arrow([middle.into(), tip.into()]);
         marks.push(Mark3::new(Role::Signal, arrow).labelled(name("n")).strong());
         normal_tip = Some(tip);
     }
-    if step.state.to_viewer.is_some() {
-        let tip = match step.input.own.viewer {
+    if known.to_viewer.is_some() {
+        let tip = match input.viewer {
             Viewer::Eye(eye) => DVec3::from(eye),
             Viewer::Direction(view) => middle - DVec3::from(view) * 2.0,
         };
@@ -302,14 +300,11 @@ fn marks(step: &Step<'_, Shown>) -> Vec<Mark3> {
 }
 
 /// What the determinant is of: the way to the viewer and the two edges, as columns.
-fn columns(step: &Step<'_, Shown>) -> Table {
+fn columns(at: &At<'_, BackFace>, known: &Known) -> Table {
     let symbols = ["det", "e", "V₁ − V₀", "V₂ − V₀"];
-    let State {
-        normal, to_viewer, ..
-    } = *step.state;
-    let edges = normal.map(|(edges, _)| edges);
-    let columns = [to_viewer, edges.map(|[p, _]| p), edges.map(|[_, q]| q)];
-    let is_asked = matches!(step.event, Some(Event::Products { .. }));
+    let edge = |i: usize| known.edges.map(|edges| edges[i]);
+    let columns = [known.to_viewer, edge(0), edge(1)];
+    let is_asked = matches!(at.step.event(), Some(Event::Products { .. }));
     let role = if is_asked { Role::Signal } else { Role::Ink };
     let row = |(axis, symbol): (usize, &'static str)| TableRow {
         name: name(symbol),
@@ -327,7 +322,7 @@ fn columns(step: &Step<'_, Shown>) -> Table {
 }
 
 /// n·e of all faces, the one in hand once its run has come so far.
-fn face_gauges(step: &Step<'_, Shown>, scene: &Scene) -> Gauges {
+fn face_gauges(known: &Known, scene: &Scene) -> Gauges {
     let n_faces = scene.focused().model().mesh().faces().len();
     let shown = if n_faces <= MOST_FACES {
         0..n_faces
@@ -337,7 +332,7 @@ fn face_gauges(step: &Step<'_, Shown>, scene: &Scene) -> Gauges {
     let row = |face_idx: usize| {
         let is_current = face_idx == scene.face();
         let answer = input_of(scene, face_idx).map(|input| silent::<BackFace>(&input));
-        let answer = answer.filter(|_| !is_current || step.state.products.is_some());
+        let answer = answer.filter(|_| !is_current || known.products.is_some());
         let role = match answer {
             _ if is_current => Role::Signal,
             Some(BackFaceOutput { front: true, .. }) => Role::Accent,

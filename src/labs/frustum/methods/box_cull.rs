@@ -4,30 +4,32 @@ use serde_json::{Value as Json, json};
 
 use crate::{
     algo::cull::{
-        BoxCull, BoxCullEvent as Event, BoxCullInput, BoxCullOutput, BoxCullState as State,
-        Containment,
+        BoxCull, BoxCullEvent as Event, BoxCullInput, BoxCullOutput,
+        Containment::{Inside, Outside, Straddles},
     },
     figure::{
-        Body, Caption, Cell, Mark3, Role, Shape3, Table, TableRow, Tick, View, Watch, WatchRow,
-        WatchSection,
+        Body, Cell, Mark3, Role, Shape3, Table,
+        Tick::{Accept, Phase, Reject},
+        View,
     },
     geom::VolumeSide,
-    labs::{Answer, CodeLine, Demo, Step, code_line, words::name},
-    text::{Formula, Message},
+    labs::{
+        Answer, CodeLine, code_line,
+        space::SpaceTelling,
+        telling::{At, Named, Row, Telling, Watched, rows},
+    },
+    text::Formula,
+    trace::told::Step,
 };
 
 use super::{
     super::{
-        OnScene, OnSceneInput, Scene,
-        demo::SpaceDemo,
-        stage::{FaceLook, Fate, plane_at_work},
+        Scene,
+        stage::{Fate, Scenery, plane_at_work},
     },
-    planes::{fate_of, place, plane_link, plane_name, role_of},
-    sphere_cull::{class_row, class_tick, plane_tick},
+    asked::{Asked, both, says},
+    planes::place,
 };
-
-type Input = OnSceneInput<BoxCullInput>;
-type Shown = OnScene<BoxCull>;
 
 const CORNERS_VIEW: &str = "corners";
 
@@ -37,17 +39,37 @@ impl Answer for BoxCullOutput {
     }
 }
 
-impl SpaceDemo for Shown {
-    fn input(scene: &Scene) -> Input {
-        let own = BoxCullInput {
+impl SpaceTelling for BoxCull {
+    fn input(scene: &Scene) -> BoxCullInput {
+        BoxCullInput {
             planes: scene.culler().planes_in_world().to_vec(),
             bounds: scene.focused().bounds().expect("its vertices are finite"),
-        };
-        OnSceneInput::of(scene, own)
+        }
     }
 }
 
-impl Demo for Shown {
+rows! { |event, step: BoxCull|
+    inside: Event::Plane { class: Inside, .. } =>
+        says(Inside, 1, "box-inside").so(RANGE).answers_as("class", "option-box-inside");
+    straddles: Event::Plane { class: Straddles, .. } =>
+        says(Straddles, 1, "box-straddles").so(RANGE).answers_as("class", "option-box-straddles");
+    outside: Event::Plane { class: Outside, .. } =>
+        says(Outside, 2, "box-outside").so(RANGE).answers_as("class", "option-box-outside");
+    meets: Event::Meets { meets: true } => Row::new(Phase, 3, "box-meets").answers("meets");
+    in_vain: Event::Meets { meets: false } => Row::new(Phase, 3, "box-in-vain").answers("meets");
+    none_out: Event::Done { class: Inside } => Row::new(Accept, 4, "box-done-inside");
+    culled: Event::Done { class: Outside } =>
+        Row::new(Reject, 4, "planes-done-outside").picks("plane", "planes");
+    drawn_in_vain: Event::Done { class: Straddles } if step.held.false_positive =>
+        Row::new(Accept, 4, "box-done-in-vain");
+    cut: Event::Done { class: Straddles } => Row::new(Accept, 4, "box-done-straddles");
+}
+
+const RANGE: &[&str] = &["{least} ≤ n·p + D ≤ {most}"];
+
+impl Telling for BoxCull {
+    type Scenery = Scenery;
+
     const ID: &'static str = "box-cull";
     const NAME_KEY: &'static str = "alg-box-cull";
     const SOURCE: &'static str = "Assarsson & Möller, 2000";
@@ -58,127 +80,85 @@ impl Demo for Shown {
         code_line(0, "code-box-meets", "words-box-meets"),
         code_line(0, "code-box-done", "words-box-done"),
     ];
+    const ROWS: &'static [Row] = ROWS;
+    const WATCH: &'static [Watched] = &[
+        Watched::Names(&["min", "max", "class"]),
+        Watched::ListSeen("outside", CORNERS_VIEW),
+    ];
 
-    fn tick(event: &Event) -> Tick {
-        match event {
-            Event::Plane { class, .. } => plane_tick(*class),
-            Event::Meets { .. } => Tick::Phase,
-            Event::Done { class } => class_tick(*class),
-        }
+    fn row(step: &Step<'_, Self>) -> &'static Row {
+        row(step)
     }
 
-    fn code_line(event: &Event, _: &State) -> usize {
-        match event {
-            Event::Plane {
-                class: Containment::Outside,
-                ..
-            } => 2,
-            Event::Plane { .. } => 1,
-            Event::Meets { .. } => 3,
-            Event::Done { .. } => 4,
-        }
+    fn opening(_: &At<'_, Self>) -> &'static Row {
+        const OPENING: Row = Row::new(Phase, 0, "box-opening").so(&["min = {min}", "max = {max}"]);
+        &OPENING
     }
 
-    fn caption(event: &Event, before: &State, input: &Input) -> Caption {
-        match *event {
-            Event::Plane {
-                plane_idx,
-                sums,
-                n_outside,
-                class,
-            } => {
-                let key = match class {
-                    Containment::Inside => "box-inside",
-                    Containment::Straddles => "box-straddles",
-                    Containment::Outside => "box-outside",
-                };
-                let message = Message::new(key)
-                    .with("plane", plane_name(input.scenery.as_deref(), plane_idx))
-                    .with("outside", n_outside);
-                Caption::new(message).so(range_formula(&sums))
-            }
-            Event::Meets { meets } => {
-                let key = if meets { "box-meets" } else { "box-in-vain" };
-                let n_cut = before.asked.iter();
-                let n_cut = n_cut.filter(|(_, class)| *class == Containment::Straddles);
-                Caption::new(Message::new(key).with("cut", n_cut.count()))
-            }
-            Event::Done { class } => {
-                let last = before.asked.len().saturating_sub(1);
-                let key = match (class, before.meets) {
-                    (Containment::Inside, _) => "box-done-inside",
-                    (Containment::Outside, _) => "planes-done-outside",
-                    (Containment::Straddles, Some(false)) => "box-done-in-vain",
-                    (Containment::Straddles, _) => "box-done-straddles",
-                };
-                let message = Message::new(key)
-                    .with("planes", before.asked.len())
-                    .with("plane", plane_name(input.scenery.as_deref(), last));
-                Caption::new(message)
-            }
-        }
+    fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
+        let bounds = &at.step.input.bounds;
+        let sums = || sums(at).last();
+        Some(match name {
+            "min" => place(bounds.min()).into(),
+            "max" => place(bounds.max()).into(),
+            "outside" => asked(at).answers.last()?.0.clone().into(),
+            "least" => range(&sums()?)[0].into(),
+            "most" => range(&sums()?)[1].into(),
+            _ => return asked(at).named(name),
+        })
     }
 
-    fn opening(input: &Input) -> Caption {
-        let planes = input.own.planes.len();
-        let corner = |symbol, at| super::planes::triple(symbol, at);
-        Caption::new(Message::new("box-opening").with("planes", planes))
-            .so(corner("min", input.own.bounds.min()))
-            .so(corner("max", input.own.bounds.max()))
+    fn listed(at: &At<'_, Self>, list: &str) -> Vec<Named> {
+        asked(at).listed(list)
     }
 
-    fn views(step: &Step<'_, Self>) -> Vec<View> {
-        let scenery = step.input.scenery.as_deref();
+    fn views(at: &At<'_, Self>) -> Vec<View> {
+        let asked = asked(at);
         let mut views = Vec::new();
-        if let Some(scenery) = scenery {
-            let focus = scenery.scene().focus();
-            let in_vain = step.state.meets == Some(false);
-            let class = step.state.class.filter(|_| !in_vain);
-            let fate = |i: usize| {
-                if i != focus {
-                    Fate::ToCome
-                } else if in_vain {
-                    Fate::Culled
-                } else {
-                    fate_of(class)
-                }
-            };
-            let camera = scenery.scene().culler();
-            let mut marks = box_marks(step);
-            if let Some(plane_idx) = current(step) {
-                marks.extend(plane_at_work(camera, VolumeSide::ALL[plane_idx]));
+        if let Some(scenery) = at.scenery {
+            let mut marks = box_marks(at, &asked);
+            if let Some(plane_idx) = asked.current_idx() {
+                let side = VolumeSide::ALL[plane_idx];
+                marks.extend(plane_at_work(scenery.scene().culler(), side));
             }
-            views.push(scenery.observer(fate, marks));
-            views.push(scenery.camera(fate, |_, _| FaceLook::Whole, Vec::new()));
+            let in_vain = at.step.held.false_positive;
+            let fate = if in_vain { Fate::Culled } else { asked.fate() };
+            views.extend(both(scenery, fate, marks));
         }
-        views.push(View::new(CORNERS_VIEW, Body::Table(corner_table(step))));
+        let table = corner_table(at, &asked);
+        views.push(View::new(CORNERS_VIEW, Body::Table(table)));
         views
-    }
-
-    fn watch(step: &Step<'_, Self>) -> Watch {
-        let bounds = &step.input.own.bounds;
-        let mut rows = vec![
-            WatchRow::new(name("min"), Some(place(bounds.min()))),
-            WatchRow::new(name("max"), Some(place(bounds.max()))),
-        ];
-        rows.extend(step.state.class.map(class_row));
-        let outside = step.state.asked.iter().enumerate().map(|(i, (sums, _))| {
-            let n = sums.iter().filter(|&&sum| sum < 0.0).count();
-            let name = plane_name(step.input.scenery.as_deref(), i);
-            WatchRow::new(name, Some(n.into())).linked(plane_link(i))
-        });
-        vec![
-            WatchSection::list(rows),
-            WatchSection::list(outside.collect()).seen_in(CORNERS_VIEW),
-        ]
     }
 }
 
-fn current(step: &Step<'_, Shown>) -> Option<usize> {
-    match step.event {
-        Some(Event::Plane { plane_idx, .. }) => Some(plane_idx),
-        Some(Event::Meets { .. } | Event::Done { .. }) | None => None,
+fn asked<'a>(at: &At<'a, BoxCull>) -> Asked<'a> {
+    let planes = &at.step.input.planes;
+    let (current, class) = match at.step.event() {
+        Some(Event::Plane { plane_idx, .. }) => (planes.get(plane_idx).copied(), None),
+        Some(Event::Done { class }) => (None, Some(class)),
+        Some(Event::Meets { .. }) | None => (None, None),
+    };
+    let answers = at.step.past.iter().filter_map(|event| match *event {
+        Event::Plane {
+            n_outside, class, ..
+        } => Some((n_outside.into(), class)),
+        Event::Meets { .. } | Event::Done { .. } => None,
+    });
+    Asked {
+        scenery: at.scenery,
+        n_planes: planes.len(),
+        current,
+        answers: answers.collect(),
+        class,
     }
+}
+
+/// The eight sums of each plane that has been asked.
+fn sums<'a>(at: &At<'a, BoxCull>) -> impl Iterator<Item = [f64; 8]> + use<'a> {
+    at.step.past.iter().filter_map(|event| match *event {
+        Event::Plane { sums, .. } => Some(sums),
+        Event::Meets { .. } | Event::Done { .. } => None,
+    })
 }
 
 /// Least and greatest of the eight sums.
@@ -188,24 +168,14 @@ fn range(sums: &[f64; 8]) -> [f64; 2] {
     [least, most]
 }
 
-fn range_formula(sums: &[f64; 8]) -> Formula {
-    let [least, most] = range(sums);
-    Formula::default().num(least).sym(" ≤ n·p + D ≤ ").num(most)
-}
-
 /// The box, and its corners by the side of the plane that they are on.
-fn box_marks(step: &Step<'_, Shown>) -> Vec<Mark3> {
-    let corners = step.input.own.bounds.corners();
-    let mut marks: Vec<Mark3> = step
-        .input
-        .own
-        .bounds
-        .edges()
-        .map(|ends| Mark3::new(Role::Ink, Shape3::Segment(ends)).fine())
-        .collect();
-    let sums = current(step).and_then(|i| step.state.asked.get(i));
-    if let Some((sums, _)) = sums {
-        marks.extend(corners.iter().zip(sums).map(|(&corner, &sum)| {
+fn box_marks(at: &At<'_, BoxCull>, asked: &Asked<'_>) -> Vec<Mark3> {
+    let bounds = &at.step.input.bounds;
+    let edge = |ends| Mark3::new(Role::Ink, Shape3::Segment(ends)).fine();
+    let mut marks: Vec<Mark3> = bounds.edges().map(edge).collect();
+    if let Some(sums) = asked.current.and(sums(at).last()) {
+        let corners = bounds.corners().into_iter().zip(sums);
+        marks.extend(corners.map(|(corner, sum)| {
             let (role, shape) = if sum < 0.0 {
                 (Role::Signal, Shape3::Ring(corner))
             } else {
@@ -218,8 +188,7 @@ fn box_marks(step: &Step<'_, Shown>) -> Vec<Mark3> {
 }
 
 /// For each plane how many corners are outside, and how far in and out they reach.
-fn corner_table(step: &Step<'_, Shown>) -> Table {
-    let scenery = step.input.scenery.as_deref();
+fn corner_table(at: &At<'_, BoxCull>, asked: &Asked<'_>) -> Table {
     let header = [
         "column-plane",
         "column-outside",
@@ -227,28 +196,15 @@ fn corner_table(step: &Step<'_, Shown>) -> Table {
         "column-most",
     ];
     let header = header.map(|key| Formula::default().term(key)).to_vec();
-    let current = current(step);
-    let row = |plane_idx: usize| {
-        let asked = step.state.asked.get(plane_idx);
-        let is_current = current == Some(plane_idx);
-        let role = asked.map_or(Role::Ink, |(_, class)| role_of(*class, is_current));
-        let n_outside = asked.map(|(sums, _)| sums.iter().filter(|&&sum| sum < 0.0).count());
-        let range = asked.map(|(sums, _)| range(sums));
-        TableRow {
-            name: plane_name(scenery, plane_idx),
-            cells: vec![
-                Cell::new(role, n_outside),
-                Cell::new(role, range.map(|[least, _]| least)),
-                Cell::new(role, range.map(|[_, most]| most)),
-            ],
-            is_current,
-            link: Some(plane_link(plane_idx)),
-        }
-    };
-    let n_planes = step.input.own.planes.len();
-    Table {
-        header,
-        rows: (0..n_planes).map(row).collect(),
-        notes: Vec::new(),
-    }
+    let sums: Vec<[f64; 8]> = sums(at).collect();
+    asked.table(header, |plane_idx, role| {
+        let (sums, answer) = (sums.get(plane_idx), asked.answers.get(plane_idx));
+        let n_outside = answer.map(|(n_outside, _)| n_outside);
+        let [least, most] = sums.map(range).map_or([None; 2], |range| range.map(Some));
+        vec![
+            Cell::new(role, n_outside.cloned()),
+            Cell::new(role, least),
+            Cell::new(role, most),
+        ]
+    })
 }

@@ -1,5 +1,6 @@
 //! One file a method: its sentences, its views, what is watched.
 
+mod asked;
 mod back_face;
 mod box_cull;
 mod bresenham;

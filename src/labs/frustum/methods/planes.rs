@@ -3,14 +3,14 @@
 use glam::DVec3;
 
 use crate::{
-    algo::{cull::Containment, parameter::Ratio},
-    figure::{Gauge, Gauges, Link, Mark3, Role, Shape3, WatchRow},
+    algo::parameter::Ratio,
+    figure::{Link, Mark3, Role, Shape3, WatchRow},
     geom::{Plane, VolumeSide},
     labs::{plane_symbol, words::name},
-    text::{Formula, Message, Value},
+    text::{Formula, Value},
 };
 
-use super::super::stage::{Fate, Scenery, side_link, side_name};
+use super::super::stage::{Scenery, side_link, side_name};
 
 /// A plane's name: its side's in a scene, a symbol where a case gives planes alone.
 pub fn plane_name(scenery: Option<&Scenery>, plane_idx: usize) -> Value {
@@ -80,52 +80,6 @@ pub fn plane_rows(plane: &Plane) -> [WatchRow; 2] {
 pub fn parameter_row(t: Option<Ratio>) -> WatchRow {
     let value = t.map(|Ratio { num, den }| Value::Ratio { num, den });
     WatchRow::new(name("t"), value)
-}
-
-/// What a test says of an object, as it is drawn.
-pub const fn fate_of(class: Option<Containment>) -> Fate {
-    match class {
-        None => Fate::ToCome,
-        Some(Containment::Inside) => Fate::Kept,
-        Some(Containment::Straddles) => Fate::Cut,
-        Some(Containment::Outside) => Fate::Culled,
-    }
-}
-
-/// How what a plane says is drawn, at the step where it says so and later.
-pub const fn role_of(class: Containment, is_current: bool) -> Role {
-    match class {
-        _ if is_current => Role::Signal,
-        Containment::Inside | Containment::Straddles => Role::Accent,
-        Containment::Outside => Role::Discarded,
-    }
-}
-
-/// Axes for the distances from all planes, those known so far filled in.
-pub fn gauges(
-    title: Message,
-    scenery: Option<&Scenery>,
-    n_planes: usize,
-    band: Option<f64>,
-    known: &[(f64, Role)],
-) -> Gauges {
-    let row = |plane_idx: usize| {
-        let known = known.get(plane_idx);
-        Gauge {
-            name: plane_name(scenery, plane_idx),
-            value: known.map(|&(d, _)| d),
-            verdict: None,
-            role: known.map_or(Role::Soft, |&(_, role)| role),
-            is_bar: false,
-            link: Some(plane_link(plane_idx)),
-        }
-    };
-    Gauges {
-        title,
-        sides: [Message::new("gauge-outside"), Message::new("gauge-inside")],
-        band,
-        rows: (0..n_planes).map(row).collect(),
-    }
 }
 
 /// The perpendicular from a point to a plane, and the square at its foot.

@@ -5,31 +5,35 @@ use serde_json::{Value as Json, json};
 use crate::{
     algo::{
         cull::{
-            PointPlanes, PointPlanesEvent as Event, PointPlanesInput, PointPlanesOutput,
-            PointPlanesState as State,
+            Containment, PointPlanes, PointPlanesEvent as Event, PointPlanesInput,
+            PointPlanesOutput,
         },
-        volume::PlaneSide,
+        volume::PlaneSide::{self, Inside, On, Outside},
     },
     figure::{
-        Body, Caption, Cell, Mark3, Role, Shape3, Table, TableNote, TableRow, Tick, View, Watch,
-        WatchRow, WatchSection,
+        Body, Cell, Mark3, Role, Shape3, Table, TableNote,
+        Tick::{Accept, Phase, Reject},
+        View,
     },
-    geom::{Plane, VolumeSide, planes_from_matrix},
-    labs::{Answer, CodeLine, Demo, Step, code_line, words::name},
+    geom::{VolumeSide, planes_from_matrix},
+    labs::{
+        Answer, CodeLine, code_line,
+        space::SpaceTelling,
+        telling::{At, Named, Row, Telling, Watched, rows},
+        words,
+    },
     text::{Formula, Message, Value},
+    trace::told::Step,
 };
 
 use super::{
     super::{
-        OnScene, OnSceneInput, Scene, Subject,
-        demo::SpaceDemo,
-        stage::{FaceLook, Fate, Scenery, plane_at_work},
+        Scene, Subject,
+        stage::{FaceLook, Fate, Scenery},
     },
-    planes::{distance_formula, perpendicular, place, plane_link, plane_name, plane_rows, triple},
+    asked::{Asked, says},
+    planes::{distance_formula, place, plane_name},
 };
-
-type Input = OnSceneInput<PointPlanesInput>;
-type Shown = OnScene<PointPlanes>;
 
 const PLANES_VIEW: &str = "planes";
 
@@ -39,19 +43,35 @@ impl Answer for PointPlanesOutput {
     }
 }
 
-impl SpaceDemo for Shown {
+impl SpaceTelling for PointPlanes {
     const SUBJECT: Subject = Subject::Point;
 
-    fn input(scene: &Scene) -> Input {
-        let own = PointPlanesInput {
+    fn input(scene: &Scene) -> PointPlanesInput {
+        PointPlanesInput {
             planes: scene.culler().planes_in_world().to_vec(),
             point: scene.places.point(),
-        };
-        OnSceneInput::of(scene, own)
+        }
     }
 }
 
-impl Demo for Shown {
+rows! { |event, step: PointPlanes|
+    inside: Event::Plane { side: Inside, .. } =>
+        says(Containment::Inside, 1, "point-inside").so(&["{d = n·P + D} > 0"]).answers("side");
+    on: Event::Plane { side: On, .. } =>
+        says(Containment::Inside, 1, "point-on").so(&["{d = n·P + D}"]).answers("side");
+    outside: Event::Plane { side: Outside, .. } =>
+        says(Containment::Outside, 2, "point-outside").so(&["{d = n·P + D} < 0"]).answers("side");
+    none_out: Event::Done { inside: true } =>
+        Row::new(Accept, 3, "point-done-inside").so(P).answers_as("in", "case-point-inside");
+    any_out: Event::Done { inside: false } =>
+        Row::new(Reject, 3, "point-done-outside").so(P).answers_as("in", "case-point-outside");
+}
+
+const P: &[&str] = &["P = {P}"];
+
+impl Telling for PointPlanes {
+    type Scenery = Scenery;
+
     const ID: &'static str = "point-planes";
     const NAME_KEY: &'static str = "alg-point-planes";
     const SOURCE: &'static str = "Sutherland & Hodgman, 1974";
@@ -61,172 +81,110 @@ impl Demo for Shown {
         code_line(1, "code-point-outside", "words-point-outside"),
         code_line(0, "code-point-inside", "words-point-inside"),
     ];
+    const ROWS: &'static [Row] = ROWS;
+    const WATCH: &'static [Watched] = &[
+        Watched::Names(&["P", "n", "D"]),
+        Watched::ListSeen("distances", PLANES_VIEW),
+    ];
 
-    fn tick(event: &Event) -> Tick {
-        match event {
-            Event::Plane {
-                side: PlaneSide::Outside,
-                ..
-            } => Tick::Cut,
-            Event::Plane { .. } => Tick::Test,
-            Event::Done { inside: true } => Tick::Accept,
-            Event::Done { inside: false } => Tick::Reject,
-        }
+    fn row(step: &Step<'_, Self>) -> &'static Row {
+        row(step)
     }
 
-    fn code_line(event: &Event, _: &State) -> usize {
-        match event {
-            Event::Plane {
-                side: PlaneSide::Outside,
-                ..
-            } => 2,
-            Event::Plane { .. } => 1,
-            Event::Done { .. } => 3,
-        }
+    fn opening(_: &At<'_, Self>) -> &'static Row {
+        const OPENING: Row = Row::new(Phase, 0, "point-opening").so(P);
+        &OPENING
     }
 
-    fn caption(event: &Event, before: &State, input: &Input) -> Caption {
-        match *event {
-            Event::Plane {
-                plane_idx,
-                distance,
-                side,
-            } => {
-                let (key, relation) = match side {
-                    PlaneSide::Inside => ("point-inside", " > 0"),
-                    PlaneSide::On => ("point-on", ""),
-                    PlaneSide::Outside => ("point-outside", " < 0"),
-                };
-                let plane = plane_name(input.scenery.as_deref(), plane_idx);
-                let caption = Caption::new(Message::new(key).with("plane", plane));
-                let own = &input.own;
-                let Some(plane) = own.planes.get(plane_idx) else {
-                    return caption;
-                };
-                caption.so(distance_formula(["d", "P"], plane, own.point, distance).sym(relation))
+    fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
+        let (asked, point) = (asked(at), at.step.input.point);
+        Some(match name {
+            "P" => place(point).into(),
+            "d = n·P + D" => {
+                let d = at.step.held.distances.last()?;
+                distance_formula(["d", "P"], &asked.current?, point, *d).into()
             }
-            Event::Done { inside } => {
-                let asked = before.asked.iter();
-                let n_outside = asked
-                    .filter(|(_, side)| *side == PlaneSide::Outside)
-                    .count();
-                let key = if inside {
-                    "point-done-inside"
-                } else {
-                    "point-done-outside"
-                };
-                let message = Message::new(key)
-                    .with("planes", before.asked.len())
-                    .with("outside", n_outside);
-                Caption::new(message).so(triple("P", input.own.point))
-            }
-        }
+            _ => return asked.named(name),
+        })
     }
 
-    fn opening(input: &Input) -> Caption {
-        let planes = input.own.planes.len();
-        Caption::new(Message::new("point-opening").with("planes", planes))
-            .so(triple("P", input.own.point))
+    fn listed(at: &At<'_, Self>, list: &str) -> Vec<Named> {
+        asked(at).listed(list)
     }
 
-    fn views(step: &Step<'_, Self>) -> Vec<View> {
-        let scenery = step.input.scenery.as_deref();
+    fn views(at: &At<'_, Self>) -> Vec<View> {
+        let asked = asked(at);
         let mut views = Vec::new();
-        if let Some(scenery) = scenery {
-            views.push(scenery.observer(|_| Fate::ToCome, marks(step, scenery)));
-            views.push(scenery.camera(|_| Fate::ToCome, |_, _| FaceLook::Whole, vec![dot(step)]));
+        if let Some(scenery) = at.scenery {
+            let mut marks = vec![dot(at)];
+            let distance = at.step.held.distances.last().copied().unwrap_or_default();
+            let camera = scenery.scene().culler();
+            marks.extend(asked.marks(camera, at.step.input.point, distance));
+            views.push(scenery.observer(|_| Fate::ToCome, marks));
+            views.push(scenery.camera(|_| Fate::ToCome, |_, _| FaceLook::Whole, vec![dot(at)]));
         }
-        views.push(View::new(PLANES_VIEW, Body::Table(plane_table(step))));
+        let table = plane_table(at, &asked);
+        views.push(View::new(PLANES_VIEW, Body::Table(table)));
         views
     }
-
-    fn watch(step: &Step<'_, Self>) -> Watch {
-        let mut rows = vec![WatchRow::new(name("P"), Some(place(step.input.own.point)))];
-        let plane = current(step).and_then(|i| step.input.own.planes.get(i));
-        rows.extend(plane.into_iter().flat_map(plane_rows));
-        let distances = step.state.asked.iter().enumerate().map(|(i, &(d, _))| {
-            let name = plane_name(step.input.scenery.as_deref(), i);
-            WatchRow::new(name, Some(d.into())).linked(plane_link(i))
-        });
-        vec![
-            WatchSection::list(rows),
-            WatchSection::list(distances.collect()).seen_in(PLANES_VIEW),
-        ]
-    }
 }
 
-fn current(step: &Step<'_, Shown>) -> Option<usize> {
-    match step.event {
-        Some(Event::Plane { plane_idx, .. }) => Some(plane_idx),
+fn asked<'a>(at: &At<'a, PointPlanes>) -> Asked<'a> {
+    let planes = &at.step.input.planes;
+    let current = match at.step.event() {
+        Some(Event::Plane { plane_idx, .. }) => planes.get(plane_idx).copied(),
         Some(Event::Done { .. }) | None => None,
-    }
-}
-
-const fn role(side: PlaneSide, is_current: bool) -> Role {
-    match side {
-        _ if is_current => Role::Signal,
-        PlaneSide::Inside | PlaneSide::On => Role::Accent,
-        PlaneSide::Outside => Role::Discarded,
+    };
+    let says = |&d: &f64| match PlaneSide::of(d) {
+        Inside | On => (d.into(), Containment::Inside),
+        Outside => (d.into(), Containment::Outside),
+    };
+    Asked {
+        scenery: at.scenery,
+        n_planes: planes.len(),
+        current,
+        answers: at.step.held.distances.iter().map(says).collect(),
+        ..Asked::default()
     }
 }
 
 /// The point, as far as it is decided.
-fn dot(step: &Step<'_, Shown>) -> Mark3 {
-    let role = match step.state.inside {
-        None => Role::Ink,
-        Some(true) => Role::Accepted,
-        Some(false) => Role::Discarded,
+fn dot(at: &At<'_, PointPlanes>) -> Mark3 {
+    let role = match at.step.event() {
+        None | Some(Event::Plane { .. }) => Role::Ink,
+        Some(Event::Done { inside: true }) => Role::Accepted,
+        Some(Event::Done { inside: false }) => Role::Discarded,
     };
-    Mark3::new(role, Shape3::Dot(step.input.own.point)).labelled(name("P"))
-}
-
-fn marks(step: &Step<'_, Shown>, scenery: &Scenery) -> Vec<Mark3> {
-    let mut marks = vec![dot(step)];
-    if let Some(plane_idx) = current(step)
-        && let Some(&(d, _)) = step.state.asked.get(plane_idx)
-    {
-        let side = VolumeSide::ALL[plane_idx];
-        marks.extend(plane_at_work(scenery.scene().culler(), side));
-        let plane = &step.input.own.planes[plane_idx];
-        let label = Formula::default().sym("d").equals(d);
-        marks.extend(perpendicular(plane, step.input.own.point, d, label));
-    }
-    marks
+    Mark3::new(role, Shape3::Dot(at.step.input.point)).labelled(words::name("P"))
 }
 
 /// The planes, and how far the point is from each that has been asked.
-fn plane_table(step: &Step<'_, Shown>) -> Table {
-    let scenery = step.input.scenery.as_deref();
+fn plane_table(at: &At<'_, PointPlanes>, asked: &Asked<'_>) -> Table {
     let symbols = ["n_x", "n_y", "n_z", "D", "d"].map(|name| Formula::default().sym(name));
     let mut header = vec![Formula::default().term("column-plane")];
     header.extend(symbols);
-    let current = current(step);
-    let row = |(plane_idx, plane): (usize, &Plane)| {
-        let is_current = current == Some(plane_idx);
-        let known = step.state.asked.get(plane_idx);
-        let given = plane
-            .to_array()
-            .map(|value| Cell::new(Role::Ink, Some(value)));
-        let distance = match known {
-            Some(&(d, side)) => Cell::new(role(side, is_current), Some(d)).strong(),
-            None => Cell::new(Role::Ink, None::<Value>),
+    let (planes, distances) = (&at.step.input.planes, &at.step.held.distances);
+    let cells = |plane_idx: usize, role| {
+        let given = planes[plane_idx].to_array();
+        let given = given.map(|value| Cell::new(Role::Ink, Some(value)));
+        let distance = distances.get(plane_idx);
+        let cell = Cell::new(role, distance.copied());
+        let cell = if distance.is_some() {
+            cell.strong()
+        } else {
+            cell
         };
-        TableRow {
-            name: plane_name(scenery, plane_idx),
-            cells: given.into_iter().chain([distance]).collect(),
-            is_current,
-            link: Some(plane_link(plane_idx)),
-        }
+        given.into_iter().chain([cell]).collect()
     };
-    let text = scenery.and_then(|scenery| from_matrix(scenery, current));
+    let text = at.scenery;
+    let text = text.and_then(|scenery| from_matrix(scenery, asked.current_idx()));
     let note = text.map(|text| TableNote {
         text,
         applies: true,
     });
     Table {
-        header,
-        rows: step.input.own.planes.iter().enumerate().map(row).collect(),
         notes: note.into_iter().collect(),
+        ..asked.table(header, cells)
     }
 }
 

@@ -4,16 +4,20 @@ use glam::DVec3;
 use serde_json::{Value as Json, json};
 
 use crate::{
-    algo::cull::{
-        Containment::{self, Inside, Outside, Straddles},
-        SphereCull, SphereCullEvent as Event, SphereCullInput, SphereCullOutput,
+    algo::{
+        cull::{
+            Containment::{self, Inside, Outside, Straddles},
+            CullRules, SphereCull, SphereCullEvent as Event, SphereCullInput, SphereCullOutput,
+            sphere_side,
+        },
+        ring::Right,
     },
     figure::{
-        Body, Mark3, Role, Shape3,
-        Tick::{self, Accept, Cut, Phase, Reject, Test},
-        View, WatchRow,
+        Body, Gauges, Mark3, Role, Shape3,
+        Tick::{Accept, Phase, Reject},
+        View,
     },
-    geom::{Camera, Plane, Sphere, VolumeSide},
+    geom::{Camera, Sphere},
     labs::{
         Answer, CodeLine, code_line,
         space::SpaceTelling,
@@ -25,14 +29,9 @@ use crate::{
 };
 
 use super::{
-    super::{
-        Scene,
-        stage::{FaceLook, Fate, Scenery, plane_at_work},
-    },
-    planes::{
-        distance_formula, fate_of, gauges, perpendicular, place, plane_link, plane_name,
-        plane_rows, role_of,
-    },
+    super::{Scene, stage::Scenery},
+    asked::{Asked, both, says},
+    planes::{distance_formula, place},
 };
 
 const GAUGES_VIEW: &str = "distances";
@@ -53,20 +52,28 @@ impl SpaceTelling for SphereCull {
 }
 
 rows! { |event, step: SphereCull|
-    inside: Event::Plane { class: Inside, .. } =>
-        Row::new(Test, 1, "sphere-inside").so(D).answers("class").keeps("plane");
-    outside: Event::Plane { class: Outside, .. } =>
-        Row::new(Cut, 2, "sphere-outside").so(D).answers("class").drops("plane");
-    straddles: Event::Plane { class: Straddles, .. } =>
-        Row::new(Cut, 3, "sphere-straddles").so(D).answers("class").cuts("plane");
+    inside: Event::Plane { class: Inside, .. } => sphere_says(Inside, 1);
+    outside: Event::Plane { class: Outside, .. } => sphere_says(Outside, 2);
+    straddles: Event::Plane { class: Straddles, .. } => sphere_says(Straddles, 3);
     none_out: Event::Done { class: Inside } => Row::new(Accept, 4, "sphere-done-inside").so(R);
     cut: Event::Done { class: Straddles } => Row::new(Accept, 4, "sphere-done-straddles").so(R);
     culled: Event::Done { class: Outside } =>
         Row::new(Reject, 4, "planes-done-outside").so(R).picks("plane", "planes");
 }
 
-const D: &[&str] = &["{d = n·c + D}"];
 const R: &[&str] = &["r{=r}"];
+
+/// The row of what one plane says of a sphere, at this line of the pseudocode.
+pub const fn sphere_says(class: Containment, line: usize) -> Row {
+    let key = match class {
+        Inside => "sphere-inside",
+        Straddles => "sphere-straddles",
+        Outside => "sphere-outside",
+    };
+    says(class, line, key)
+        .so(&["{d = n·c + D}"])
+        .answers("class")
+}
 
 impl Telling for SphereCull {
     type Scenery = Scenery;
@@ -97,211 +104,123 @@ impl Telling for SphereCull {
     }
 
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
-        let (input, distances) = (at.step.input, &at.step.held.distances);
-        let sphere = &input.sphere;
-        let plane = || input.planes.get(current(at)?);
-        let last = distances.len().checked_sub(1);
-        Some(match name {
-            "c" => place(sphere.center()).into(),
-            "r" => sphere.radius().into(),
-            "n" => place(plane()?.normal()).into(),
-            "D" => plane()?.d().into(),
-            "plane" => Named::from(plane_name(at.scenery, last?)).linked(plane_link(last?)),
-            "planes" if last.is_none() => input.planes.len().into(),
-            "planes" => distances.len().into(),
-            "cut" => asked(at)
-                .filter(|(_, class)| *class == Straddles)
-                .count()
-                .into(),
-            "class" => {
-                let class = Value::Term(class_key(at.class()?));
-                Named::from(class).labelled(Value::Term("watch-class"))
-            }
-            "d = n·c + D" => {
-                let (d, class) = asked(at).last()?;
-                sphere_formula(plane()?, sphere, d, class).into()
-            }
-            _ => return None,
-        })
+        asked(at).named(name)
     }
 
     fn listed(at: &At<'_, Self>, list: &str) -> Vec<Named> {
-        if list == "planes" {
-            let planes = 0..at.step.input.planes.len();
-            return planes.map(|i| plane_name(at.scenery, i).into()).collect();
-        }
-        let distances = at.step.held.distances.iter().enumerate();
-        let named = |(i, &d): (usize, &f64)| {
-            let distance = Named::from(d).labelled(plane_name(at.scenery, i));
-            distance.linked(plane_link(i))
-        };
-        distances.map(named).collect()
+        asked(at).planes.listed(list)
     }
 
     fn views(at: &At<'_, Self>) -> Vec<View> {
-        let sphere = &at.step.input.sphere;
-        let asked: Vec<(f64, Containment)> = asked(at).collect();
+        let asked = asked(at);
         let mut views = Vec::new();
         if let Some(scenery) = at.scenery {
-            let (focus, class) = (scenery.scene().focus(), at.class());
-            let fate = |i: usize| {
-                if i == focus {
-                    fate_of(class)
-                } else {
-                    Fate::ToCome
-                }
-            };
-            let now = current(at).zip(asked.last());
-            let now = now.map(|(plane_idx, &(distance, _))| Asked {
-                camera: *scenery.scene().culler(),
-                plane_idx,
-                distance,
-            });
-            views.push(scenery.observer(fate, sphere_marks(sphere, now.as_ref())));
-            views.push(scenery.camera(fate, |_, _| FaceLook::Whole, Vec::new()));
+            let marks = asked.marks(scenery.scene().culler());
+            views.extend(both(scenery, asked.planes.fate(), marks));
         }
-        let (n_planes, radius) = (at.step.input.planes.len(), sphere.radius());
-        let distances = sphere_gauges(at.scenery, n_planes, radius, &asked, current(at));
-        views.push(View::new(GAUGES_VIEW, Body::Gauges(distances)));
+        views.push(View::new(GAUGES_VIEW, Body::Gauges(asked.gauges())));
         views
     }
 }
 
-impl At<'_, SphereCull> {
-    /// What all planes say, once it is told.
-    fn class(&self) -> Option<Containment> {
-        match self.step.event()? {
-            Event::Done { class } => Some(class),
-            Event::Plane { .. } => None,
+fn asked<'a>(at: &At<'a, SphereCull>) -> AskedSphere<'a> {
+    let SphereCullInput { planes, sphere } = at.step.input;
+    let (current, class) = match at.step.event() {
+        Some(Event::Plane { plane_idx, .. }) => (planes.get(plane_idx).copied(), None),
+        Some(Event::Done { class }) => (None, Some(class)),
+        None => (None, None),
+    };
+    let planes = Asked {
+        scenery: at.scenery,
+        n_planes: planes.len(),
+        current,
+        class,
+        ..Asked::default()
+    };
+    AskedSphere::new::<Right>(*sphere, at.step.held, planes)
+}
+
+/// A sphere that planes are asked about, at a step.
+pub struct AskedSphere<'a> {
+    pub planes: Asked<'a>,
+    sphere: Sphere,
+    distances: &'a [f64],
+    turns_sign: bool,
+}
+
+impl<'a> AskedSphere<'a> {
+    /// A sphere, as far as the planes have been asked by these rules.
+    pub fn new<L: CullRules>(
+        sphere: Sphere,
+        held: &'a SphereCullOutput,
+        mut planes: Asked<'a>,
+    ) -> Self {
+        let distances = &held.distances[..];
+        let says = |d: f64| sphere_side::<f64, L>(d, sphere.radius());
+        planes.answers = distances.iter().map(|&d| (d.into(), says(d))).collect();
+        Self {
+            planes,
+            sphere,
+            distances,
+            turns_sign: L::TURNS_SIGN,
         }
     }
-}
 
-/// The plane that is asked at this step.
-fn current(at: &At<'_, SphereCull>) -> Option<usize> {
-    match at.step.event()? {
-        Event::Plane { plane_idx, .. } => Some(plane_idx),
-        Event::Done { .. } => None,
+    /// The values of names that every method has that asks a sphere.
+    pub fn named(&self, name: &str) -> Option<Named> {
+        Some(match name {
+            "c" => place(self.sphere.center()).into(),
+            "r" => self.sphere.radius().into(),
+            "d = n·c + D" => self.distance()?.into(),
+            _ => return self.planes.named(name),
+        })
+    }
+
+    /// `d = n·c + D = … = −3.4 < −r = −1.01`.
+    fn distance(&self) -> Option<Formula> {
+        let (d, (_, class)) = self.distances.last().zip(self.planes.answers.last())?;
+        let (plane, c, r) = (
+            self.planes.current?,
+            self.sphere.center(),
+            self.sphere.radius(),
+        );
+        let d = distance_formula(["d", "c"], &plane, c, *d);
+        Some(match (class, self.turns_sign) {
+            (Outside, false) => d.sym(" < −r").equals(-r),
+            (Straddles, false) => d.sym(",  −r ≤ d < r").equals(r),
+            (Inside, false) => d.sym(" ≥ r").equals(r),
+            (Outside, true) => d.sym(" > r").equals(r),
+            (Straddles, true) => d.sym(",  −r < d ≤ r").equals(r),
+            (Inside, true) => d.sym(" ≤ −r").equals(-r),
+        })
+    }
+
+    /// The sphere, and the plane that is asked of it: its perpendicular in ink as far as the sphere reaches.
+    pub fn marks(&self, camera: &Camera) -> Vec<Mark3> {
+        let (center, radius) = (self.sphere.center(), self.sphere.radius());
+        let mut marks = vec![
+            Mark3::new(Role::Ink, Shape3::Ball(center, radius)),
+            Mark3::new(Role::Ink, Shape3::Dot(center)).labelled(name("c")),
+        ];
+        if let Some((plane, &d)) = self.planes.current.zip(self.distances.last()) {
+            marks.extend(self.planes.marks(camera, center, d));
+            let unit = DVec3::from(plane.unit_normal());
+            let towards = DVec3::from(center) - unit * radius * d.signum();
+            let reach = Mark3::new(Role::Ink, Shape3::Segment([center, towards.into()]));
+            let radius = Formula::default().sym("r").equals(radius);
+            marks.push(reach.labelled(Value::Formula(radius)));
+        }
+        marks
+    }
+
+    /// Axes for the distances from all planes.
+    pub fn gauges(&self) -> Gauges {
+        sphere_gauges(&self.planes, self.sphere.radius(), self.distances)
     }
 }
 
-/// Of each plane that has been asked how far the centre lies from it, and what it says.
-fn asked(at: &At<'_, SphereCull>) -> impl Iterator<Item = (f64, Containment)> {
-    at.step.past.iter().filter_map(|event| match *event {
-        Event::Plane {
-            distance, class, ..
-        } => Some((distance, class)),
-        Event::Done { .. } => None,
-    })
-}
-
-/// What one plane says.
-pub const fn plane_key(class: Containment) -> &'static str {
-    match class {
-        Containment::Inside => "sphere-inside",
-        Containment::Straddles => "sphere-straddles",
-        Containment::Outside => "sphere-outside",
-    }
-}
-
-pub const fn plane_tick(class: Containment) -> Tick {
-    match class {
-        Containment::Inside => Tick::Test,
-        Containment::Straddles | Containment::Outside => Tick::Cut,
-    }
-}
-
-pub const fn class_tick(class: Containment) -> Tick {
-    match class {
-        Containment::Inside | Containment::Straddles => Tick::Accept,
-        Containment::Outside => Tick::Reject,
-    }
-}
-
-/// Catalogue key of a class.
-pub const fn class_key(class: Containment) -> &'static str {
-    match class {
-        Containment::Inside => "class-inside",
-        Containment::Straddles => "class-straddles",
-        Containment::Outside => "class-outside",
-    }
-}
-
-pub fn class_row(class: Containment) -> WatchRow {
-    let word = Value::Term(class_key(class));
-    WatchRow::new(Value::Term("watch-class"), Some(word))
-}
-
-/// `d = n·c + D = … = −3.4 < −r = −1.01`.
-pub fn sphere_formula(plane: &Plane, sphere: &Sphere, d: f64, class: Containment) -> Formula {
-    let formula = distance_formula(["d", "c"], plane, sphere.center(), d);
-    let r = sphere.radius();
-    match class {
-        Containment::Outside => formula.sym(" < −r").equals(-r),
-        Containment::Straddles => formula.sym(",  −r ≤ d < r").equals(r),
-        Containment::Inside => formula.sym(" ≥ r").equals(r),
-    }
-}
-
-/// A plane that is asked at a step.
-pub struct Asked {
-    /// Whose it is.
-    pub camera: Camera,
-    /// Which of its six.
-    pub plane_idx: usize,
-    /// Of the centre from it.
-    pub distance: f64,
-}
-
-/// The sphere in hand, and the plane that is asked of it: its perpendicular in ink as far as the sphere reaches.
-pub fn sphere_marks(sphere: &Sphere, asked: Option<&Asked>) -> Vec<Mark3> {
-    let center = sphere.center();
-    let mut marks = vec![
-        Mark3::new(Role::Ink, Shape3::Ball(center, sphere.radius())),
-        Mark3::new(Role::Ink, Shape3::Dot(center)).labelled(name("c")),
-    ];
-    let Some(asked) = asked else {
-        return marks;
-    };
-    let plane = &asked.camera.planes_in_world()[asked.plane_idx];
-    let side = VolumeSide::ALL[asked.plane_idx];
-    marks.extend(plane_at_work(&asked.camera, side));
-    let d = asked.distance;
-    let label = Formula::default().sym("d").equals(d);
-    marks.extend(perpendicular(plane, center, d, label));
-    let unit = DVec3::from(plane.unit_normal());
-    let towards = DVec3::from(center) - unit * sphere.radius() * d.signum();
-    let radius = Formula::default().sym("r").equals(sphere.radius());
-    marks.push(
-        Mark3::new(Role::Ink, Shape3::Segment([center, towards.into()]))
-            .labelled(Value::Formula(radius)),
-    );
-    marks
-}
-
-/// Axes for the distances from all planes, with the band that the sphere fills.
-pub fn sphere_gauges(
-    scenery: Option<&Scenery>,
-    n_planes: usize,
-    radius: f64,
-    asked: &[(f64, Containment)],
-    current: Option<usize>,
-) -> crate::figure::Gauges {
-    let known: Vec<(f64, Role)> = asked
-        .iter()
-        .enumerate()
-        .map(|(i, &(d, class))| (d, role_of(class, current == Some(i))))
-        .collect();
-    let title = Message::new("gauges-sphere").with("planes", n_planes);
-    gauges(title, scenery, n_planes, Some(radius), &known)
-}
-
-/// c, r, and of the plane that is asked n and D.
-pub fn sphere_rows(sphere: &Sphere, plane: Option<&Plane>) -> Vec<WatchRow> {
-    let mut rows = vec![
-        WatchRow::new(name("c"), Some(place(sphere.center()))),
-        WatchRow::new(name("r"), Some(sphere.radius().into())),
-    ];
-    rows.extend(plane.into_iter().flat_map(plane_rows));
-    rows
+/// Axes for the distances from all planes, with the band that a sphere fills.
+pub fn sphere_gauges(planes: &Asked<'_>, radius: f64, distances: &[f64]) -> Gauges {
+    let title = Message::new("gauges-sphere").with("planes", planes.n_planes);
+    planes.gauges(title, radius, distances)
 }

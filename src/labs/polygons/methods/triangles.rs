@@ -4,9 +4,12 @@ use serde_json::{Value as Json, json};
 
 use crate::{
     algo::polygon::{Triangle, Triangulation},
-    figure::{Link, Mark, Role, Shape, WatchRow, WatchSection},
+    figure::{Link, Mark, Role, Shape},
     geom::Point,
-    labs::words::{name, subscript, vertex_symbol},
+    labs::{
+        telling::Named,
+        words::{name, subscript, vertex_symbol},
+    },
     text::Value,
 };
 
@@ -58,21 +61,22 @@ pub fn cut_off_marks(whole: &Triangulation) -> Vec<Mark> {
     triangles.iter().enumerate().map(mark).collect()
 }
 
-/// The last triangles that were cut off, if there is one.
-pub fn triangles_section(whole: &Triangulation) -> Option<WatchSection> {
+/// The last triangles that were cut off, for the watch table.
+pub fn named_triangles(whole: &Triangulation) -> Vec<Named> {
     let triangles = whole.triangles();
-    let skipped = triangles.len().saturating_sub(MAX_ROWS);
-    let row = |(triangle_idx, &triangle)| {
-        let row_name = name(format!("T{}", subscript(triangle_idx + 1)));
-        WatchRow::new(row_name, Some(triangle_name(triangle))).linked(triangle_link(triangle_idx))
+    let named = |(triangle_idx, &triangle)| {
+        let label = name(format!("T{}", subscript(triangle_idx + 1)));
+        let triangle = Named::from(triangle_name(triangle)).labelled(label);
+        triangle.linked(triangle_link(triangle_idx))
     };
-    let rows: Vec<WatchRow> = triangles
-        .iter()
-        .enumerate()
-        .skip(skipped)
-        .map(row)
-        .collect();
-    (!rows.is_empty()).then(|| WatchSection::list(rows).part(skipped, triangles.len()))
+    let shown = triangles.iter().enumerate();
+    shown.skip(part_of(whole)[0]).map(named).collect()
+}
+
+/// How many triangles come before those of the watch table, and how many there are.
+pub fn part_of(whole: &Triangulation) -> [usize; 2] {
+    let n = whole.triangles().len();
+    [n.saturating_sub(MAX_ROWS), n]
 }
 
 /// Corners, and the numbers of the vertices that they are.

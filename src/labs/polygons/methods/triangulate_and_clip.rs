@@ -4,9 +4,9 @@ use serde_json::{Value as Json, json};
 
 use crate::{
     algo::polygon::{
-        EachTriangleEvent as Each, EarClipping, Pieces, RingOutcome, SutherlandHodgman,
-        SutherlandHodgmanEvent, SutherlandHodgmanInput, Triangle, TriangulateAndClip,
-        TriangulateAndClipEvent as Event, TriangulateAndClipInput as Input,
+        EachTriangleEvent as Each, EarClipping, EarClippingEvent, EarsSoFar, Pieces, RingOutcome,
+        SutherlandHodgman, SutherlandHodgmanEvent, SutherlandHodgmanInput, Triangle,
+        TriangulateAndClip, TriangulateAndClipEvent as Event, TriangulateAndClipInput as Input,
         TriangulateAndClipState as State,
     },
     figure::{Body, Caption, Mark, Role, Shape, Tick, View, Watch, WatchRow, WatchSection},
@@ -14,9 +14,11 @@ use crate::{
     labs::{
         Answer, CodeLine, Demo, Step, code_line,
         polygons::{PolygonDemo, Scene, ScenePart, UnfitScene},
+        telling::{At, Telling},
         words::point_formula,
     },
     text::{Message, Value},
+    trace::told::Recording,
 };
 
 use super::{
@@ -83,10 +85,11 @@ impl Demo for TriangulateAndClip {
 
     fn tick(event: &Event) -> Tick {
         match event {
-            Event::Triangulate(event) => match EarClipping::tick(event) {
-                Tick::Accept => Tick::Test,
-                tick => tick,
-            },
+            Event::Triangulate(EarClippingEvent::Round { .. }) => Tick::Phase,
+            Event::Triangulate(EarClippingEvent::Cut { .. } | EarClippingEvent::Last { .. }) => {
+                Tick::Cut
+            }
+            Event::Triangulate(_) => Tick::Test,
             Event::Each(Each::Triangle { .. }) => Tick::Phase,
             Event::Clip(SutherlandHodgmanEvent::Cross { .. }) => Tick::Cut,
             Event::Clip(_) | Event::Each(Each::Piece { .. }) => Tick::Test,
@@ -111,7 +114,9 @@ impl Demo for TriangulateAndClip {
 
     fn caption(event: &Event, before: &State, input: &Input) -> Caption {
         match event {
-            Event::Triangulate(event) => EarClipping::caption(event, &before.ears, &input.polygon),
+            Event::Triangulate(_) => {
+                ears_at(&before.ears, before.ears.n_steps + 1, |at| at.caption())
+            }
             Event::Each(event) => each_caption(*event, before),
             Event::Clip(event) => match &before.clip {
                 Some(clip) => {
@@ -132,7 +137,14 @@ impl Demo for TriangulateAndClip {
     fn watch(step: &Step<'_, Self>) -> Watch {
         let state = step.state;
         if let Some(Event::Triangulate(_)) | None = step.event {
-            return ear_clipping::watch(&step.state.ears);
+            return ears_at(&state.ears, state.ears.n_steps, |at| {
+                let sections = at.filled(EarClipping::WATCH).into_iter();
+                let unseen = |section| WatchSection {
+                    seen_in: None,
+                    ..section
+                };
+                sections.map(unseen).collect()
+            });
         }
         let mut rows = Vec::new();
         if let Some((triangle_idx, triangle)) = triangle_now(state) {
@@ -154,7 +166,9 @@ impl Demo for TriangulateAndClip {
 fn marks(step: &Step<'_, TriangulateAndClip>) -> Vec<Mark> {
     let state = step.state;
     if let Some(Event::Triangulate(_)) | None = step.event {
-        return ear_clipping::marks(&ears(step));
+        return ears_at(&state.ears, state.ears.n_steps, |at| {
+            ear_clipping::marks(&at.step)
+        });
     }
     if state.is_done {
         return merged_marks(&state.pieces);
@@ -177,18 +191,13 @@ fn marks(step: &Step<'_, TriangulateAndClip>) -> Vec<Mark> {
     marks
 }
 
-/// The triangulation alone.
-fn ears<'a>(step: &Step<'a, TriangulateAndClip>) -> Step<'a, EarClipping> {
-    let event = if let Some(Event::Triangulate(event)) = step.event {
-        Some(event)
-    } else {
-        None
-    };
-    Step {
-        input: &step.input.polygon,
-        state: &step.state.ears,
-        event,
-    }
+/// A step of the triangulation.
+fn ears_at<T>(ears: &EarsSoFar, n_steps: usize, look: impl FnOnce(&At<'_, EarClipping>) -> T) -> T {
+    let run = Recording::<EarClipping>::new(ears.polygon.clone());
+    run.at(n_steps, |&step| {
+        let scenery = None;
+        look(&At { step, scenery })
+    })
 }
 
 fn triangle_now(state: &State) -> Option<(usize, Triangle)> {

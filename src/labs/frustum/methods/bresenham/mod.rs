@@ -1,34 +1,39 @@
 //! A line to its pixels, shown: the segment in the view volume, and the screen in large pixels.
 
-mod captions;
-mod line_ends;
+mod known;
 mod picture;
 
 use serde_json::{Value as Json, json};
 
 use crate::{
-    algo::pipeline::{
-        DrawnSegment, LineToPixels, LineToPixelsEvent as Event, LineToPixelsInput,
-        LineToPixelsState as State,
+    algo::pipeline::{DrawnSegment, LineToPixels, LineToPixelsEvent as Event, LineToPixelsInput},
+    figure::{
+        Body, Link,
+        Tick::{Cut, Phase, Reject, Test},
+        View,
     },
-    figure::{Body, Caption, Tick, View, Watch, WatchRow, WatchSection},
-    labs::{Answer, CodeLine, Demo, Step, code_line, words::name},
+    labs::{
+        Answer, CodeLine, code_line,
+        space::SpaceTelling,
+        telling::{At, Named, Row, Telling, Watched, rows},
+        words::{end_name, name},
+    },
     text::{Formula, Value},
+    trace::told::Step,
 };
 
 use super::super::{
-    OnScene, OnSceneInput, Scene, Subject, demo::SpaceDemo, screen::screen, stage::Fate,
+    Scene, Subject,
+    screen::screen,
+    stage::{Fate, Scenery},
 };
 
-use line_ends::{ends, lengths};
-
-type Input = OnSceneInput<LineToPixelsInput>;
-type Shown = OnScene<LineToPixels>;
+use known::Known;
 
 const RASTER_VIEW: &str = "raster";
 
 /// Rows of large pixels, and so many columns at most.
-const ROWS: f64 = 15.0;
+const ROWS_OF_PIXELS: f64 = 15.0;
 const MOST_COLUMNS: f64 = 40.0;
 
 impl Answer for Vec<[i64; 2]> {
@@ -37,22 +42,61 @@ impl Answer for Vec<[i64; 2]> {
     }
 }
 
-impl SpaceDemo for Shown {
+impl SpaceTelling for LineToPixels {
     const SUBJECT: Subject = Subject::Segment;
 
-    fn input(scene: &Scene) -> Input {
+    fn input(scene: &Scene) -> LineToPixelsInput {
         let aspect = scene.camera.aspect();
-        let rows = ROWS.min(MOST_COLUMNS / aspect).max(1.0) as u32;
-        let drawn = DrawnSegment {
+        let rows = ROWS_OF_PIXELS.min(MOST_COLUMNS / aspect).max(1.0) as u32;
+        LineToPixelsInput::Segment(DrawnSegment {
             ends: scene.places.segment(),
             camera: *scene.camera.camera(),
             viewport: screen(aspect, rows),
-        };
-        OnSceneInput::of(scene, LineToPixelsInput::Segment(drawn))
+        })
     }
 }
 
-impl Demo for Shown {
+rows! { |event, step: LineToPixels|
+    project: Event::Project { clip: [.., w], .. } if w > 0.0 =>
+        Row::new(Phase, 0, "drawn-line-project").so(&["~ {end} = {clip}"]);
+    project_behind: Event::Project { .. } =>
+        Row::new(Phase, 0, "drawn-line-project-behind").so(&["~ {end} = {clip}"]);
+    whole: Event::Clip { ends } if Known::of(step.past).projected == ends.map(Some) =>
+        Row::new(Cut, 1, "drawn-line-clip-whole").so(LEFT).keeps("segment").answers("clip");
+    cut: Event::Clip { .. } =>
+        Row::new(Cut, 1, "drawn-line-clip-cut").so(LEFT).cuts("segment").answers("clip");
+    reject: Event::Reject =>
+        Row::new(Reject, 1, "drawn-line-reject").drops("segment").answers("clip");
+    divide: Event::Divide { .. } =>
+        Row::new(Phase, 2, "drawn-line-divide").so(&["~ S₁ = {S₁}", "~ S₂ = {S₂}"]);
+    round: Event::Round { .. } => Row::new(Phase, 3, "drawn-line-round").so(&["{from → to}"]);
+    first: Event::Pixel { .. } if step.held.len() == 1 =>
+        Row::new(Test, 4, "drawn-line-first").so(&["~ e = 2b − a = 2 · {b} − {a}{=error}"]);
+    tie_diagonal: Event::Pixel { diagonal: true, .. } if error_before(step) == Some(0) =>
+        put(5, "drawn-line-tie-diagonal").so(DIAGONAL);
+    diagonal: Event::Pixel { diagonal: true, .. } => put(5, "drawn-line-diagonal").so(DIAGONAL);
+    tie_straight: Event::Pixel { .. } if error_before(step) == Some(0) =>
+        put(6, "drawn-line-tie-straight").so(STRAIGHT);
+    straight: Event::Pixel { .. } => put(6, "drawn-line-straight").so(STRAIGHT);
+}
+
+const LEFT: &[&str] = &["~ P₁′ = {P₁′}", "~ P₂′ = {P₂′}"];
+const DIAGONAL: &[&str] = &["~ e = {e} − 2 · {a} + 2 · {b}{=error}"];
+const STRAIGHT: &[&str] = &["~ e = {e} + 2 · {b}{=error}"];
+
+/// The next pixel: one of two.
+const fn put(line: usize, key: &'static str) -> Row {
+    Row::new(Test, line, key).picks("at", "candidates")
+}
+
+/// e at the pixel before.
+fn error_before(step: &Step<'_, LineToPixels>) -> Option<i64> {
+    Known::of(&step.past[..step.past.len().checked_sub(1)?]).error
+}
+
+impl Telling for LineToPixels {
+    type Scenery = Scenery;
+
     const ID: &'static str = "bresenham";
     const NAME_KEY: &'static str = "alg-bresenham";
     const SOURCE: &'static str = "Bresenham, 1965";
@@ -65,86 +109,107 @@ impl Demo for Shown {
         code_line(1, "code-drawn-diagonal", "words-drawn-diagonal"),
         code_line(1, "code-drawn-straight", "words-drawn-straight"),
     ];
+    const ROWS: &'static [Row] = ROWS;
+    const WATCH: &'static [Watched] = &[Watched::Names(&[
+        "P₁", "P₂", "P₁′", "P₂′", "S₁", "S₂", "a", "b", "x, y", "error",
+    ])];
 
-    fn tick(event: &Event) -> Tick {
-        match event {
-            Event::Project { .. } | Event::Divide { .. } | Event::Round { .. } => Tick::Phase,
-            Event::Clip { .. } => Tick::Cut,
-            Event::Reject => Tick::Reject,
-            Event::Pixel { .. } => Tick::Test,
+    fn row(step: &Step<'_, Self>) -> &'static Row {
+        row(step)
+    }
+
+    fn opening(at: &At<'_, Self>) -> &'static Row {
+        const PIXELS: Row = Row::new(Phase, 0, "drawn-line-opening").so(&["{from → to}"]);
+        const SEGMENT: Row = PIXELS.so(&["~ P₁ = {given P₁}", "~ P₂ = {given P₂}"]);
+        match at.step.input {
+            LineToPixelsInput::Pixels(_) => &PIXELS,
+            LineToPixelsInput::Segment(_) => &SEGMENT,
         }
     }
 
-    fn code_line(event: &Event, before: &State) -> usize {
-        match event {
-            Event::Project { .. } => 0,
-            Event::Clip { .. } | Event::Reject => 1,
-            Event::Divide { .. } => 2,
-            Event::Round { .. } => 3,
-            Event::Pixel { .. } if before.pixels.is_empty() => 4,
-            Event::Pixel { diagonal: true, .. } => 5,
-            Event::Pixel {
-                diagonal: false, ..
-            } => 6,
-        }
+    fn named(at: &At<'_, Self>, of: &str) -> Option<Named> {
+        let (input, event) = (at.step.input, at.step.event());
+        let known = Known::of(at.step.past);
+        let given = |i: usize| match input {
+            LineToPixelsInput::Pixels(_) => None,
+            LineToPixelsInput::Segment(drawn) => Some(list(&drawn.ends[i])),
+        };
+        let lengths = || {
+            let ends = known.ends(input)?;
+            let (distances, major) = (ends.distances(), ends.major());
+            Some([distances[major], distances[1 - major]].map(|length| length as f64))
+        };
+        Some(match (of, event) {
+            ("P₁", _) => list(&known.projected[0]?),
+            ("P₂", _) => list(&known.projected[1]?),
+            ("P₁′", _) => list(&known.clipped?[0]),
+            ("P₂′", _) => list(&known.clipped?[1]),
+            ("S₁", _) => list(&known.screen?[0]),
+            ("S₂", _) => list(&known.screen?[1]),
+            ("given P₁", _) => given(0)?,
+            ("given P₂", _) => given(1)?,
+            ("end", Some(Event::Project { end, .. })) => end_name(end).into(),
+            ("clip", Some(Event::Project { clip, .. })) => list(&clip),
+            ("w", Some(Event::Project { clip, .. })) => clip[3].into(),
+            ("segment", _) => Named::from(Value::Term("part-segment")).linked(Link::to("segment")),
+            ("from → to", _) => {
+                let ends = known.ends(input)?;
+                let from = pixel(Formula::decimals(), ends.from()).sym(" → ");
+                pixel(from, ends.to()).into()
+            }
+            ("a", _) => lengths()?[0].into(),
+            ("b", _) => lengths()?[1].into(),
+            ("x, y", _) => list(&at.step.held.last()?.map(|x| x as f64)),
+            ("at", _) => pixel(Formula::decimals(), *at.step.held.last()?).into(),
+            ("e", _) => (error_before(&at.step)? as f64).into(),
+            ("error", _) => Named::from(known.error? as f64).labelled(name("e")),
+            _ => return None,
+        })
     }
 
-    fn caption(event: &Event, before: &State, input: &Input) -> Caption {
-        captions::caption(event, before, &input.own)
-    }
-
-    fn opening(input: &Input) -> Caption {
-        captions::opening(&input.own)
-    }
-
-    fn views(step: &Step<'_, Self>) -> Vec<View> {
-        let (Some(scenery), LineToPixelsInput::Segment(drawn)) =
-            (step.input.scenery.as_deref(), &step.input.own)
-        else {
+    /// The two pixels of which the next one was chosen.
+    fn listed(at: &At<'_, Self>, _: &str) -> Vec<Named> {
+        let ends = Known::of(at.step.past).ends(at.step.input);
+        let (Some(ends), [.., before, _]) = (ends, &at.step.held[..]) else {
             return Vec::new();
         };
-        let marks = picture::marks(drawn, step.state, step.event);
-        let raster = picture::raster(drawn, step.state, step.event);
+        let (from, to, major) = (ends.from(), ends.to(), ends.major());
+        let mut straight = *before;
+        straight[major] += (to[major] - from[major]).signum();
+        let mut diagonal = straight;
+        // Along an axis, too, there is one aside.
+        diagonal[1 - major] += if to[1 - major] < from[1 - major] {
+            -1
+        } else {
+            1
+        };
+        [straight, diagonal]
+            .map(|at| pixel(Formula::decimals(), at).into())
+            .to_vec()
+    }
+
+    fn views(at: &At<'_, Self>) -> Vec<View> {
+        let (Some(scenery), LineToPixelsInput::Segment(drawn)) = (at.scenery, at.step.input) else {
+            return Vec::new();
+        };
+        let (known, event) = (Known::of(at.step.past), at.step.event());
+        let marks = picture::marks(drawn, &known, event);
+        let raster = picture::raster(drawn, &known, (at.step.held, event));
         vec![
             scenery.observer(|_| Fate::ToCome, marks),
             View::new(RASTER_VIEW, Body::Raster(raster)),
         ]
     }
+}
 
-    fn watch(step: &Step<'_, Self>) -> Watch {
-        let state = step.state;
-        let mut rows = Vec::new();
-        let mut row = |symbol: &str, formula: Formula| {
-            rows.push(WatchRow::new(name(symbol), Some(Value::Formula(formula))));
-        };
-        for (symbol, at) in ["P₁", "P₂"].into_iter().zip(state.projected) {
-            if let Some(at) = at {
-                row(symbol, captions::list(&at));
-            }
-        }
-        for (symbol, at) in ["P₁′", "P₂′"]
-            .into_iter()
-            .zip(state.clipped.into_iter().flatten())
-        {
-            row(symbol, captions::list(&at));
-        }
-        for (symbol, at) in ["S₁", "S₂"]
-            .into_iter()
-            .zip(state.screen.into_iter().flatten())
-        {
-            row(symbol, captions::list(&at));
-        }
-        if let Some(ends) = ends(&step.input.own, state) {
-            let [a, b] = lengths(&ends);
-            row("a", Formula::default().num(a as f64));
-            row("b", Formula::default().num(b as f64));
-        }
-        if let Some(at) = state.pixels.last() {
-            row("x, y", captions::list(&at.map(|x| x as f64)));
-        }
-        if let Some(error) = state.error {
-            row("e", Formula::default().num(error as f64));
-        }
-        vec![WatchSection::list(rows)]
-    }
+/// `(1.5, 2)`
+fn list(numbers: &[f64]) -> Named {
+    let formula = Formula::decimals().sym("(").list(numbers).sym(")");
+    formula.into()
+}
+
+/// Pixels are told in brackets.
+fn pixel(formula: Formula, at: [i64; 2]) -> Formula {
+    let formula = formula.sym("[");
+    formula.list(&at.map(|x| x as f64)).sym("]")
 }

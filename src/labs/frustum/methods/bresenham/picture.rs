@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::{
     algo::{
         parameter::End,
-        pipeline::{DrawnSegment, LineToPixelsEvent as Event, LineToPixelsState as State},
+        pipeline::{DrawnSegment, LineToPixelsEvent as Event},
     },
     figure::{Mark3, Pixel, Raster, RasterMark, RasterShape, Role, Shape3},
     geom::Sight,
@@ -13,20 +13,22 @@ use crate::{
     text::{Message, Value},
 };
 
+use super::known::Known;
+
 /// How dark a pixel of the line is, and one that an end lies in.
 const PUT: f64 = 0.9;
 const END: f64 = 0.4;
 
 /// What is seen in space.
-pub fn marks(drawn: &DrawnSegment, state: &State, event: Option<Event>) -> Vec<Mark3> {
+pub fn marks(drawn: &DrawnSegment, known: &Known, event: Option<Event>) -> Vec<Mark3> {
     let ends = drawn.ends;
     let mut marks: Vec<Mark3> = ["P₁", "P₂"]
         .into_iter()
         .zip(ends)
         .map(|(symbol, at)| Mark3::new(Role::Ink, Shape3::Dot(at)).labelled(name(symbol)))
         .collect();
-    let Some(kept) = kept(drawn, state) else {
-        let role = if state.is_rejected {
+    let Some(kept) = kept(drawn, known) else {
+        let role = if known.is_rejected {
             Role::Discarded
         } else {
             Role::Ink
@@ -46,7 +48,7 @@ pub fn marks(drawn: &DrawnSegment, state: &State, event: Option<Event>) -> Vec<M
         }
     }
     marks.push(Mark3::new(Role::Accent, Shape3::Segment(kept)));
-    if state.screen.is_some() {
+    if known.screen.is_some() {
         let images = kept.map(|at| image(drawn, at));
         let is_now = matches!(event, Some(Event::Divide { .. }));
         let role = if is_now { Role::Signal } else { Role::Ink };
@@ -93,8 +95,8 @@ fn image(drawn: &DrawnSegment, at: [f64; 3]) -> Option<[f64; 3]> {
 }
 
 /// The ends of what is left, in the world: they lie on the segment as they do in clip space.
-fn kept(drawn: &DrawnSegment, state: &State) -> Option<[[f64; 3]; 2]> {
-    let [Some(from), Some(to)] = state.projected else {
+fn kept(drawn: &DrawnSegment, known: &Known) -> Option<[[f64; 3]; 2]> {
+    let [Some(from), Some(to)] = known.projected else {
         return None;
     };
     let along = |at: [f64; 4]| {
@@ -113,12 +115,16 @@ fn kept(drawn: &DrawnSegment, state: &State) -> Option<[[f64; 3]; 2]> {
         }
         p1.lerp(p2, along(at)).into()
     };
-    let [a, b] = state.clipped?;
+    let [a, b] = known.clipped?;
     Some([(a, from), (b, to)].map(world))
 }
 
 /// The screen in large pixels.
-pub fn raster(drawn: &DrawnSegment, state: &State, event: Option<Event>) -> Raster {
+pub fn raster(
+    drawn: &DrawnSegment,
+    known: &Known,
+    (put, event): (&[[i64; 2]], Option<Event>),
+) -> Raster {
     let [columns, rows] = drawn.viewport.size().map(|side| side as usize);
     let mut pixels = vec![Pixel::EMPTY; columns * rows];
     let mut fill = |[x, y]: [i64; 2], shade: f64| {
@@ -128,10 +134,10 @@ pub fn raster(drawn: &DrawnSegment, state: &State, event: Option<Event>) -> Rast
             pixel.shade = shade;
         }
     };
-    for &at in state.rounded.iter().flatten() {
+    for &at in known.rounded.iter().flatten() {
         fill(at, END);
     }
-    for &at in state.pixels.iter() {
+    for &at in put {
         fill(at, PUT);
     }
     let current = match event {
@@ -145,7 +151,7 @@ pub fn raster(drawn: &DrawnSegment, state: &State, event: Option<Event>) -> Rast
             | Event::Round { .. },
         ) => None,
     };
-    let title = match state.error {
+    let title = match known.error {
         Some(error) => Message::new("raster-line-error").with("e", error as f64),
         None => Message::new("raster-line"),
     };
@@ -155,32 +161,32 @@ pub fn raster(drawn: &DrawnSegment, state: &State, event: Option<Event>) -> Rast
         pixels,
         scale: None,
         current,
-        over: over(state, event),
+        over: over(known, put, event),
     }
 }
 
 /// The line itself, and the midpoint that has decided.
-fn over(state: &State, event: Option<Event>) -> Vec<RasterMark> {
+fn over(known: &Known, put: &[[i64; 2]], event: Option<Event>) -> Vec<RasterMark> {
     let mut over = Vec::new();
     let mark = |role, shape| RasterMark { role, shape };
-    if let Some(ends) = state.screen {
+    if let Some(ends) = known.screen {
         let is_now = matches!(event, Some(Event::Divide { .. }));
         let role = if is_now { Role::Signal } else { Role::Soft };
         over.push(mark(role, RasterShape::Line(ends)));
-        if state.pixels.is_empty() {
+        if put.is_empty() {
             over.extend(ends.map(|at| mark(role, RasterShape::Dot(at))));
         }
     }
-    let Some(ends) = state.rounded else {
+    let Some(ends) = known.rounded else {
         return over;
     };
     let centre = |at: [i64; 2]| at.map(|x| x as f64 + 0.5);
     over.push(mark(Role::Ink, RasterShape::Line(ends.map(centre))));
-    if state.pixels.is_empty() {
+    if put.is_empty() {
         over.extend(ends.map(|at| mark(Role::Signal, RasterShape::Dot(centre(at)))));
     }
-    let n_before = state.pixels.len().saturating_sub(2);
-    if let (Some(&at), Some(&before)) = (state.pixels.last(), state.pixels.get(n_before))
+    let n_before = put.len().saturating_sub(2);
+    if let (Some(&at), Some(&before)) = (put.last(), put.get(n_before))
         && at != before
     {
         let [from, to] = ends;

@@ -1,6 +1,5 @@
 //! The funnel, shown: by the right rules and by those with a mistake.
 
-mod captions;
 mod faulty;
 mod marks;
 mod ribbon;
@@ -11,24 +10,38 @@ use serde_json::{Value as Json, json};
 use crate::{
     algo::{
         cull::{
-            Containment, CullRules, Funnel, FunnelEvent as Event, FunnelInput, FunnelLevels,
-            FunnelState as State, TriangleFate, asked_sphere, triangle_fate,
+            Containment::{Inside, Outside, Straddles},
+            Funnel, FunnelEvent as Event, FunnelInput, FunnelLevels, FunnelObject, TriangleFate,
+            asked_camera, asked_sphere,
         },
         ring::Right,
+        volume::SideCode,
     },
-    figure::{Body, Caption, Gauges, Run, Tick, View, Watch, WatchRow, WatchSection},
-    labs::{Answer, CodeLine, Demo, Step, record_beside},
+    figure::{
+        Body, Run,
+        Tick::{Accept, Cut, Phase, Reject, Test},
+        View, Watch,
+    },
+    geom::VolumeSide,
+    labs::{
+        Answer, CodeLine,
+        space::{SpaceTelling, demo::scenery_of},
+        telling::{At, Named, Recorded, Row, Telling, Watched, rows},
+        words::name,
+    },
     text::Value,
+    trace::told::Step,
 };
 
 use super::{
-    super::{FaceFate, FaceTest, OnScene, OnSceneInput, Scene, demo::SpaceDemo, stage::side_link},
-    sphere_cull::{class_row, class_tick, plane_tick, sphere_gauges, sphere_rows},
+    super::{
+        Object, Scene,
+        stage::{Scenery, face_link, object_link},
+    },
+    asked::Asked,
+    sphere_cull::{AskedSphere, sphere_gauges, sphere_says},
 };
-use variant::Variant;
-
-type Input = OnSceneInput<FunnelInput>;
-type Shown<L> = OnScene<Funnel<L>>;
+use variant::{CULL, DRAW, EACH, FACE, PLANE, STRADDLES, TRIANGLE, Variant};
 
 const GAUGES_VIEW: &str = "distances";
 const RIBBON_VIEW: &str = "ribbon";
@@ -39,170 +52,260 @@ impl Answer for FunnelLevels {
     }
 }
 
-impl<L: CullRules + Variant> SpaceDemo for Shown<L> {
+impl<L: Variant> SpaceTelling for Funnel<L> {
     const TELLS_FACES: bool = true;
 
-    fn face_fate(scene: &Scene, face_idx: usize) -> Option<FaceFate> {
-        let input = Self::input(scene).own;
-        let (step, event) = triangle_fate::<L>(&input, scene.focus(), face_idx)?;
-        let test = match event {
-            Event::Triangle {
-                codes: [a, b, c], ..
-            } => match a.and(b).and(c).lowest() {
-                Some(side) => FaceTest::Corners(side),
-                None => FaceTest::Cut,
-            },
-            Event::Face { .. } => FaceTest::Facing,
-            Event::Object { .. } | Event::Plane { .. } | Event::Sphere { .. } | Event::Done => {
-                FaceTest::Sphere
-            }
-        };
-        Some(FaceFate { step, test })
-    }
-
-    fn input(scene: &Scene) -> Input {
-        let own = FunnelInput {
+    fn input(scene: &Scene) -> FunnelInput {
+        FunnelInput {
             camera: *scene.culler(),
-            objects: scene
-                .objects()
-                .iter()
-                .map(super::super::Object::in_funnel)
-                .collect(),
-        };
-        OnSceneInput::of(scene, own)
+            objects: scene.objects().iter().map(Object::in_funnel).collect(),
+        }
     }
 
     fn record(scene: &Scene) -> Box<dyn Run> {
-        record_beside::<Self, Shown<Right>>(Self::input(scene))
+        let (input, scenery) = (Self::input(scene), scenery_of(scene));
+        Box::new(Recorded::<Self>::beside::<Funnel<Right>>(input, scenery))
     }
 }
 
-impl<L: CullRules + Variant> Demo for Shown<L> {
+rows! { [L: Variant] |event, step: Funnel<L>|
+    object: Event::Object { .. } =>
+        Row::new(Phase, EACH, "funnel-object").so(&["c = {c}", "r{=r}"]);
+    plane_inside: Event::Plane { class: Inside, .. } => sphere_says(Inside, PLANE);
+    plane_straddles: Event::Plane { class: Straddles, .. } => sphere_says(Straddles, PLANE);
+    plane_outside: Event::Plane { class: Outside, .. } => sphere_says(Outside, PLANE);
+    inside: Event::Sphere { class: Inside, .. } =>
+        Row::new(Accept, STRADDLES, "funnel-sphere-inside").keeps("object");
+    straddles: Event::Sphere { class: Straddles, .. } =>
+        Row::new(Accept, STRADDLES, "funnel-sphere-straddles").cuts("object");
+    culled: Event::Sphere { class: Outside, .. } =>
+        Row::new(Reject, CULL, "funnel-sphere-outside").drops("object").picks("plane", "planes");
+    whole: Event::Triangle { fate: TriangleFate::Inside, .. } =>
+        Row::new(Test, TRIANGLE, "funnel-triangle-inside").so(&["{or}"])
+            .keeps("triangle").answers_as("codes", "option-triangle-inside");
+    beyond: Event::Triangle { fate: TriangleFate::Outside, .. } =>
+        Row::new(Cut, TRIANGLE, "funnel-triangle-outside").so(&["{and} ≠ 000000"])
+            .drops("triangle").answers_as("codes", "option-triangle-outside");
+    nothing: Event::Triangle { fate: TriangleFate::Cut, n_pieces: 0, .. } =>
+        clipped("funnel-triangle-nothing").drops("triangle");
+    across: Event::Triangle { fate: TriangleFate::Cut, codes, .. } if n_inside(&codes) == 0 =>
+        clipped("funnel-triangle-across").cuts("triangle");
+    cut: Event::Triangle { fate: TriangleFate::Cut, .. } =>
+        clipped("funnel-triangle-cut").cuts("triangle");
+    front: Event::Face { front: true, .. } =>
+        Row::new(Test, FACE, "funnel-face-front").so(&["n·e{=n·e} > 0"])
+            .keeps("triangle").answers("facing");
+    edge_on: Event::Face { dot, .. } if dot == 0.0 =>
+        Row::new(Reject, FACE, "funnel-face-edge-on").so(&["n·e{=n·e}"])
+            .drops("triangle").answers("facing");
+    back: Event::Face { .. } =>
+        Row::new(Reject, FACE, "funnel-face-back").so(&["n·e{=n·e} < 0"])
+            .drops("triangle").answers("facing");
+    done: Event::Done => Row::new(Accept, DRAW, "funnel-done");
+}
+
+/// A triangle that the clipper takes over. What all corners lie beyond would decide; here it is nothing.
+const fn clipped(key: &'static str) -> Row {
+    let row = Row::new(Cut, TRIANGLE, key).so(&["{and}", "{or}"]);
+    row.answers_as("codes", "option-triangle-clipped")
+}
+
+impl<L: Variant> Telling for Funnel<L> {
+    type Scenery = Scenery;
+
     const ID: &'static str = L::ID;
     const NAME_KEY: &'static str = L::NAME_KEY;
     const SOURCE: &'static str = "Clark, 1976";
     const CODE: &'static [CodeLine] = &L::CODE;
     const DIFFERS_KEY: Option<&'static str> = L::DIFFERS_KEY;
+    const ROWS: &'static [Row] = ROWS;
+    const WATCH: &'static [Watched] = &[
+        Watched::Names(&["at work", "c", "r", "n", "D", "class"]),
+        Watched::ListSeen("distances", GAUGES_VIEW),
+        Watched::ListSeen("levels", RIBBON_VIEW),
+    ];
 
-    fn tick(event: &Event) -> Tick {
-        match event {
-            Event::Object { .. } => Tick::Phase,
-            Event::Plane { class, .. } => plane_tick(*class),
-            Event::Sphere { class, .. } => class_tick(*class),
-            Event::Triangle { fate, .. } => match fate {
-                TriangleFate::Inside => Tick::Test,
-                TriangleFate::Outside | TriangleFate::Cut => Tick::Cut,
-            },
-            Event::Face { front: true, .. } => Tick::Test,
-            Event::Face { front: false, .. } => Tick::Reject,
-            Event::Done => Tick::Accept,
+    fn row(step: &Step<'_, Self>) -> &'static Row {
+        row(step)
+    }
+
+    fn opening(_: &At<'_, Self>) -> &'static Row {
+        const OPENING: Row = Row::new(Phase, EACH, "funnel-opening");
+        &OPENING
+    }
+
+    fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
+        let (input, levels) = (at.step.input, &at.step.held.levels);
+        let n_triangles = |object: &FunnelObject| object.triangles.len();
+        let object_idx = object_idx(at);
+        Some(match (name, at.step.event()) {
+            ("objects", _) => input.objects.len().into(),
+            ("triangles", None) => input.objects.iter().map(n_triangles).sum::<usize>().into(),
+            ("triangles", Some(Event::Done)) => levels.scene.triangles.into(),
+            ("triangles", Some(_)) => n_triangles(&input.objects[object_idx?]).into(),
+            ("facing", _) => levels.facing.triangles.into(),
+            ("kept", _) => levels.facing.objects.into(),
+            ("object", _) => Named::from(object_idx? + 1).linked(object_link(object_idx?)),
+            ("at work", _) => {
+                let object = Named::maybe(object_idx.map(|i| i + 1));
+                object.labelled(Value::Term("watch-object"))
+            }
+            ("n·e", Some(Event::Face { dot, .. })) => dot.into(),
+            ("n" | "D", _) => {
+                let side = at.scenery.zip(side(at));
+                let current = side.map(|(scenery, side)| scenery.planes()[side as usize]);
+                return Asked {
+                    current,
+                    ..planes(at)
+                }
+                .named(name);
+            }
+            _ => return of_triangle(at, name).or_else(|| sphere(at)?.named(name)),
+        })
+    }
+
+    fn listed(at: &At<'_, Self>, list: &str) -> Vec<Named> {
+        if list == "levels" {
+            return ribbon::levels(&at.step.held.levels);
         }
+        let sphere = asked(at);
+        sphere.map_or(Vec::new(), |sphere| sphere.planes.listed(list))
     }
 
-    fn code_line(event: &Event, _: &State) -> usize {
-        match event {
-            Event::Object { .. } => variant::EACH,
-            Event::Plane { .. } => variant::PLANE,
-            Event::Sphere { class, .. } => match class {
-                Containment::Outside => variant::CULL,
-                Containment::Inside | Containment::Straddles => variant::STRADDLES,
-            },
-            Event::Triangle { .. } => variant::TRIANGLE,
-            Event::Face { .. } => variant::FACE,
-            Event::Done => variant::DRAW,
+    /// Beside another method there is no room for the axes: the distances stand in the watch table.
+    fn watch(at: &At<'_, Self>) -> Watch {
+        let sections = Self::WATCH.iter().map(|watched| at.section(watched));
+        let mut watch: Watch = sections.collect();
+        if is_compared(at) {
+            watch[1].seen_in = None;
         }
+        watch
     }
 
-    fn caption(event: &Event, before: &State, input: &Input) -> Caption {
-        captions::caption::<L>(event, before, &input.own)
-    }
-
-    fn opening(input: &Input) -> Caption {
-        captions::opening(&input.own)
-    }
-
-    fn views(step: &Step<'_, Self>) -> Vec<View> {
+    fn views(at: &At<'_, Self>) -> Vec<View> {
         let mut views = Vec::new();
-        let scenery = step.input.scenery.as_deref();
-        if let Some(scenery) = scenery {
-            views.extend(marks::both(step, scenery));
+        if let Some(scenery) = at.scenery {
+            views.extend(marks::both(at, scenery));
         }
-        if !is_compared(step) {
-            views.push(View::new(GAUGES_VIEW, Body::Gauges(distances(step))));
+        if !is_compared(at) {
+            let gauges = sphere(at).map_or_else(
+                || sphere_gauges(&planes(at), 0.0, &[]),
+                |sphere| sphere.gauges(),
+            );
+            views.push(View::new(GAUGES_VIEW, Body::Gauges(gauges)));
         }
-        views.push(View::new(RIBBON_VIEW, Body::Ribbon(ribbon::ribbon(step))));
+        views.push(View::new(RIBBON_VIEW, Body::Ribbon(ribbon::ribbon(at))));
         views
     }
+}
 
-    fn watch(step: &Step<'_, Self>) -> Watch {
-        let objects = &step.input.own.objects;
-        let mut rows = vec![WatchRow::new(
-            Value::Term("watch-object"),
-            step.state.object_idx.map(|i| Value::Count(i + 1)),
-        )];
-        if let Some(i) = step.state.object_idx
-            && let Some(object) = objects.get(i)
-        {
-            let scenery = step.input.scenery.as_deref();
-            let plane = scenery.zip(side_idx(step));
-            let plane = plane.and_then(|(scenery, side)| scenery.planes().get(side));
-            rows.extend(sphere_rows(&asked_sphere::<L>(object), plane));
-        }
-        let class = step.state.sphere.class;
-        rows.extend(
-            class
-                .filter(|_| step.state.object_idx.is_some())
-                .map(class_row),
-        );
-        let asked = step
-            .state
-            .sphere
-            .asked
-            .iter()
-            .zip(crate::geom::VolumeSide::ALL);
-        let distances = asked.map(|(&(d, _), side)| {
-            WatchRow::new(super::super::stage::side_name(side), Some(d.into()))
-                .linked(side_link(side))
+/// The values of names in sentences about one triangle.
+fn of_triangle<L: Variant>(at: &At<'_, Funnel<L>>, of: &str) -> Option<Named> {
+    if of == "triangle" {
+        let (object_idx, face_idx) = (object_idx(at)?, face_idx(at)?);
+        let focus = at.scenery.map(|scenery| scenery.scene().focus());
+        let named = Named::from(face_idx + 1);
+        return Some(if focus == Some(object_idx) {
+            named.linked(face_link(face_idx))
+        } else {
+            named
         });
-        let distances = WatchSection::list(distances.collect());
-        vec![
-            WatchSection::list(rows),
-            if is_compared(step) {
-                distances
-            } else {
-                distances.seen_in(GAUGES_VIEW)
-            },
-            WatchSection::list(ribbon::level_rows(&step.state.levels)).seen_in(RIBBON_VIEW),
-        ]
+    }
+    let Some(Event::Triangle {
+        codes, n_pieces, ..
+    }) = at.step.event()
+    else {
+        return None;
+    };
+    let [a, b, c] = codes;
+    Some(match of {
+        "inside" => n_inside(&codes).into(),
+        "pieces" => n_pieces.into(),
+        "and" if n_inside(&codes) == 0 => {
+            name(format!("{a} AND {b} AND {c} = {}", a.and(b).and(c))).into()
+        }
+        "or" => name(format!("{a} OR {b} OR {c} = {}", a.or(b).or(c))).into(),
+        _ => return None,
+    })
+}
+
+fn n_inside(codes: &[SideCode; 3]) -> usize {
+    codes.iter().filter(|code| code.is_inside()).count()
+}
+
+/// The object whose turn it is.
+fn object_idx<L: Variant>(at: &At<'_, Funnel<L>>) -> Option<usize> {
+    match at.step.event()? {
+        Event::Object { .. }
+        | Event::Plane { .. }
+        | Event::Sphere { .. }
+        | Event::Triangle { .. }
+        | Event::Face { .. } => Some(at.step.held.object_idx),
+        Event::Done => None,
     }
 }
 
-/// Beside another method there is no room for the axes: the distances stand in the watch table.
-fn is_compared<L: CullRules>(step: &Step<'_, Shown<L>>) -> bool {
-    let scenery = step.input.scenery.as_deref();
-    scenery.is_some_and(|scenery| !scenery.scene().beside.is_empty())
-}
-
-fn distances<L: CullRules>(step: &Step<'_, Shown<L>>) -> Gauges {
-    let objects = &step.input.own.objects;
-    let object = step.state.object_idx.and_then(|i| objects.get(i));
-    let radius = object.map_or(0.0, |object| object.sphere.radius());
-    let scenery = step.input.scenery.as_deref();
-    let asked = object.map_or(&[][..], |_| &step.state.sphere.asked);
-    sphere_gauges(scenery, 6, radius, asked, side_idx(step))
+/// The triangle that is asked at this step.
+fn face_idx<L: Variant>(at: &At<'_, Funnel<L>>) -> Option<usize> {
+    match at.step.event()? {
+        Event::Triangle { triangle_idx, .. } | Event::Face { triangle_idx, .. } => {
+            Some(triangle_idx)
+        }
+        Event::Object { .. } | Event::Plane { .. } | Event::Sphere { .. } | Event::Done => None,
+    }
 }
 
 /// The plane that is asked at this step.
-fn side_idx<L: CullRules>(step: &Step<'_, Shown<L>>) -> Option<usize> {
-    match step.event {
-        Some(Event::Plane { side, .. }) => Some(side as usize),
-        Some(
-            Event::Object { .. }
-            | Event::Sphere { .. }
-            | Event::Triangle { .. }
-            | Event::Face { .. }
-            | Event::Done,
-        )
-        | None => None,
+fn side<L: Variant>(at: &At<'_, Funnel<L>>) -> Option<VolumeSide> {
+    match at.step.event()? {
+        Event::Plane { side, .. } => Some(side),
+        Event::Object { .. }
+        | Event::Sphere { .. }
+        | Event::Triangle { .. }
+        | Event::Face { .. }
+        | Event::Done => None,
     }
+}
+
+/// The volume's planes, of which none has been asked.
+fn planes<'a, L: Variant>(at: &At<'a, Funnel<L>>) -> Asked<'a> {
+    Asked {
+        scenery: at.scenery,
+        n_planes: VolumeSide::ALL.len(),
+        ..Asked::default()
+    }
+}
+
+/// The sphere of the object whose turn it is.
+fn sphere<'a, L: Variant>(at: &At<'a, Funnel<L>>) -> Option<AskedSphere<'a>> {
+    object_idx(at).and(asked(at))
+}
+
+/// The sphere that has been asked last.
+fn asked<'a, L: Variant>(at: &At<'a, Funnel<L>>) -> Option<AskedSphere<'a>> {
+    let (input, held) = (at.step.input, at.step.held);
+    let object = input
+        .objects
+        .get(held.object_idx)
+        .or(input.objects.last())?;
+    let camera = asked_camera::<L>(&input.camera);
+    let class = match at.step.event() {
+        Some(Event::Sphere { .. } | Event::Triangle { .. } | Event::Face { .. }) => {
+            Some(held.sphere.class)
+        }
+        Some(Event::Object { .. } | Event::Plane { .. } | Event::Done) | None => None,
+    };
+    let planes = Asked {
+        current: side(at).map(|side| camera.planes_in_world()[side as usize]),
+        class,
+        ..planes(at)
+    };
+    let sphere = asked_sphere::<L>(object);
+    Some(AskedSphere::new::<L>(sphere, &held.sphere, planes))
+}
+
+/// Does it run beside another method?
+fn is_compared<L: Variant>(at: &At<'_, Funnel<L>>) -> bool {
+    let scenery = at.scenery;
+    scenery.is_some_and(|scenery| !scenery.scene().beside.is_empty())
 }

@@ -1,13 +1,13 @@
 //! How much is left after each test.
 
 use crate::{
-    algo::cull::{Containment, CullRules, FunnelEvent as Event, FunnelLevels, Level},
-    figure::{Ribbon, RibbonStage, WatchRow},
-    labs::Step,
+    algo::cull::{Containment, Funnel, FunnelEvent as Event, FunnelLevels, Level},
+    figure::{Ribbon, RibbonStage},
+    labs::telling::{At, Named},
     text::{Message, Value},
 };
 
-use super::Shown;
+use super::{face_idx, object_idx, variant::Variant};
 
 const TITLES: [&str; 5] = [
     "level-scene",
@@ -29,10 +29,10 @@ const fn levels_of(levels: &FunnelLevels) -> [Level; 5] {
 }
 
 /// What has come through each gate so far.
-pub fn ribbon<L: CullRules>(step: &Step<'_, Shown<L>>) -> Ribbon {
-    let levels = levels_of(&step.state.levels);
-    let to_come = to_come(step);
-    let at_work = match step.event {
+pub fn ribbon<L: Variant>(at: &At<'_, Funnel<L>>) -> Ribbon {
+    let levels = levels_of(&at.step.held.levels);
+    let to_come = to_come(at);
+    let at_work = match at.step.event() {
         Some(Event::Object { .. }) => Some(0),
         Some(Event::Plane { .. } | Event::Sphere { .. }) => Some(1),
         Some(Event::Triangle { n_pieces: 0, .. }) => Some(2),
@@ -40,12 +40,12 @@ pub fn ribbon<L: CullRules>(step: &Step<'_, Shown<L>>) -> Ribbon {
         Some(Event::Face { .. }) => Some(4),
         Some(Event::Done) | None => None,
     };
-    let given = step.input.own.objects.iter();
+    let given = at.step.input.objects.iter();
     let given = Level {
         objects: given.len(),
         triangles: given.map(|object| object.triangles.len()).sum(),
     };
-    let has_begun = step.event.is_some();
+    let has_begun = !at.step.past.is_empty();
     let stage = |i: usize| {
         let is_so_far = i == 0 && has_begun;
         let Level { objects, triangles } = if i == 0 && !has_begun {
@@ -74,31 +74,29 @@ pub fn ribbon<L: CullRules>(step: &Step<'_, Shown<L>>) -> Ribbon {
 }
 
 /// Of the object whose turn it is: triangles, or their pieces, that stand before each gate and have not been asked there.
-fn to_come<L: CullRules>(step: &Step<'_, Shown<L>>) -> [usize; 5] {
-    let state = step.state;
+fn to_come<L: Variant>(at: &At<'_, Funnel<L>>) -> [usize; 5] {
     let mut to_come = [0; 5];
-    let Some(object_idx) = state.object_idx else {
+    let Some((object_idx, event)) = object_idx(at).zip(at.step.event()) else {
         return to_come;
     };
-    let n = step.input.own.objects[object_idx].triangles.len();
-    match state.sphere.class {
-        None => to_come[1] = n,
-        Some(Containment::Outside) => {}
-        Some(Containment::Inside) => to_come[4] = n - state.faces.len(),
-        Some(Containment::Straddles) => {
-            to_come[2] = n - state.triangles.len();
-            if let Some(Event::Triangle { n_pieces, .. }) = step.event {
-                to_come[4] = n_pieces;
-            }
+    let n = at.step.input.objects[object_idx].triangles.len();
+    let n_left = n - face_idx(at).map_or(0, |face_idx| face_idx + 1);
+    match (event, at.step.held.sphere.class) {
+        (Event::Object { .. } | Event::Plane { .. }, _) => to_come[1] = n,
+        (_, Containment::Outside) => {}
+        (_, Containment::Inside) => to_come[4] = n_left,
+        (Event::Triangle { n_pieces, .. }, Containment::Straddles) => {
+            (to_come[2], to_come[4]) = (n_left, n_pieces);
         }
+        (_, Containment::Straddles) => to_come[2] = n_left,
     }
     to_come
 }
 
 /// The same as rows of an answer key.
-pub fn level_rows(levels: &FunnelLevels) -> Vec<WatchRow> {
-    let row = |(title, level): (&'static str, Level)| {
-        WatchRow::new(Value::Term(title), Some(Value::Count(level.triangles)))
-    };
-    TITLES.into_iter().zip(levels_of(levels)).map(row).collect()
+pub fn levels(levels: &FunnelLevels) -> Vec<Named> {
+    let levels = TITLES.into_iter().zip(levels_of(levels));
+    levels
+        .map(|(title, level)| Named::from(level.triangles).labelled(Value::Term(title)))
+        .collect()
 }

@@ -1,7 +1,7 @@
 //! The funnel by one set of rules: how it is called, and its pseudocode.
 
 use crate::{
-    algo::ring::Right,
+    algo::{cull::CullRules, ring::Right},
     labs::{CodeLine, code_line},
 };
 
@@ -31,7 +31,7 @@ pub const CODE: Pseudocode = [
 ];
 
 /// Rules that can be shown: the right ones, or some with a mistake.
-pub trait Variant: 'static {
+pub trait Variant: CullRules {
     /// As lesson files spell the method.
     const ID: &'static str;
     /// Catalogue key of its name.

@@ -1,34 +1,41 @@
 //! One vertex through all spaces, shown: the spaces in a row, the one at work large, and the row of the matrix written out.
 
-mod captions;
 mod formulas;
 mod product;
+
+use std::cmp::Ordering;
 
 use serde_json::{Value as Json, json};
 
 use crate::{
     algo::pipeline::{
-        PipelineSpace, ViewingPipeline, ViewingPipelineEvent as Event, ViewingPipelineInput,
-        ViewingPipelineOutput, ViewingPipelineState as State,
+        PipelineSpace::{self, Clip, View as ViewSpace, World},
+        ViewingPipeline, ViewingPipelineEvent as Event, ViewingPipelineInput,
+        ViewingPipelineOutput,
     },
     figure::{
-        Body, Caption, CellStage, SpaceCell, SpaceRow, Tick, View, Watch, WatchRow, WatchSection,
+        Body, CellStage, SpaceCell, SpaceRow,
+        Tick::{self, Accept, Cut, Phase, Reject, Test},
+        View,
     },
-    labs::{Answer, CodeLine, Demo, Step, code_line, words::name},
+    geom::Sight,
+    labs::{
+        Answer, CodeLine, code_line,
+        space::SpaceTelling,
+        telling::{At, Named, Row, Telling, Watched, rows},
+        words::name,
+    },
     text::{Formula, Value},
+    trace::told::Step,
 };
 
 use super::super::{
-    OnScene, OnSceneInput, Scene, Subject,
-    demo::SpaceDemo,
+    Scene, Subject,
     screen::screen,
-    stage::{Followed, PictureSpace, SpacePictures},
+    stage::{Followed, PictureSpace, Scenery, SpacePictures},
 };
 
-use product::PipelineStep;
-
-type Input = OnSceneInput<ViewingPipelineInput>;
-type Shown = OnScene<ViewingPipeline>;
+use formulas::{BEHIND, DIVIDE, OPENING, SCREEN, TO_W};
 
 const SPACE_VIEW: &str = "space";
 const SPACES_VIEW: &str = "spaces";
@@ -43,22 +50,62 @@ impl Answer for ViewingPipelineOutput {
     }
 }
 
-impl SpaceDemo for Shown {
+impl SpaceTelling for ViewingPipeline {
     const SUBJECT: Subject = Subject::Vertex;
 
-    fn input(scene: &Scene) -> Input {
+    fn input(scene: &Scene) -> ViewingPipelineInput {
         let object = scene.focused();
-        let own = ViewingPipelineInput {
+        ViewingPipelineInput {
             point: object.model().mesh().positions()[scene.vertex()].map(f64::from),
             world_from_model: object.world_from_model(),
             camera: *scene.camera.camera(),
             viewport: screen(scene.camera.aspect(), SCREEN_ROWS),
-        };
-        OnSceneInput::of(scene, own)
+        }
     }
 }
 
-impl Demo for Shown {
+rows! { |event, step: ViewingPipeline|
+    world: Event::Row { space: World, row: 0, .. } => of_row(Phase, World, "pipeline-world-row");
+    world_next: Event::Row { space: World, .. } => of_row(Test, World, "pipeline-world-row");
+    left: Event::Row { space: ViewSpace, row: 0, value } if value < 0.0 =>
+        of_row(Phase, ViewSpace, "pipeline-view-left");
+    right: Event::Row { space: ViewSpace, row: 0, .. } =>
+        of_row(Phase, ViewSpace, "pipeline-view-right");
+    under: Event::Row { space: ViewSpace, row: 1, value } if value < 0.0 =>
+        of_row(Test, ViewSpace, "pipeline-view-under");
+    above: Event::Row { space: ViewSpace, row: 1, .. } =>
+        of_row(Test, ViewSpace, "pipeline-view-above");
+    ahead: Event::Row { space: ViewSpace, value, .. } if value < 0.0 =>
+        of_row(Test, ViewSpace, "pipeline-view-ahead");
+    back: Event::Row { space: ViewSpace, .. } => of_row(Test, ViewSpace, "pipeline-view-back");
+    x: Event::Row { space: Clip, row: 0, .. } => of_row(Phase, Clip, "pipeline-clip-x");
+    y: Event::Row { space: Clip, row: 1, .. } => of_row(Test, Clip, "pipeline-clip-y");
+    z: Event::Row { space: Clip, row: 2, .. } => of_row(Test, Clip, "pipeline-clip-z");
+    w_parallel: Event::Row { space: Clip, .. }
+        if step.input.camera.volume().sight() == Sight::Parallel =>
+        of_row(Test, Clip, "pipeline-clip-w-parallel");
+    w: Event::Row { space: Clip, .. } => of_row(Test, Clip, "pipeline-clip-w");
+    inside: Event::Test { inside: true } =>
+        Row::new(Accept, 3, "pipeline-inside")
+            .so(&TO_W).answers("inside");
+    outside: Event::Test { inside: false } =>
+        Row::new(Cut, 3, "pipeline-outside")
+            .so(&["{x beyond w}", "{y beyond w}", "{z beyond w}"]).answers("inside");
+    divide: Event::Divide { .. } =>
+        Row::new(Test, 4, "pipeline-divide").so(&DIVIDE).answers("before the eye");
+    screen: Event::Screen { .. } => Row::new(Accept, 5, "pipeline-screen").so(&SCREEN);
+    behind: Event::Behind =>
+        Row::new(Reject, 6, "pipeline-behind").so(&[BEHIND]).answers("before the eye");
+}
+
+/// A row of the matrix that leads into a space.
+const fn of_row(tick: Tick, into: PipelineSpace, key: &'static str) -> Row {
+    Row::new(tick, into as usize, key).so(&["{sum}"])
+}
+
+impl Telling for ViewingPipeline {
+    type Scenery = Scenery;
+
     const ID: &'static str = "viewing-pipeline";
     const NAME_KEY: &'static str = "alg-viewing-pipeline";
     const SOURCE: &'static str = "Roberts, 1965; Blinn & Newell, 1978";
@@ -71,75 +118,49 @@ impl Demo for Shown {
         code_line(1, "code-pipeline-screen", "words-pipeline-screen"),
         code_line(0, "code-pipeline-behind", "words-pipeline-behind"),
     ];
+    const ROWS: &'static [Row] = ROWS;
+    const WATCH: &'static [Watched] = &[
+        Watched::ListSeen("spaces", SPACES_VIEW),
+        Watched::Names(&["−w ≤ x, y, z ≤ w"]),
+    ];
 
-    fn tick(event: &Event) -> Tick {
-        match event {
-            Event::Row { row: 0, .. } => Tick::Phase,
-            Event::Row { .. } | Event::Divide { .. } => Tick::Test,
-            Event::Test { inside: true } | Event::Screen { .. } => Tick::Accept,
-            Event::Test { inside: false } => Tick::Cut,
-            Event::Behind => Tick::Reject,
-        }
+    fn row(step: &Step<'_, Self>) -> &'static Row {
+        row(step)
     }
 
-    fn code_line(event: &Event, _: &State) -> usize {
-        match event {
-            Event::Row { space, .. } => *space as usize,
-            Event::Test { .. } => 3,
-            Event::Divide { .. } => 4,
-            Event::Screen { .. } => 5,
-            Event::Behind => 6,
-        }
+    fn opening(_: &At<'_, Self>) -> &'static Row {
+        const ROW: Row = Row::new(Phase, 0, "pipeline-opening").so(&[OPENING]);
+        &ROW
     }
 
-    fn caption(event: &Event, before: &State, input: &Input) -> Caption {
-        captions::caption(event, before, &input.own)
+    fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
+        formulas::named(at, name)
     }
 
-    fn opening(input: &Input) -> Caption {
-        captions::opening(&input.own)
-    }
-
-    fn views(step: &Step<'_, Self>) -> Vec<View> {
-        let product = product::product(&PipelineStep {
-            input: &step.input.own,
-            state: step.state,
-            event: step.event,
+    fn listed(at: &At<'_, Self>, _: &str) -> Vec<Named> {
+        let spaces = PictureSpace::ALL.into_iter().filter_map(|space| {
+            let name = Value::Term(space.name_key());
+            Some(Named::from(place(at, space)?).labelled(name))
         });
-        let matrix = View::new(MATRIX_VIEW, Body::Matrix(product));
-        let Some(scenery) = step.input.scenery.as_deref() else {
+        spaces.collect()
+    }
+
+    fn views(at: &At<'_, Self>) -> Vec<View> {
+        let matrix = View::new(MATRIX_VIEW, Body::Matrix(product::product(at)));
+        let Some(scenery) = at.scenery else {
             return vec![matrix];
         };
-        let pictures = SpacePictures::new(scenery, step.input.own.viewport.size());
-        let active = active(step.event);
+        let pictures = SpacePictures::new(scenery, at.step.input.viewport.size());
+        let active = active(at.step.event());
         let large = Followed {
             is_large: true,
-            ..followed(step, active)
+            ..followed(at, active)
         };
         let large = pictures.draw(active, &large);
         vec![
             View::new(SPACE_VIEW, Body::Space(large)),
             matrix,
-            View::new(SPACES_VIEW, Body::Spaces(row(step, &pictures))),
-        ]
-    }
-
-    fn watch(step: &Step<'_, Self>) -> Watch {
-        let rows = PictureSpace::ALL.into_iter().filter_map(|space| {
-            let at = place(step, space)?;
-            Some(WatchRow::new(Value::Term(space.name_key()), Some(at)))
-        });
-        let inside = step.state.inside.map(|inside| {
-            let key = if inside {
-                "class-inside"
-            } else {
-                "class-outside"
-            };
-            WatchRow::new(name("−w ≤ x, y, z ≤ w"), Some(Value::Term(key)))
-        });
-        vec![
-            WatchSection::list(rows.collect()).seen_in(SPACES_VIEW),
-            WatchSection::list(inside.into_iter().collect()),
+            View::new(SPACES_VIEW, Body::Spaces(row_of_spaces(at, &pictures))),
         ]
     }
 }
@@ -166,22 +187,38 @@ const fn arrow(event: Option<Event>) -> Option<usize> {
 }
 
 /// What is known of the vertex in a space.
-fn known<'a>(step: &'a Step<'_, Shown>, space: PictureSpace) -> &'a [f64] {
-    let reached = |space: PipelineSpace| &step.state.known[space as usize][..];
+fn known<'a>(at: &At<'a, ViewingPipeline>, space: PictureSpace) -> &'a [f64] {
+    let held = at.step.held;
     match space {
-        PictureSpace::Model => &step.input.own.point,
-        PictureSpace::World => reached(PipelineSpace::World),
-        PictureSpace::View => reached(PipelineSpace::View),
-        PictureSpace::Clip => reached(PipelineSpace::Clip),
-        PictureSpace::Ndc => step.state.ndc.as_ref().map_or(&[], |at| &at[..]),
-        PictureSpace::Screen => step.state.screen.as_ref().map_or(&[], |at| &at[..]),
+        PictureSpace::Model => &at.step.input.point,
+        PictureSpace::World => reached(at, World),
+        PictureSpace::View => reached(at, ViewSpace),
+        PictureSpace::Clip => reached(at, Clip),
+        PictureSpace::Ndc => held.ndc.as_ref().map_or(&[], |at| &at[..]),
+        PictureSpace::Screen => held.screen.as_ref().map_or(&[], |at| &at[..]),
     }
 }
 
-fn followed(step: &Step<'_, Shown>, space: PictureSpace) -> Followed {
-    let known = known(step, space);
-    let is_active = active(step.event) == space;
-    let current = match step.event {
+/// The coordinates that have been worked out in a space.
+fn reached<'a>(at: &At<'a, ViewingPipeline>, into: PipelineSpace) -> &'a [f64] {
+    let n_rows = match at.step.event() {
+        None => 0,
+        Some(Event::Row { space, row, .. }) => match (into as usize).cmp(&(space as usize)) {
+            Ordering::Less => into.n_rows(),
+            Ordering::Equal => row + 1,
+            Ordering::Greater => 0,
+        },
+        Some(Event::Test { .. } | Event::Divide { .. } | Event::Screen { .. } | Event::Behind) => {
+            into.n_rows()
+        }
+    };
+    &at.step.held.at(into)[..n_rows]
+}
+
+fn followed(at: &At<'_, ViewingPipeline>, space: PictureSpace) -> Followed {
+    let (known, event) = (known(at, space), at.step.event());
+    let is_active = active(event) == space;
+    let current = match event {
         Some(Event::Row { row, .. }) if is_active => Some(row),
         None
         | Some(
@@ -196,19 +233,15 @@ fn followed(step: &Step<'_, Shown>, space: PictureSpace) -> Followed {
         at: std::array::from_fn(|i| known.get(i).copied().unwrap_or_default()),
         n_known: known.len(),
         current,
-        is_tested: is_active && matches!(step.event, Some(Event::Test { .. })),
-        arrives: is_active
-            && matches!(
-                step.event,
-                Some(Event::Divide { .. } | Event::Screen { .. })
-            ),
+        is_tested: is_active && matches!(event, Some(Event::Test { .. })),
+        arrives: is_active && matches!(event, Some(Event::Divide { .. } | Event::Screen { .. })),
         is_large: false,
     }
 }
 
 /// Where the vertex is in a space, as far as it is known: `(3.5, …)`.
-fn place(step: &Step<'_, Shown>, space: PictureSpace) -> Option<Value> {
-    let known = known(step, space);
+fn place(at: &At<'_, ViewingPipeline>, space: PictureSpace) -> Option<Value> {
+    let known = known(at, space);
     if known.is_empty() {
         return None;
     }
@@ -222,22 +255,22 @@ fn place(step: &Step<'_, Shown>, space: PictureSpace) -> Option<Value> {
 }
 
 /// All six, small.
-fn row(step: &Step<'_, Shown>, pictures: &SpacePictures<'_>) -> SpaceRow {
-    let active = active(step.event);
+fn row_of_spaces(at: &At<'_, ViewingPipeline>, pictures: &SpacePictures<'_>) -> SpaceRow {
+    let active = active(at.step.event());
     let cell = |space: PictureSpace| SpaceCell {
         name: Value::Term(space.name_key()),
-        space: pictures.draw(space, &followed(step, space)),
-        place: place(step, space),
+        space: pictures.draw(space, &followed(at, space)),
+        place: place(at, space),
         stage: match (space as usize).cmp(&(active as usize)) {
-            std::cmp::Ordering::Less => CellStage::Done,
-            std::cmp::Ordering::Equal => CellStage::Current,
-            std::cmp::Ordering::Greater => CellStage::ToCome,
+            Ordering::Less => CellStage::Done,
+            Ordering::Equal => CellStage::Current,
+            Ordering::Greater => CellStage::ToCome,
         },
         link: None,
     };
     SpaceRow {
         cells: PictureSpace::ALL.map(cell).to_vec(),
         arrows: product::ARROWS.map(name).to_vec(),
-        at_work: arrow(step.event),
+        at_work: arrow(at.step.event()),
     }
 }

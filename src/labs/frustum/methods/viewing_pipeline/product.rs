@@ -1,18 +1,18 @@
 //! What leads from one space to the next, row by row.
 
 use crate::{
-    algo::pipeline::{
-        PipelineSpace, ViewingPipelineEvent as Event, ViewingPipelineInput,
-        ViewingPipelineState as State,
-    },
+    algo::pipeline::{PipelineSpace, ViewingPipeline, ViewingPipelineEvent as Event},
     figure::{Link, MatrixProduct, MatrixRow},
     geom::Sight,
-    labs::words::name,
+    labs::{telling::At, words::name},
     text::{Formula, Message, Value},
 };
 
 use super::super::planes::place;
-use super::formulas::{AXES, against_w, before, screen_formula, sum};
+use super::{
+    formulas::{BEHIND, DIVIDE_FLAT, SCREEN, TO_W, before, is_within, sum},
+    reached,
+};
 
 /// What leads from each space to the next, as it is called.
 pub const ARROWS: [&str; 5] = [
@@ -23,25 +23,15 @@ pub const ARROWS: [&str; 5] = [
     "screen_from_ndc",
 ];
 
-/// A step, whatever it is drawn in.
-pub struct PipelineStep<'a> {
-    /// What is followed.
-    pub input: &'a ViewingPipelineInput,
-    /// After the event.
-    pub state: &'a State,
-    /// None before the first one.
-    pub event: Option<Event>,
-}
-
 /// The product that a step is about; before the first one, the one to come.
-pub fn product(step: &PipelineStep<'_>) -> MatrixProduct {
-    match step.event {
-        None => matrix(step, PipelineSpace::World),
-        Some(Event::Row { space, .. }) => matrix(step, space),
-        Some(Event::Test { .. }) => test(step),
-        Some(Event::Divide { ndc }) => divide(step, ndc),
-        Some(Event::Screen { screen }) => viewport(step, screen),
-        Some(Event::Behind) => behind(step),
+pub fn product(at: &At<'_, ViewingPipeline>) -> MatrixProduct {
+    match at.step.event() {
+        None => matrix(at, PipelineSpace::World),
+        Some(Event::Row { space, .. }) => matrix(at, space),
+        Some(Event::Test { .. }) => test(at),
+        Some(Event::Divide { ndc }) => divide(at, ndc),
+        Some(Event::Screen { screen }) => viewport(at, screen),
+        Some(Event::Behind) => behind(at),
     }
 }
 
@@ -49,11 +39,11 @@ fn row_link(row: usize) -> Link {
     Link::nth("row", row)
 }
 
-fn matrix(step: &PipelineStep<'_>, into: PipelineSpace) -> MatrixProduct {
-    let input = step.input;
-    let operand = before(input, step.state, into);
-    let known = &step.state.known[into as usize];
-    let current = match step.event {
+fn matrix(at: &At<'_, ViewingPipeline>, into: PipelineSpace) -> MatrixProduct {
+    let (input, event) = (at.step.input, at.step.event());
+    let operand = before(input, at.step.held, into);
+    let known = reached(at, into);
+    let current = match event {
         Some(Event::Row { row, .. }) => Some(row),
         None
         | Some(Event::Test { .. } | Event::Divide { .. } | Event::Screen { .. } | Event::Behind) => {
@@ -67,7 +57,7 @@ fn matrix(step: &PipelineStep<'_>, into: PipelineSpace) -> MatrixProduct {
         let result = if i < into.n_rows() {
             found
         } else {
-            step.event.map(|_| 1.0)
+            event.map(|_| 1.0)
         };
         MatrixRow {
             entries: entries.map(|x| x + 0.0).to_vec(),
@@ -85,7 +75,7 @@ fn matrix(step: &PipelineStep<'_>, into: PipelineSpace) -> MatrixProduct {
     };
     MatrixProduct {
         name: name(ARROWS[into as usize]),
-        notes: vec![note(step, into)],
+        notes: vec![note(at, into)],
         from: Value::Term(from),
         operator: None,
         into: Some(Value::Term(name_key)),
@@ -94,8 +84,8 @@ fn matrix(step: &PipelineStep<'_>, into: PipelineSpace) -> MatrixProduct {
 }
 
 /// What a matrix is made of.
-fn note(step: &PipelineStep<'_>, into: PipelineSpace) -> Value {
-    let camera = &step.input.camera;
+fn note(at: &At<'_, ViewingPipeline>, into: PipelineSpace) -> Value {
+    let camera = &at.step.input.camera;
     let volume = camera.volume();
     Value::Message(match into {
         PipelineSpace::World => Message::new("pipeline-note-world"),
@@ -137,10 +127,8 @@ fn rows(
     operand.iter().enumerate().map(row).collect()
 }
 
-fn test(step: &PipelineStep<'_>) -> MatrixProduct {
-    let clip: [f64; 4] = step.state.at(PipelineSpace::Clip);
-    let inside = step.state.inside.unwrap_or_default();
-    let is_within = |i: usize| -clip[3] <= clip[i] && clip[i] <= clip[3];
+fn test(at: &At<'_, ViewingPipeline>) -> MatrixProduct {
+    let held = at.step.held;
     MatrixProduct {
         name: name("−w ≤ x, y, z ≤ w"),
         notes: Vec::new(),
@@ -148,65 +136,50 @@ fn test(step: &PipelineStep<'_>) -> MatrixProduct {
         operator: None,
         into: None,
         rows: rows(
-            &clip,
+            &held.clip,
             &[],
-            |i| (i < 3).then(|| against_w(&clip, i)),
-            |i| i < 3 && (inside || !is_within(i)),
+            |i| at.formula(TO_W.get(i)?),
+            |i| i < 3 && (held.inside || !is_within(&held.clip, i)),
         ),
     }
 }
 
-fn divide(step: &PipelineStep<'_>, ndc: [f64; 3]) -> MatrixProduct {
-    let clip: [f64; 4] = step.state.at(PipelineSpace::Clip);
-    let quotient = |i: usize| {
-        let formula = Formula::decimals().sym(AXES[i]).sym(" / w = ");
-        let formula = formula.num(clip[i]).sym(" / ");
-        formula.operand(clip[3]).equals(ndc[i])
-    };
+fn divide(at: &At<'_, ViewingPipeline>, ndc: [f64; 3]) -> MatrixProduct {
+    let clip = at.step.held.clip;
     MatrixProduct {
         name: name(ARROWS[3]),
         notes: Vec::new(),
         from: Value::Term("space-clip"),
         operator: Some(Formula::decimals().sym("÷ ").num(clip[3])),
         into: Some(Value::Term("space-ndc")),
-        rows: rows(&clip, &ndc, |i| (i < 3).then(|| quotient(i)), |i| i < 3),
+        rows: rows(&clip, &ndc, |i| at.formula(DIVIDE_FLAT.get(i)?), |i| i < 3),
     }
 }
 
-fn viewport(step: &PipelineStep<'_>, screen: [f64; 2]) -> MatrixProduct {
-    let ndc = step.state.ndc.unwrap_or_default();
-    let size = step.input.viewport.size();
-    let pixels = Formula::default().num(f64::from(size[0])).sym(" × ");
+fn viewport(at: &At<'_, ViewingPipeline>, screen: [f64; 2]) -> MatrixProduct {
+    let ndc = at.step.held.ndc.unwrap_or_default();
     MatrixProduct {
         name: name(ARROWS[4]),
-        notes: vec![Value::Formula(pixels.num(f64::from(size[1])))],
+        notes: at
+            .formula("{width} × {height}")
+            .map(Value::Formula)
+            .into_iter()
+            .collect(),
         from: Value::Term("space-ndc"),
         operator: None,
         into: Some(Value::Term("space-screen")),
-        rows: rows(
-            &ndc,
-            &screen,
-            |i| {
-                let found = screen.get(i)?;
-                Some(screen_formula(i, ndc[i], size[i], *found))
-            },
-            |i| i < 2,
-        ),
+        rows: rows(&ndc, &screen, |i| at.formula(SCREEN.get(i)?), |i| i < 2),
     }
 }
 
-fn behind(step: &PipelineStep<'_>) -> MatrixProduct {
-    let clip: [f64; 4] = step.state.at(PipelineSpace::Clip);
-    let no_more = |i: usize| {
-        let formula = Formula::decimals().sym("w = ").num(clip[3]);
-        (i == 3).then(|| formula.sym(" ≤ 0"))
-    };
+fn behind(at: &At<'_, ViewingPipeline>) -> MatrixProduct {
+    let no_more = |i: usize| at.formula(BEHIND).filter(|_| i == 3);
     MatrixProduct {
         name: name("w ≤ 0"),
         notes: Vec::new(),
         from: Value::Term("space-clip"),
         operator: None,
         into: None,
-        rows: rows(&clip, &[], no_more, |i| i == 3),
+        rows: rows(&at.step.held.clip, &[], no_more, |i| i == 3),
     }
 }

@@ -1,29 +1,27 @@
 //! What ear clipping draws.
 
 use crate::{
-    algo::polygon::{
-        Corner, EarClipping, EarClippingEvent as Event, EarClippingState as State, Triangle,
-    },
+    algo::polygon::{Corner, EarClipping, EarClippingEvent as Event, Triangle, Triangulation},
     figure::{Mark, Role, Shape},
     geom::Point,
     labs::{
-        Step,
         polygons::methods::triangles::{cut_off_marks, points_of, vertex_mark},
         words::vertex_name,
     },
+    trace::told::Step,
 };
 
-use super::vertex_link;
+use super::{corner, is_done, vertex_link};
 
 /// Up to this number of vertices each has its mark.
 const FEW_ENOUGH: usize = 60;
 
 /// The drawing.
 pub fn marks(step: &Step<'_, EarClipping>) -> Vec<Mark> {
-    let state = step.state;
-    let mut marks = cut_off_marks(&state.cut_off);
-    if !state.is_done && state.ring.len() > 2 {
-        let left = state.ring.iter().map(|i| state.cut_off.at(i).to_array());
+    let held = step.held;
+    let mut marks = cut_off_marks(&held.cut_off);
+    if !is_done(step.event()) {
+        let left = held.ring.iter().map(|i| held.cut_off.at(i).to_array());
         marks.push(Mark::new(Role::Accent, Shape::Outline(left.collect())));
     }
     marks.extend(event_marks(step));
@@ -33,34 +31,36 @@ pub fn marks(step: &Step<'_, EarClipping>) -> Vec<Mark> {
 
 /// What this step is about.
 fn event_marks(step: &Step<'_, EarClipping>) -> Vec<Mark> {
-    let state = step.state;
+    let held = step.held;
     let candidate = |role| {
-        let corner = state.candidate.into_iter();
-        corner.flat_map(|corner| ear(state, corner, role)).collect()
+        let corner = corner(step).into_iter();
+        corner
+            .flat_map(|corner| ear(&held.cut_off, corner, role))
+            .collect()
     };
-    match step.event {
+    match step.event() {
         Some(Event::Classify {
             vertex_idx,
             prev_idx,
             next_idx,
             ..
-        }) => turn([prev_idx, vertex_idx, next_idx].map(|i| state.cut_off.at(i))),
+        }) => turn([prev_idx, vertex_idx, next_idx].map(|i| held.cut_off.at(i))),
         Some(Event::Candidate { .. } | Event::Last { .. }) => candidate(Role::Signal),
         Some(Event::Blocked { by_idx, .. }) => {
             let mut marks: Vec<Mark> = candidate(Role::Signal);
             // Where it is no neighbour: an edge is there already.
-            let [prev, _, next] = state.ring.corner(by_idx);
-            let corners = state.candidate.into_iter().flatten();
+            let [prev, _, next] = held.ring.corner(by_idx);
+            let corners = corner(step).into_iter().flatten();
             let others = corners.filter(|&corner| corner != prev && corner != next);
             marks.extend(others.map(|corner| {
-                let ends = [by_idx, corner].map(|i| state.cut_off.at(i).to_array());
+                let ends = [by_idx, corner].map(|i| held.cut_off.at(i).to_array());
                 Mark::new(Role::Soft, Shape::Segment(ends)).dashed()
             }));
             marks
         }
         Some(Event::Ear { .. }) => candidate(Role::Accepted),
         Some(Event::Cut { triangle, .. }) => {
-            let [from, _, to] = state.cut_off.corners(triangle).map(Point::to_array);
+            let [from, _, to] = held.cut_off.corners(triangle).map(Point::to_array);
             vec![Mark::new(Role::Signal, Shape::Segment([from, to]))]
         }
         Some(Event::Round { .. } | Event::Pass { .. } | Event::Done { .. }) | None => Vec::new(),
@@ -68,8 +68,8 @@ fn event_marks(step: &Step<'_, EarClipping>) -> Vec<Mark> {
 }
 
 /// The triangle of a corner: its diagonal dashed, as it is no edge yet.
-fn ear(state: &State, corner: Triangle, role: Role) -> [Mark; 2] {
-    let points = points_of(&state.cut_off, corner);
+fn ear(whole: &Triangulation, corner: Triangle, role: Role) -> [Mark; 2] {
+    let points = points_of(whole, corner);
     [
         Mark::new(role, Shape::Area(vec![points.clone()])).dashed(),
         Mark::new(role, Shape::Path(points)),
@@ -100,31 +100,23 @@ fn turn([before, at, after]: [Point; 3]) -> Vec<Mark> {
 /// A dot for a convex vertex, small where nothing happens to it, a ring for any other, grey where it has been cut off.
 /// Where there are many only this step's have one.
 fn vertex_marks(step: &Step<'_, EarClipping>) -> Vec<Mark> {
-    let state = step.state;
-    let this_step: Vec<usize> = match step.event {
-        Some(
-            Event::Classify { vertex_idx, .. }
-            | Event::Pass { vertex_idx, .. }
-            | Event::Ear { vertex_idx },
-        ) => vec![vertex_idx],
-        Some(Event::Blocked {
-            vertex_idx, by_idx, ..
-        }) => vec![vertex_idx, by_idx],
-        Some(Event::Candidate { triangle }) => vec![triangle[1]],
-        Some(Event::Round { .. } | Event::Cut { .. } | Event::Last { .. } | Event::Done { .. })
-        | None => Vec::new(),
-    };
-    let cut_off = state.cut_off.triangles().iter().map(|triangle| triangle[1]);
-    let shown: Vec<usize> = if state.corners.len() <= FEW_ENOUGH {
-        let cut_off = cut_off.filter(|&i| !state.ring.contains(i));
-        state.ring.iter().chain(cut_off).collect()
+    let held = step.held;
+    let asked = corner(step).filter(|_| !super::cuts(step.event()));
+    let mut this_step: Vec<usize> = asked.map(|[_, tip, _]| tip).into_iter().collect();
+    if let Some(Event::Blocked { by_idx, .. }) = step.event() {
+        this_step.push(by_idx);
+    }
+    let cut_off = held.cut_off.triangles().iter().map(|triangle| triangle[1]);
+    let shown: Vec<usize> = if held.corners.len() <= FEW_ENOUGH {
+        let cut_off = cut_off.filter(|&i| !held.ring.contains(i));
+        held.ring.iter().chain(cut_off).collect()
     } else {
         this_step.clone()
     };
     let mark = |i: usize| {
-        let at = state.cut_off.at(i);
-        let is_convex = state.corners[i].is_none_or(|corner| corner == Corner::Convex);
-        let is_left = !state.is_done && state.ring.contains(i);
+        let at = held.cut_off.at(i);
+        let is_convex = held.corners[i].is_none_or(|corner| corner == Corner::Convex);
+        let is_left = !is_done(step.event()) && held.ring.contains(i);
         let mark = if this_step.contains(&i) {
             vertex_mark(Role::Signal, is_convex, at)
         } else if is_convex || !is_left {

@@ -1,6 +1,5 @@
 //! Ear clipping, shown.
 
-mod captions;
 mod marks;
 mod ring;
 #[cfg(test)]
@@ -8,21 +7,26 @@ mod tests;
 
 use crate::{
     algo::polygon::{
-        EarClipping, EarClippingEvent as Event, EarClippingState as State, Triangulation,
+        Corner::{self, Convex, Reflex, Straight},
+        EarClipping, EarClippingEvent as Event, EarClippingHeld as Held, Triangle, Triangulation,
     },
-    figure::{Body, Caption, Link, Tick, View, Watch, WatchRow, WatchSection},
+    figure::{
+        Body, Link,
+        Tick::{Accept, Cut, Phase, Test},
+        View, Watch,
+    },
     geom::{Point, SimplePolygon},
     labs::{
-        Answer, CodeLine, Demo, Step, code_line,
-        polygons::{PolygonDemo, Scene, ScenePart, UnfitScene},
-        words::{name, vertex_name},
+        Answer, CodeLine, code_line,
+        polygons::{PolygonTelling, Scene, ScenePart, UnfitScene},
+        telling::{At, Named, Row, Telling, Watched, rows},
+        words::{vertex_name, vertex_symbol},
     },
-    text::Value,
+    text::{Formula, Value},
+    trace::told::Step,
 };
 
-use super::triangles::{triangles_json, triangles_section};
-
-use self::captions::{corner_name, vertices_name};
+use super::triangles::{named_triangles, part_of, triangle_link, triangle_name, triangles_json};
 
 pub use self::marks::marks;
 
@@ -37,7 +41,31 @@ const LAST: usize = 7;
 /// Rows of the table of vertices.
 const MAX_ROWS: usize = 12;
 
-impl PolygonDemo for EarClipping {
+rows! { |event, step: EarClipping|
+    again: Event::Classify { .. } if step.held.ring.len() < step.input.vertices().len() =>
+        Row::new(Test, RECLASSIFY, "ear-classify-again").so(TURN).picks("corner", "corners");
+    classify: Event::Classify { .. } =>
+        Row::new(Test, CLASSIFY, "ear-classify").so(TURN).picks("corner", "corners");
+    round: Event::Round { .. } => Row::new(Phase, ROUND, "ear-round");
+    pass: Event::Pass { .. } =>
+        Row::new(Test, CONVEX, "ear-pass").answers_as("convex", "ear-not-convex").keeps("vertex");
+    candidate: Event::Candidate { .. } =>
+        Row::new(Test, CONVEX, "ear-candidate").answers_as("convex", "ear-is-convex");
+    blocked: Event::Blocked { .. } =>
+        Row::new(Test, EMPTY, "ear-blocked").so(SIDES).answers_as("ear", "ear-not-empty").keeps("vertex");
+    ear: Event::Ear { .. } => Row::new(Test, EMPTY, "ear-ear").answers("ear").drops("vertex");
+    cut: Event::Cut { .. } => Row::new(Cut, CUT, "ear-cut").keeps("triangle");
+    last: Event::Last { .. } => Row::new(Cut, LAST, "ear-last").keeps("triangle");
+    done: Event::Done { .. } => Row::new(Accept, LAST, "ear-done").so(COUNT);
+}
+
+const TURN: &[&str] = &[
+    "{turn} = ({xb} − {(xa)}) · ({yc} − {(yb)}) − ({yb} − {(ya)}) · ({xc} − {(xb)}){=area}{sign}",
+];
+const SIDES: &[&str] = &["{by} = {at}", "{side 1}", "{side 2}", "{side 3}"];
+const COUNT: &[&str] = &["{all} − 2{=all − 2}"];
+
+impl PolygonTelling for EarClipping {
     const CLIPS: bool = false;
 
     fn input(scene: &Scene) -> Result<SimplePolygon, UnfitScene> {
@@ -45,19 +73,12 @@ impl PolygonDemo for EarClipping {
             .map_err(|error| UnfitScene::new(ScenePart::Subject, error))
     }
 
-    fn piece(event: &Event, after: &State) -> Option<Vec<Point>> {
-        match *event {
-            Event::Cut { triangle, .. } | Event::Last { triangle } => {
-                Some(after.cut_off.corners(triangle).to_vec())
-            }
-            Event::Classify { .. }
-            | Event::Round { .. }
-            | Event::Pass { .. }
-            | Event::Candidate { .. }
-            | Event::Blocked { .. }
-            | Event::Ear { .. }
-            | Event::Done { .. } => None,
-        }
+    fn piece(step: &Step<'_, Self>) -> Option<Vec<Point>> {
+        cuts(step.event()).then(|| {
+            let triangle = step.held.cut_off.triangles().last();
+            let corners = triangle.map(|&triangle| step.held.cut_off.corners(triangle));
+            corners.into_iter().flatten().collect()
+        })
     }
 }
 
@@ -67,7 +88,9 @@ impl Answer for Triangulation {
     }
 }
 
-impl Demo for EarClipping {
+impl Telling for EarClipping {
+    type Scenery = ();
+
     const ID: &'static str = "ear-clipping";
     const NAME_KEY: &'static str = "alg-ear-clipping";
     const SOURCE: &'static str = "G. H. Meisters, 1975; ElGindy, Everett & Toussaint, 1993";
@@ -81,90 +104,188 @@ impl Demo for EarClipping {
         code_line(4, "code-ear-again", "words-ear-again"),
         code_line(0, "code-ear-last", "words-ear-last"),
     ];
+    const ROWS: &'static [Row] = ROWS;
+    const WATCH: &'static [Watched] = &[
+        Watched::Seen(&["left"], ring::VIEW),
+        Watched::Names(&["n left", "n triangles"]),
+        Watched::ListSeen("vertices", ring::VIEW),
+        Watched::ListSeen("triangles", ring::VIEW),
+    ];
 
-    fn tick(event: &Event) -> Tick {
-        match event {
-            Event::Classify { .. }
-            | Event::Pass { .. }
-            | Event::Candidate { .. }
-            | Event::Blocked { .. }
-            | Event::Ear { .. } => Tick::Test,
-            Event::Round { .. } => Tick::Phase,
-            Event::Cut { .. } | Event::Last { .. } => Tick::Cut,
-            Event::Done { .. } => Tick::Accept,
-        }
+    fn row(step: &Step<'_, Self>) -> &'static Row {
+        row(step)
     }
 
-    fn code_line(event: &Event, before: &State) -> usize {
-        match event {
-            Event::Classify { vertex_idx, .. } if before.corners[*vertex_idx].is_some() => {
-                RECLASSIFY
+    fn opening(_: &At<'_, Self>) -> &'static Row {
+        const OPENING: Row = Row::new(Phase, CLASSIFY, "ear-opening").so(COUNT);
+        &OPENING
+    }
+
+    fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
+        let (held, event) = (at.step.held, at.step.event());
+        let whole = &held.cut_off;
+        let n_vertices = at.step.input.vertices().len();
+        if let Some(coordinate) = coordinate(&at.step, name) {
+            return Some(coordinate.into());
+        }
+        Some(match (name, event) {
+            ("n", None) => n_vertices.into(),
+            ("n", Some(Event::Done { n_triangles })) => n_triangles.into(),
+            ("n", _) => held.ring.len().into(),
+            ("all", _) => (n_vertices as f64).into(),
+            ("all − 2", _) => (n_vertices as f64 - 2.0).into(),
+            ("round", Some(Event::Round { round_idx, .. })) => (round_idx + 1).into(),
+            ("vertex", _) => named_vertex(corner(&at.step)?[1]),
+            ("corner", _) => corner_name(held.corners[corner(&at.step)?[1]]?).into(),
+            ("triangle", Some(_)) => {
+                let cut_off = cuts(event).then(|| whole.triangles().len() - 1);
+                let triangle = Named::from(triangle_name(corner(&at.step)?));
+                cut_off.map_or(triangle.clone(), |idx| triangle.linked(triangle_link(idx)))
             }
-            Event::Classify { .. } => CLASSIFY,
-            Event::Round { .. } => ROUND,
-            Event::Pass { .. } | Event::Candidate { .. } => CONVEX,
-            Event::Blocked { .. } | Event::Ear { .. } => EMPTY,
-            Event::Cut { .. } => CUT,
-            Event::Last { .. } | Event::Done { .. } => LAST,
+            ("diagonal", Some(Event::Cut { triangle, .. })) => {
+                vertices_name([triangle[0], triangle[2]]).into()
+            }
+            ("turn", Some(Event::Classify { .. })) => turn_name(corner(&at.step)?).into(),
+            ("area", Some(Event::Classify { double_area, .. })) => double_area.into(),
+            ("sign", Some(Event::Classify { corner, .. })) => sign(corner).into(),
+            ("by", Some(Event::Blocked { by_idx, .. })) => named_vertex(by_idx),
+            ("at", Some(Event::Blocked { by_idx, .. })) => whole.at(by_idx).to_array().into(),
+            ("side 1", _) => side(&at.step, 0)?.into(),
+            ("side 2", _) => side(&at.step, 1)?.into(),
+            ("side 3", _) => side(&at.step, 2)?.into(),
+            ("left", _) => Named::from(ring_name(held)).labelled(Value::Term("ear-left")),
+            ("n left", _) => Named::from(held.ring.len()).labelled(Value::Term("ear-n-left")),
+            ("n triangles", _) => {
+                Named::from(whole.triangles().len()).labelled(Value::Term("ear-n-triangles"))
+            }
+            _ => return None,
+        })
+    }
+
+    fn listed(at: &At<'_, Self>, list: &str) -> Vec<Named> {
+        let held = at.step.held;
+        match list {
+            "corners" => [Convex, Straight, Reflex]
+                .map(|it| corner_name(it).into())
+                .into(),
+            "triangles" => named_triangles(&held.cut_off),
+            _ => {
+                let vertex = |i: usize| {
+                    let at = Named::from(held.cut_off.at(i).to_array()).labelled(vertex_name(i));
+                    let note = held.corners[i].map(corner_name);
+                    Named { note, ..at }.linked(vertex_link(i))
+                };
+                around(&at.step).into_iter().map(vertex).collect()
+            }
         }
     }
 
-    fn opening(input: &SimplePolygon) -> Caption {
-        captions::opening(input.vertices().len())
+    fn part(at: &At<'_, Self>, list: &str) -> Option<[usize; 2]> {
+        Some(match list {
+            "triangles" => part_of(&at.step.held.cut_off),
+            _ => [0, at.step.held.ring.len()],
+        })
     }
 
-    fn caption(event: &Event, before: &State, _: &SimplePolygon) -> Caption {
-        captions::caption(event, before)
+    fn watch(at: &At<'_, Self>) -> Watch {
+        at.filled(Self::WATCH)
     }
 
-    fn views(step: &Step<'_, Self>) -> Vec<View> {
+    fn views(at: &At<'_, Self>) -> Vec<View> {
         vec![
-            View::plane(marks(step)),
-            View::new(ring::VIEW, Body::Lists(ring::lists(step))),
+            View::plane(marks(&at.step)),
+            View::new(ring::VIEW, Body::Lists(ring::lists(&at.step))),
         ]
     }
+}
 
-    fn watch(step: &Step<'_, Self>) -> Watch {
-        let [left, scalars, vertices] = left_over(step.state);
-        let triangles = triangles_section(&step.state.cut_off).into_iter();
-        let mut watch = vec![
-            left.seen_in(ring::VIEW),
-            scalars,
-            vertices.seen_in(ring::VIEW),
-        ];
-        watch.extend(triangles.map(|section| section.seen_in(ring::VIEW)));
-        watch
+/// The corner that this step is about, its tip in the middle.
+fn corner(step: &Step<'_, EarClipping>) -> Option<Triangle> {
+    match step.event()? {
+        Event::Classify {
+            vertex_idx,
+            prev_idx,
+            next_idx,
+            ..
+        } => Some([prev_idx, vertex_idx, next_idx]),
+        Event::Candidate { triangle } | Event::Cut { triangle, .. } | Event::Last { triangle } => {
+            Some(triangle)
+        }
+        Event::Blocked { vertex_idx, .. }
+        | Event::Ear { vertex_idx }
+        | Event::Pass { vertex_idx, .. } => Some(step.held.ring.corner(vertex_idx)),
+        Event::Round { .. } | Event::Done { .. } => None,
     }
 }
 
-/// What is watched where no view shows the ring.
-pub fn watch(state: &State) -> Watch {
-    let mut watch = left_over(state).to_vec();
-    watch.extend(triangles_section(&state.cut_off));
-    watch
+/// Does a triangle come to those that are cut off?
+const fn cuts(event: Option<Event>) -> bool {
+    matches!(event, Some(Event::Cut { .. } | Event::Last { .. }))
 }
 
-/// What is left: its name, how much it is, those of its vertices that are about the one that is asked.
-fn left_over(state: &State) -> [WatchSection; 3] {
-    let count = |key, n| WatchRow::new(Value::Term(key), Some(Value::Count(n)));
-    let vertices = around_stand(state).into_iter().map(|i| {
-        let at = Value::Point(state.cut_off.at(i).to_array());
-        let row = WatchRow::new(vertex_name(i), Some(at)).linked(vertex_link(i));
-        match state.corners[i] {
-            Some(corner) => row.noted(corner_name(corner)),
-            None => row,
-        }
-    });
-    let counts = vec![
-        count("ear-n-left", state.ring.len()),
-        count("ear-n-triangles", state.cut_off.triangles().len()),
-    ];
-    let left = WatchRow::new(Value::Term("ear-left"), Some(ring_name(state)));
-    [
-        WatchSection::list(vec![left]),
-        WatchSection::list(counts),
-        WatchSection::list(vertices.collect()).part(0, state.ring.len()),
-    ]
+const fn is_done(event: Option<Event>) -> bool {
+    matches!(event, Some(Event::Done { .. }))
+}
+
+/// The vertex whose turn it is.
+fn asked(step: &Step<'_, EarClipping>) -> Option<usize> {
+    step.held.asked().filter(|_| !is_done(step.event()))
+}
+
+/// `xa` … `yc`: of the three vertices of a corner that is classified.
+fn coordinate(step: &Step<'_, EarClipping>, name: &str) -> Option<f64> {
+    let &[axis @ (b'x' | b'y'), vertex @ b'a'..=b'c'] = name.as_bytes() else {
+        return None;
+    };
+    let vertex_idx = corner(step)?[usize::from(vertex - b'a')];
+    Some(step.held.cut_off.at(vertex_idx).to_array()[usize::from(axis - b'x')])
+}
+
+/// `turn(V₁, V₂, V₄) = 12 ≥ 0`: the vertex that blocks an ear, by one of the ear's sides.
+fn side(step: &Step<'_, EarClipping>, side: usize) -> Option<Formula> {
+    let Some(Event::Blocked {
+        by_idx,
+        double_areas,
+        ..
+    }) = step.event()
+    else {
+        return None;
+    };
+    let triangle = corner(step)?;
+    let turn = turn_name([triangle[side], triangle[(side + 1) % 3], by_idx]);
+    Some(
+        Formula::default()
+            .sym(turn)
+            .equals(double_areas[side])
+            .sym(" ≥ 0"),
+    )
+}
+
+/// `turn(V₁, V₂, V₃)`.
+fn turn_name(corner: Triangle) -> String {
+    let [a, b, c] = corner.map(vertex_symbol);
+    format!("turn({a}, {b}, {c})")
+}
+
+/// What follows the area of a corner.
+fn sign(corner: Corner) -> Formula {
+    match corner {
+        Convex => Formula::default().sym(" > 0"),
+        Straight => Formula::default(),
+        Reflex => Formula::default().sym(" < 0"),
+    }
+}
+
+const fn corner_name(corner: Corner) -> Value {
+    Value::Term(match corner {
+        Convex => "ear-convex",
+        Straight => "ear-straight",
+        Reflex => "ear-reflex",
+    })
+}
+
+fn named_vertex(vertex_idx: usize) -> Named {
+    Named::from(vertex_name(vertex_idx)).linked(vertex_link(vertex_idx))
 }
 
 const fn vertex_link(vertex_idx: usize) -> Link {
@@ -172,30 +293,35 @@ const fn vertex_link(vertex_idx: usize) -> Link {
 }
 
 /// Up to [`MAX_ROWS`] vertices of what is left, those about the one that is asked.
-fn around_stand(state: &State) -> Vec<usize> {
-    let n = state.ring.len();
-    if n <= MAX_ROWS {
-        return state.ring.iter().collect();
+fn around(step: &Step<'_, EarClipping>) -> Vec<usize> {
+    let ring = &step.held.ring;
+    if ring.len() <= MAX_ROWS {
+        return ring.iter().collect();
     }
-    let stand = state.stand.filter(|&i| state.ring.contains(i));
-    let mut from = stand.unwrap_or(state.ring.first());
-    if stand.is_some() {
+    let asked = asked(step).filter(|&i| ring.contains(i));
+    let mut from = asked.unwrap_or(ring.first());
+    if asked.is_some() {
         for _ in 0..MAX_ROWS / 2 {
-            from = state.ring.prev(from);
+            from = ring.prev(from);
         }
     }
-    let after = |&i: &usize| Some(state.ring.next(i));
+    let after = |&i: &usize| Some(ring.next(i));
     std::iter::successors(Some(from), after)
         .take(MAX_ROWS)
         .collect()
 }
 
 /// `V₁V₂V₄V₅`, with dots where there are too many: it says the same until one of those that it names is cut off.
-fn ring_name(state: &State) -> Value {
-    let shown = vertices_name(state.ring.iter().take(MAX_ROWS));
-    if state.ring.len() > MAX_ROWS {
-        name(format!("{shown}…"))
+fn ring_name(held: &Held) -> String {
+    let dots = if held.ring.len() > MAX_ROWS {
+        "…"
     } else {
-        name(shown)
-    }
+        ""
+    };
+    vertices_name(held.ring.iter().take(MAX_ROWS)) + dots
+}
+
+/// `V₁V₂…`.
+fn vertices_name(vertices: impl IntoIterator<Item = usize>) -> String {
+    vertices.into_iter().map(vertex_symbol).collect()
 }

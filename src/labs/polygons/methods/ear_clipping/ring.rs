@@ -2,18 +2,18 @@
 
 use crate::{
     algo::polygon::{
-        Corner, EarClipping, EarClippingEvent as Event, EarClippingState as State, Triangle,
+        Corner, EarClipping, EarClippingEvent as Event, EarClippingHeld as Held, Triangle,
     },
     figure::{ItemMarker, ListColumn, ListLink, ListRow, Lists, Role},
     labs::{
-        Step,
         polygons::methods::triangles::{triangle_link, triangle_name},
         words::{name, vertex_name},
     },
     text::Value,
+    trace::told::Step,
 };
 
-use super::{captions::corner_name, vertex_link};
+use super::{asked, corner, corner_name, cuts, is_done, vertex_link};
 
 /// The view's name.
 pub const VIEW: &str = "ring";
@@ -24,7 +24,7 @@ const FEW_ENOUGH: usize = 12;
 pub fn lists(step: &Step<'_, EarClipping>) -> Lists {
     let (ring, tip) = ring(step);
     let triangles = triangles(step);
-    let links = match (cuts(step.event), tip, triangles.focus) {
+    let links = match (cuts(step.event()), tip, triangles.focus) {
         (true, Some(tip), Some(triangle)) => vec![ListLink {
             from: [0, tip],
             to: [1, triangle],
@@ -40,48 +40,24 @@ pub fn lists(step: &Step<'_, EarClipping>) -> Lists {
     }
 }
 
-/// Does a triangle come to those that are cut off?
-const fn cuts(event: Option<Event>) -> bool {
-    matches!(event, Some(Event::Cut { .. } | Event::Last { .. }))
-}
-
-/// The corner that this step is about, its tip in the middle.
-fn corner(step: &Step<'_, EarClipping>) -> Option<Triangle> {
-    match step.event? {
-        Event::Classify {
-            vertex_idx,
-            prev_idx,
-            next_idx,
-            ..
-        } => Some([prev_idx, vertex_idx, next_idx]),
-        Event::Candidate { triangle } | Event::Cut { triangle, .. } | Event::Last { triangle } => {
-            Some(triangle)
-        }
-        Event::Blocked { vertex_idx, .. }
-        | Event::Ear { vertex_idx }
-        | Event::Pass { vertex_idx, .. } => Some(step.state.ring.corner(vertex_idx)),
-        Event::Round { .. } | Event::Done { .. } => None,
-    }
-}
-
 /// The vertices that are left, and the place of this step's one. Of few, those that are cut off stand where they were.
 fn ring(step: &Step<'_, EarClipping>) -> (ListColumn, Option<usize>) {
-    let state = step.state;
+    let held = step.held;
     let corner = corner(step);
     let n = step.input.vertices().len();
     let (vertices, n_before, focus) = if n <= FEW_ENOUGH {
         let given = (0..n).map(|i| step.input.given_vertex(i));
         (given.collect(), 0, None)
     } else {
-        about(state, corner)
+        about(step, corner)
     };
     let n_shown = vertices.len();
     let tip = corner.and_then(|[_, tip, _]| vertices.iter().position(|&i| i == tip));
     let entry = |i: usize| {
         let fate = fate(step, i);
         ListRow {
-            details: vec![fate.or(state.corners[i].map(corner_name))],
-            marker: marker(state, i),
+            details: vec![fate.or(held.corners[i].map(corner_name))],
+            marker: marker(held, i),
             role: role(step, corner, i),
             link: Some(vertex_link(i)),
             ..ListRow::new(vertex_name(i))
@@ -90,7 +66,7 @@ fn ring(step: &Step<'_, EarClipping>) -> (ListColumn, Option<usize>) {
     let list = ListColumn {
         columns: vec![name("")],
         n_before,
-        n_after: state.ring.len().saturating_sub(n_before + n_shown),
+        n_after: held.ring.len().saturating_sub(n_before + n_shown),
         is_ring: true,
         focus: tip.or(focus),
         ..ListColumn::new(
@@ -103,17 +79,21 @@ fn ring(step: &Step<'_, EarClipping>) -> (ListColumn, Option<usize>) {
 
 /// Of a long ring the vertices about this step's one, how many come before them, and its place among them. Where it
 /// has just been cut off, about the one before it.
-fn about(state: &State, corner: Option<Triangle>) -> (Vec<usize>, usize, Option<usize>) {
+fn about(
+    step: &Step<'_, EarClipping>,
+    corner: Option<Triangle>,
+) -> (Vec<usize>, usize, Option<usize>) {
+    let held = step.held;
     let tip = corner.map(
         |[prev, tip, _]| {
-            if state.ring.contains(tip) { tip } else { prev }
+            if held.ring.contains(tip) { tip } else { prev }
         },
     );
     let place = tip
-        .or(state.stand)
-        .and_then(|stand| state.ring.iter().position(|i| i == stand));
-    let reach = ListColumn::reach(state.ring.len(), place);
-    let shown = state.ring.iter().skip(reach.start).take(reach.len());
+        .or(asked(step))
+        .and_then(|asked| held.ring.iter().position(|i| i == asked));
+    let reach = ListColumn::reach(held.ring.len(), place);
+    let shown = held.ring.iter().skip(reach.start).take(reach.len());
     (
         shown.collect(),
         reach.start,
@@ -123,12 +103,13 @@ fn about(state: &State, corner: Option<Triangle>) -> (Vec<usize>, usize, Option<
 
 /// What a vertex is at this step: its corner's tip, beside it, in its triangle, or about to be asked whether it is.
 fn role(step: &Step<'_, EarClipping>, corner: Option<Triangle>, vertex_idx: usize) -> Role {
-    let state = step.state;
-    let is_left = !state.is_done && state.ring.contains(vertex_idx);
+    let held = step.held;
+    let is_left = !is_done(step.event()) && held.ring.contains(vertex_idx);
     let [is_tip, is_beside] = corner.map_or([false; 2], |corner| {
         [corner[1] == vertex_idx, corner.contains(&vertex_idx)]
     });
-    let blocks = matches!(step.event, Some(Event::Blocked { by_idx, .. }) if by_idx == vertex_idx);
+    let blocks =
+        matches!(step.event(), Some(Event::Blocked { by_idx, .. }) if by_idx == vertex_idx);
     if is_tip || blocks {
         Role::Signal
     } else if is_beside {
@@ -144,8 +125,8 @@ fn role(step: &Step<'_, EarClipping>, corner: Option<Triangle>, vertex_idx: usiz
 
 /// May this vertex lie in the triangle that is asked about? Only one that is left and not convex, and no corner of it.
 fn is_rival(step: &Step<'_, EarClipping>, vertex_idx: usize) -> bool {
-    let state = step.state;
-    let is_asked = match step.event {
+    let held = step.held;
+    let is_asked = match step.event() {
         Some(Event::Candidate { .. } | Event::Blocked { .. } | Event::Ear { .. }) => true,
         Some(
             Event::Classify { .. }
@@ -157,16 +138,14 @@ fn is_rival(step: &Step<'_, EarClipping>, vertex_idx: usize) -> bool {
         )
         | None => false,
     };
-    let is_own = state
-        .candidate
-        .is_some_and(|candidate| candidate.contains(&vertex_idx));
-    let is_convex = state.corners[vertex_idx].is_none_or(|corner| corner == Corner::Convex);
-    is_asked && !is_own && !is_convex && state.ring.contains(vertex_idx)
+    let is_own = corner(step).is_some_and(|corner| corner.contains(&vertex_idx));
+    let is_convex = held.corners[vertex_idx].is_none_or(|corner| corner == Corner::Convex);
+    is_asked && !is_own && !is_convex && held.ring.contains(vertex_idx)
 }
 
 /// Where a rival lies, once that is known.
 fn fate(step: &Step<'_, EarClipping>, vertex_idx: usize) -> Option<Value> {
-    let is_in = match step.event? {
+    let is_in = match step.event()? {
         Event::Blocked { by_idx, .. } if by_idx == vertex_idx => true,
         Event::Ear { .. } if is_rival(step, vertex_idx) => false,
         Event::Classify { .. }
@@ -187,8 +166,8 @@ fn fate(step: &Step<'_, EarClipping>, vertex_idx: usize) -> Option<Value> {
 }
 
 /// As in the drawing: a dot for a convex vertex, a ring for any other.
-fn marker(state: &State, vertex_idx: usize) -> Option<ItemMarker> {
-    state.corners[vertex_idx].map(|corner| match corner {
+fn marker(held: &Held, vertex_idx: usize) -> Option<ItemMarker> {
+    held.corners[vertex_idx].map(|corner| match corner {
         Corner::Convex => ItemMarker::Dot,
         Corner::Straight | Corner::Reflex => ItemMarker::Ring,
     })
@@ -196,13 +175,13 @@ fn marker(state: &State, vertex_idx: usize) -> Option<ItemMarker> {
 
 /// The triangles that have been cut off, and a place for each that is still to come.
 fn triangles(step: &Step<'_, EarClipping>) -> ListColumn {
-    let cut_off = step.state.cut_off.triangles();
+    let cut_off = step.held.cut_off.triangles();
     let n = step.input.vertices().len() - 2;
     let last = cut_off.len().checked_sub(1);
     let reach = ListColumn::reach(n, last);
     let entry = |triangle_idx: usize| match cut_off.get(triangle_idx) {
         Some(&triangle) => ListRow {
-            role: if cuts(step.event) && last == Some(triangle_idx) {
+            role: if cuts(step.event()) && last == Some(triangle_idx) {
                 Role::Signal
             } else {
                 Role::Accepted

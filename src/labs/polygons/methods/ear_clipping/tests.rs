@@ -1,11 +1,15 @@
 use super::*;
 use crate::{
     figure::{Role, Run},
-    labs::polygons::methods::shown_lists::{FORK, assert_are_short, at, at_step, comb, names_of},
+    labs::{
+        polygons::methods::shown_lists::{FORK, assert_are_short, at, at_step, comb, names_of},
+        telling::Recorded,
+    },
 };
 
 fn run(polygon: &[[f64; 2]]) -> Box<dyn Run> {
-    crate::labs::record::<EarClipping>(SimplePolygon::new(polygon).unwrap())
+    let polygon = SimplePolygon::new(polygon).unwrap();
+    Box::new(Recorded::<EarClipping>::new(polygon, None))
 }
 
 #[test]

@@ -6,12 +6,13 @@ use crate::{
     algo::{
         line::Ratio,
         polygon::weiler_atherton::{
-            IntersectionLabel, List, ListEntry, WeilerAtherton, WeilerAthertonEvent as Event,
+            Entry, IntersectionLabel, List, WeilerAtherton, WeilerAthertonEvent as Event,
         },
     },
     figure::{self, ItemMarker, ListLink, Lists, Role},
-    labs::{Step, words::name},
+    labs::words::name,
     text::Value,
+    trace::told::Step,
 };
 
 use super::{
@@ -50,15 +51,8 @@ const fn marker(label: IntersectionLabel) -> ItemMarker {
 
 /// Entering and leaving always, the others where there are any.
 fn legend(step: &Step<'_, WeilerAtherton>) -> Vec<(ItemMarker, Value)> {
-    let has = |label: IntersectionLabel| step.state.labels.iter().any(|known| known.label == label);
-    let said = |label: IntersectionLabel| {
-        let key = match label {
-            IntersectionLabel::Entering => "wa-mark-entering",
-            IntersectionLabel::Leaving => "wa-mark-leaving",
-            IntersectionLabel::Touching | IntersectionLabel::Pinching => names::label_key(label),
-        };
-        (marker(label), Value::Term(key))
-    };
+    let has = |label: IntersectionLabel| step.held.labels.iter().any(|known| known.label == label);
+    let said = |label: IntersectionLabel| (marker(label), super::label(label));
     let rare = [IntersectionLabel::Touching, IntersectionLabel::Pinching]
         .into_iter()
         .filter(|&label| has(label));
@@ -109,24 +103,24 @@ fn entry(
     list: List,
     place: usize,
 ) -> figure::ListRow {
-    let (state, input) = (step.state, step.input);
+    let (held, input) = (step.held, step.input);
     let role = standing.role(list, place).unwrap_or(Role::Soft);
     let own = vertex_at(step, list, place);
-    let Some(known) = state.lists[list.idx()].get(place) else {
+    let Some(known) = held.lists.entries[list.idx()].get(place) else {
         let own = own.map_or_else(String::new, |own| names::vertex(input, list, own));
         return figure::ListRow {
             role,
             ..figure::ListRow::new(name(own))
         };
     };
-    let link = match (known.node, own) {
+    let link = match (known.node(), own) {
         (Some(node), _) => Some(names::node_link(node)),
         (None, own) => own.map(|own| names::vertex_link(list, own)),
     };
     figure::ListRow {
         details: vec![detail(step, list, known)],
-        marker: known.node.map(|node| {
-            let label = standing::label(state, node);
+        marker: known.node().map(|node| {
+            let label = standing::label(held, node);
             label.map_or(ItemMarker::Cross, marker)
         }),
         role,
@@ -137,7 +131,7 @@ fn entry(
 
 /// What heads the intersections' details: as long as none is labelled, t or u, which decide the order along an edge.
 fn column(step: &Step<'_, WeilerAtherton>, list: List) -> Value {
-    let is_labelled = !step.state.labels.is_empty();
+    let is_labelled = !step.held.labels.is_empty();
     match list {
         List::Subject | List::Clip if is_labelled => name(""),
         List::Subject => name("t"),
@@ -147,9 +141,9 @@ fn column(step: &Step<'_, WeilerAtherton>, list: List) -> Value {
 
 /// Of an intersection whether the subject comes in or goes out, where it does; as long as none is labelled, where on
 /// its edge it lies.
-fn detail(step: &Step<'_, WeilerAtherton>, list: List, entry: &ListEntry) -> Option<Value> {
-    let node_idx = entry.node?;
-    match standing::label(step.state, node_idx) {
+fn detail(step: &Step<'_, WeilerAtherton>, list: List, entry: &Entry) -> Option<Value> {
+    let node_idx = entry.node()?;
+    match standing::label(step.held, node_idx) {
         Some(label @ (IntersectionLabel::Entering | IntersectionLabel::Leaving)) => {
             return Some(Value::Term(names::label_key(label)));
         }
@@ -157,21 +151,21 @@ fn detail(step: &Step<'_, WeilerAtherton>, list: List, entry: &ListEntry) -> Opt
         Some(IntersectionLabel::Touching | IntersectionLabel::Pinching) => return None,
         None => {}
     }
-    let is_on_edge = entry.vertex.is_none() && step.state.labels.is_empty();
-    let node = step.state.nodes.get(node_idx as usize);
+    let is_on_edge = entry.vertex().is_none() && step.held.labels.is_empty();
+    let node = step.held.lists.nodes.get(node_idx as usize);
     let Ratio { num, den } = node.filter(|_| is_on_edge).map(|node| match list {
-        List::Subject => node.t,
-        List::Clip => node.u,
+        List::Subject => node.meeting.t,
+        List::Clip => node.meeting.u,
     })?;
     Some(Value::Ratio { num, den })
 }
 
 /// The polygon's own vertex at a place, also where it is still to come.
 fn vertex_at(step: &Step<'_, WeilerAtherton>, list: List, place: usize) -> Option<usize> {
-    let entries = &step.state.lists[list.idx()];
+    let entries = &step.held.lists.entries[list.idx()];
     match entries.get(place) {
-        Some(entry) => entry.vertex.map(|vertex| vertex as usize),
-        None => Some(standing::n_vertices(step.state, list) + place - entries.len()),
+        Some(entry) => entry.vertex().map(|vertex| vertex as usize),
+        None => Some(standing::n_vertices(step.held, list) + place - entries.len()),
     }
 }
 
@@ -180,8 +174,10 @@ fn links(step: &Step<'_, WeilerAtherton>, ranges: &[Range<usize>; 2]) -> Vec<Lis
     let taken = standing::taken(step);
     let [subject, clip] = ranges;
     let link = |place: usize| {
-        let node = step.state.lists[List::Clip.idx()].get(place)?.node?;
-        let twin = standing::place_of(step.state, List::Subject, node)?;
+        let node = step.held.lists.entries[List::Clip.idx()]
+            .get(place)?
+            .node()?;
+        let twin = standing::place_of(step.held, List::Subject, node)?;
         let twin = subject.contains(&twin).then(|| twin - subject.start)?;
         let ends = [
             [List::Subject.idx(), twin],
@@ -207,13 +203,13 @@ fn focus(step: &Step<'_, WeilerAtherton>, list: List) -> Option<usize> {
             list: whole,
             places: [start, _],
             ..
-        }) = step.event
+        }) = step.event()
         {
             (whole == list).then_some(start as usize)
         } else {
             None
         };
-        let walk = step.state.position.filter(|&(at, _)| at == list);
+        let walk = step.held.walk.position.filter(|&(at, _)| at == list);
         current.or(whole).or(walk.map(|(_, place)| place as usize))
     };
     here(list).or_else(|| beside(step, list, here(list.other())?))
@@ -221,10 +217,10 @@ fn focus(step: &Step<'_, WeilerAtherton>, list: List) -> Option<usize> {
 
 /// The place of the intersection that comes next after a place of the other list, or came last.
 fn beside(step: &Step<'_, WeilerAtherton>, list: List, other: usize) -> Option<usize> {
-    let entries = &step.state.lists[list.other().idx()];
+    let entries = &step.held.lists.entries[list.other().idx()];
     let reach = figure::ListColumn::reach(entries.len(), Some(other));
-    let node = |place: usize| entries.get(place)?.node;
+    let node = |place: usize| entries.get(place)?.node();
     let ahead = (other..reach.end).find_map(node);
     let node = ahead.or_else(|| (reach.start..other).rev().find_map(node))?;
-    standing::place_of(step.state, list, node)
+    standing::place_of(step.held, list, node)
 }

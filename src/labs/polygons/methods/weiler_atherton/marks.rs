@@ -4,17 +4,18 @@ use std::cmp::Ordering;
 
 use crate::{
     algo::polygon::weiler_atherton::{
-        IntersectionLabel, List, ListNode, RingKind, StateRing, WeilerAtherton,
-        WeilerAthertonEvent as Event, WeilerAthertonState as State,
+        BorderRing, Intersection, IntersectionLabel, List, RingKind, WeilerAtherton,
+        WeilerAthertonEvent as Event, WeilerAthertonHeld as Held,
     },
     figure::{Mark, Role, Shape},
     geom::{Point, orientation},
-    labs::{Step, words::name},
+    labs::words::name,
+    trace::told::Step,
 };
 
 use super::{
     names,
-    standing::{self, BOTH, Standing},
+    standing::{self, BOTH, Standing, Walked},
 };
 
 /// Up to this number of entries in both lists each has its mark and its name.
@@ -23,11 +24,11 @@ const FEW_ENOUGH: usize = 60;
 const MOST_MARKS: usize = 600;
 
 pub fn marks(step: &Step<'_, WeilerAtherton>) -> Vec<Mark> {
-    let state = step.state;
+    let held = step.held;
     let lens = BOTH.map(|list| standing::len(step, list));
     let few = lens.iter().sum::<usize>() <= FEW_ENOUGH;
-    let mut marks: Vec<Mark> = pieces(state).into_iter().collect();
-    if few && state.relation.is_none() {
+    let mut marks: Vec<Mark> = pieces(held).into_iter().collect();
+    if few && !standing::is_done(step.event()) {
         marks.extend(headings(step));
     }
     marks.extend(walk(step, few));
@@ -43,8 +44,8 @@ pub fn marks(step: &Step<'_, WeilerAtherton>) -> Vec<Mark> {
 }
 
 /// All closed rings, filled where an odd number of them goes round.
-fn pieces(state: &State) -> Option<Mark> {
-    let rings = state
+fn pieces(held: &Held) -> Option<Mark> {
+    let rings = held
         .rings
         .iter()
         .filter(|ring| ring.kind != RingKind::Sliver);
@@ -52,26 +53,29 @@ fn pieces(state: &State) -> Option<Mark> {
     (!outlines.is_empty()).then(|| Mark::new(Role::Accepted, Shape::Area(outlines)))
 }
 
-fn outline(ring: &StateRing) -> Vec<[f64; 2]> {
+fn outline(ring: &BorderRing) -> Vec<[f64; 2]> {
     ring.points.iter().map(|p| p.to_array()).collect()
 }
 
 /// Which way the edges run, but for those that a walk is on: it has heads of its own. Where the subject runs along an
 /// edge of the clip polygon, the same way, one head is for both.
 fn headings(step: &Step<'_, WeilerAtherton>) -> Vec<Mark> {
-    let state = step.state;
+    let held = step.held;
     let edge_of = |list: List, place: u32| {
-        let entry = state.lists[list.idx()].get(place as usize)?;
-        match (entry.vertex, entry.node) {
+        let entry = held.lists.entries[list.idx()].get(place as usize)?;
+        match (entry.vertex(), entry.node()) {
             (Some(vertex), _) => Some(vertex as usize),
-            (None, Some(node)) => Some(state.nodes.get(node as usize)?.edges[list.idx()] as usize),
+            (None, Some(node)) => {
+                Some(held.lists.nodes.get(node as usize)?.edges[list.idx()] as usize)
+            }
             (None, None) => None,
         }
     };
+    let all_passed = Walked::so_far(step.past).passed;
     let of = |list: List| {
-        let passed = state.passed.iter().filter(|passed| passed.list == list);
+        let passed = all_passed.iter().filter(|passed| passed.list == list);
         let walked: Vec<usize> = passed.filter_map(|at| edge_of(list, at.place)).collect();
-        let role = match (step.event, list) {
+        let role = match (step.event(), list) {
             (Some(Event::Whole { list: whole, .. }), list) if whole == list => Role::Signal,
             (_, List::Subject) => Role::Soft,
             (_, List::Clip) => Role::Ink,
@@ -107,16 +111,16 @@ fn runs_along([from, to]: [Point; 2], other: [Point; 2]) -> bool {
 
 /// The path since the walk started; its last edge where it was walked at this step.
 fn walk(step: &Step<'_, WeilerAtherton>, few: bool) -> Vec<Mark> {
-    let state = step.state;
-    let mut path: Vec<[f64; 2]> = state.path.iter().map(|p| p.to_array()).collect();
-    if let Some(Event::Switch { node_idx, .. }) = step.event {
-        let node = state.nodes.get(node_idx as usize);
-        path.extend(node.map(|node| node.at.to_array()));
+    let held = step.held;
+    let mut path: Vec<[f64; 2]> = held.walk.path.iter().map(|(p, _)| p.to_array()).collect();
+    if let Some(Event::Switch { node_idx, .. }) = step.event() {
+        let node = held.lists.nodes.get(node_idx as usize);
+        path.extend(node.map(|node| node.meeting.at.to_array()));
     }
     if path.len() < 2 {
         return Vec::new();
     }
-    let is_new = matches!(step.event, Some(Event::Visit { corner: true, .. }));
+    let is_new = matches!(step.event(), Some(Event::Visit { corner: true, .. }));
     let n_old = path.len() - 1 - usize::from(is_new);
     let mut marks = Vec::new();
     if n_old > 0 {
@@ -142,13 +146,13 @@ fn walk(step: &Step<'_, WeilerAtherton>, few: bool) -> Vec<Mark> {
 
 /// The polygons' own vertices, by name, but for those that are an intersection.
 fn vertices(step: &Step<'_, WeilerAtherton>, standing: &Standing) -> Vec<Mark> {
-    let state = step.state;
+    let held = step.held;
     let of = |list: List| {
         let own = move |place: usize| {
-            let entries = &state.lists[list.idx()];
-            let coming = || Some(standing::n_vertices(state, list) + place - entries.len());
+            let entries = &held.lists.entries[list.idx()];
+            let coming = || Some(standing::n_vertices(held, list) + place - entries.len());
             let (vertex_idx, node) = match entries.get(place) {
-                Some(entry) => (entry.vertex.map(|vertex| vertex as usize), entry.node),
+                Some(entry) => (entry.vertex().map(|vertex| vertex as usize), entry.node()),
                 None => (coming(), None),
             };
             let vertex_idx = vertex_idx?;
@@ -176,11 +180,11 @@ fn vertices(step: &Step<'_, WeilerAtherton>, standing: &Standing) -> Vec<Mark> {
 
 /// Every intersection, by name, in the role that it has in the subject's list or in the other one.
 fn nodes(step: &Step<'_, WeilerAtherton>, standing: &Standing) -> Vec<Mark> {
-    let state = step.state;
-    let mark = |(node_idx, node): (usize, &ListNode)| {
+    let held = step.held;
+    let mark = |(node_idx, node): (usize, &Intersection)| {
         let node_idx = node_idx as u32;
         let in_list = |list| {
-            let place = standing::place_of(state, list, node_idx)?;
+            let place = standing::place_of(held, list, node_idx)?;
             standing.role(list, place)
         };
         let roles = BOTH.map(in_list);
@@ -188,7 +192,7 @@ fn nodes(step: &Step<'_, WeilerAtherton>, standing: &Standing) -> Vec<Mark> {
             .into_iter()
             .find(|&role| roles.contains(&Some(role)))
             .unwrap_or(Role::Ink);
-        let shapes = node_shapes(state, node_idx, node);
+        let shapes = node_shapes(held, node_idx, node);
         let marks = shapes
             .into_iter()
             .map(move |shape| Mark::new(role, shape).linked(names::node_link(node_idx)));
@@ -199,28 +203,31 @@ fn nodes(step: &Step<'_, WeilerAtherton>, standing: &Standing) -> Vec<Mark> {
         }
         marks
     };
-    state.nodes.iter().enumerate().flat_map(mark).collect()
+    held.lists.nodes.iter().enumerate().flat_map(mark).collect()
 }
 
 /// Of many intersections the shapes alone, and where the step is.
 fn nodes_among_many(step: &Step<'_, WeilerAtherton>) -> Vec<Mark> {
-    let state = step.state;
+    let held = step.held;
     let mut marks = Vec::new();
-    if state.nodes.len() <= MOST_MARKS && state.relation.is_none() {
-        for (node_idx, node) in state.nodes.iter().enumerate() {
-            let shapes = node_shapes(state, node_idx as u32, node).into_iter();
+    if held.lists.nodes.len() <= MOST_MARKS && !standing::is_done(step.event()) {
+        for (node_idx, node) in held.lists.nodes.iter().enumerate() {
+            let shapes = node_shapes(held, node_idx as u32, node).into_iter();
             let link = names::node_link(node_idx as u32);
             marks.extend(shapes.map(|shape| Mark::new(Role::Ink, shape).linked(link)));
         }
     }
     for (list, place) in standing::current(step) {
-        if let Some(entry) = state.lists[list.idx()].get(place) {
+        if let Some(entry) = held.lists.entries[list.idx()].get(place) {
             let node = entry
-                .node
-                .and_then(|idx| Some((idx, state.nodes.get(idx as usize)?)));
+                .node()
+                .and_then(|idx| Some((idx, held.lists.nodes.get(idx as usize)?)));
             let shapes = match node {
-                Some((node_idx, node)) => node_shapes(state, node_idx, node),
-                None => vec![Shape::Dot(entry.at.to_array())],
+                Some((node_idx, node)) => node_shapes(held, node_idx, node),
+                None => {
+                    let at = held.lists.at(entry, names::border(step.input, list));
+                    vec![Shape::Dot(at.to_array())]
+                }
             };
             marks.extend(
                 shapes
@@ -234,9 +241,9 @@ fn nodes_among_many(step: &Step<'_, WeilerAtherton>) -> Vec<Mark> {
 
 /// A dot where the subject enters, a ring where it leaves, a cross where it does neither, or is not known to, and a
 /// ring with a cross where both borders pinch.
-fn node_shapes(state: &State, node_idx: u32, node: &ListNode) -> Vec<Shape> {
-    let at = node.at.to_array();
-    match standing::label(state, node_idx) {
+fn node_shapes(held: &Held, node_idx: u32, node: &Intersection) -> Vec<Shape> {
+    let at = node.meeting.at.to_array();
+    match standing::label(held, node_idx) {
         None | Some(IntersectionLabel::Touching) => vec![Shape::Cross(at)],
         Some(IntersectionLabel::Entering) => vec![Shape::Dot(at)],
         Some(IntersectionLabel::Leaving) => vec![Shape::Ring(at)],
@@ -246,14 +253,14 @@ fn node_shapes(state: &State, node_idx: u32, node: &ListNode) -> Vec<Shape> {
 
 /// What this step is about, but for its intersection.
 fn event_marks(step: &Step<'_, WeilerAtherton>) -> Vec<Mark> {
-    let (state, input) = (step.state, step.input);
+    let (held, input) = (step.held, step.input);
     let signal = |shape| Mark::new(Role::Signal, shape);
     let edge = |list: List, edge_idx: u32| {
         let border = names::border(input, list);
         directed(border.edge(edge_idx as usize))
     };
-    let ring = |ring_idx: usize| state.rings.get(ring_idx).map(|ring| outline(ring));
-    match step.event {
+    let ring = |ring_idx: usize| held.rings.get(ring_idx).map(|ring| outline(ring));
+    match step.event() {
         Some(Event::Vertex {
             list, vertex_idx, ..
         }) => edge(list, vertex_idx),
@@ -262,20 +269,20 @@ fn event_marks(step: &Step<'_, WeilerAtherton>) -> Vec<Mark> {
             both.concat()
         }
         Some(Event::Inserted { node_idx, .. }) => {
-            let node = state.nodes.get(node_idx as usize);
+            let node = held.lists.nodes.get(node_idx as usize);
             node.map_or_else(Vec::new, |node| edge(List::Clip, node.edges[1]))
         }
         Some(Event::Labelled { node_idx, .. }) => {
-            let node = state.nodes.get(node_idx as usize);
+            let node = held.lists.nodes.get(node_idx as usize);
             node.map_or_else(Vec::new, |node| through(step, node))
         }
         Some(Event::Start { node_idx }) => {
-            let place = standing::place_of(state, List::Subject, node_idx);
+            let place = standing::place_of(held, List::Subject, node_idx);
             place.map_or_else(Vec::new, |place| onwards(step, List::Subject, place))
         }
         Some(Event::Switch { to, place, .. }) => onwards(step, to, place as usize),
         Some(Event::Closed { .. } | Event::Whole { kind: Some(_), .. }) => {
-            let last = state.rings.last();
+            let last = held.rings.last();
             let last = last.map(|ring| signal(Shape::Outline(outline(ring))));
             last.into_iter().collect()
         }
@@ -313,24 +320,25 @@ fn directed(ends: [Point; 2]) -> Vec<Mark> {
 
 /// Where a list goes on from one of its entries.
 fn onwards(step: &Step<'_, WeilerAtherton>, list: List, place: usize) -> Vec<Mark> {
-    let next = standing::next_place(step, list, place);
-    let entries = &step.state.lists[list.idx()];
-    let ends = [place, next].map(|place| entries.get(place).map(|entry| entry.at));
-    let [Some(from), Some(to)] = ends else {
-        return Vec::new();
-    };
-    directed([from, to])
+    let lists = &step.held.lists;
+    let next = standing::next_place(step.held, list, place);
+    let border = names::border(step.input, list);
+    directed([place, next].map(|place| lists.at(&lists.entries[list.idx()][place], border)))
 }
 
 /// The subject's edge that comes to an intersection, and the one that goes on from it.
-fn through(step: &Step<'_, WeilerAtherton>, node: &ListNode) -> Vec<Mark> {
+fn through(step: &Step<'_, WeilerAtherton>, node: &Intersection) -> Vec<Mark> {
     let border = names::border(step.input, List::Subject);
     let edge_idx = node.edges[0] as usize;
     let [from, to] = border.edge(edge_idx);
-    let from = if node.contact.at_vertex()[0] {
+    let from = if node.meeting.contact.at_vertex()[0] {
         border.points()[border.previous(edge_idx)]
     } else {
         from
     };
-    [directed([from, node.at]), directed([node.at, to])].concat()
+    [
+        directed([from, node.meeting.at]),
+        directed([node.meeting.at, to]),
+    ]
+    .concat()
 }

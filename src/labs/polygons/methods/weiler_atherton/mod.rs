@@ -1,6 +1,5 @@
 //! Weiler–Atherton, shown.
 
-mod captions;
 mod lists;
 mod marks;
 mod names;
@@ -11,19 +10,35 @@ mod tests;
 use serde_json::{Value as Json, json};
 
 use crate::{
-    algo::polygon::weiler_atherton::{
-        IntersectionLabel, List, Relation, RingKind, WeilerAtherton, WeilerAthertonEvent as Event,
-        WeilerAthertonInput as Input, WeilerAthertonOutput, WeilerAthertonState as State,
+    algo::{
+        line::Ratio,
+        polygon::weiler_atherton::{
+            Contact,
+            IntersectionLabel::{self, Entering, Leaving, Pinching, Touching},
+            List::{self, Clip, Subject},
+            Relation,
+            RingKind::{Hole, Outer, Sliver},
+            Side, WeilerAtherton, WeilerAthertonEvent as Event, WeilerAthertonInput as Input,
+            WeilerAthertonOutput,
+        },
     },
-    figure::{Body, Caption, Tick, View, Watch, WatchRow, WatchSection},
-    geom::{GeomError, Point, Polygon, Region, SimplePolygon},
+    figure::{
+        Body,
+        Tick::{self, Accept, Cut, Phase, Reject, Test},
+        View, Watch, WatchRow, WatchSection,
+    },
+    geom::{Axis, GeomError, Point, Polygon, Region, SimplePolygon},
     labs::{
-        Answer, CodeLine, Demo, Step, code_line,
-        polygons::{PolygonDemo, Scene, ScenePart, UnfitScene},
-        words::name,
+        Answer, CodeLine, code_line,
+        polygons::{PolygonTelling, Scene, ScenePart, UnfitScene},
+        telling::{At, Named, Row, Telling, Watched, rows},
+        words::{along, axis_symbol, name},
     },
     text::{Formula, Value},
+    trace::told::Step,
 };
+
+use standing::place_of;
 
 const FIND: usize = 0;
 const INSERT: usize = 1;
@@ -39,7 +54,110 @@ const HOLES: usize = 9;
 /// Rows of the table of both lists.
 const MAX_ROWS: usize = 12;
 
-impl PolygonDemo for WeilerAtherton {
+rows! { |event, step: WeilerAtherton|
+    begins: Event::Vertex { list: Subject, vertex_idx: 0, .. } => vertex(Phase, FIND, "wa-vertex-subject");
+    vertex: Event::Vertex { list: Subject, .. } => vertex(Test, FIND, "wa-vertex-subject");
+    begins_clip: Event::Vertex { list: Clip, vertex_idx: 0, .. } => vertex(Phase, INSERT, "wa-vertex-clip");
+    vertex_clip: Event::Vertex { list: Clip, .. } => vertex(Test, INSERT, "wa-vertex-clip");
+    crossing: Event::Found { contact: Contact::Crossing, .. } =>
+        found("wa-found-crossing", "wa-meet-crossing").so(&["t{=t}", "u{=u}", "{x}", "{y}"]);
+    on_clip: Event::Found { contact: Contact::SubjectVertex, .. } =>
+        found("wa-found-on-edge", "wa-meet-subject-vertex").so(&["{node} = {at}", "u{=u}"]);
+    on_subject: Event::Found { contact: Contact::ClipVertex, .. } =>
+        found("wa-found-on-edge", "wa-meet-clip-vertex").so(&["{node} = {at}", "t{=t}"]);
+    on_both: Event::Found { contact: Contact::BothVertices, .. } =>
+        found("wa-found-both", "wa-meet-both").so(&["{node} = {at}"]);
+    inserted: Event::Inserted { at_vertex: false, .. } =>
+        Row::new(Cut, INSERT, "wa-inserted").so(&["u{=u}"]).answers("inserted");
+    inserted_vertex: Event::Inserted { at_vertex: true, .. } =>
+        Row::new(Cut, INSERT, "wa-inserted-vertex").so(&["{node} = {at}"]).answers("inserted");
+    first_entering: Event::Labelled { node_idx: 0, label: Entering, .. } => labelled(Phase, "wa-entering");
+    entering: Event::Labelled { label: Entering, .. } => labelled(Test, "wa-entering");
+    first_leaving: Event::Labelled { node_idx: 0, label: Leaving, .. } => labelled(Phase, "wa-leaving");
+    leaving: Event::Labelled { label: Leaving, .. } => labelled(Test, "wa-leaving");
+    first_same: Event::Labelled { node_idx: 0, label: Touching, before, after } if stays(before, after) =>
+        labelled(Phase, "wa-touching-same");
+    same: Event::Labelled { label: Touching, before, after, .. } if stays(before, after) =>
+        labelled(Test, "wa-touching-same");
+    first_touching: Event::Labelled { node_idx: 0, label: Touching, .. } => labelled(Phase, "wa-touching");
+    touching: Event::Labelled { label: Touching, .. } => labelled(Test, "wa-touching");
+    first_pinching: Event::Labelled { node_idx: 0, label: Pinching, .. } => labelled(Phase, "wa-pinching");
+    pinching: Event::Labelled { label: Pinching, .. } => labelled(Test, "wa-pinching");
+    start: Event::Start { .. } =>
+        Row::new(Phase, START, "wa-start").so(&["{node} = {at}"]).picks("node", "nodes");
+    visit: Event::Visit { list: Subject, corner: true, .. } =>
+        Row::new(Test, FOLLOW, "wa-visit-subject").so(P).answers("subject corner").keeps("entry");
+    past: Event::Visit { list: Subject, corner: false, .. } =>
+        Row::new(Test, FOLLOW, "wa-past").answers("subject corner").drops("entry");
+    visit_clip: Event::Visit { list: Clip, corner: true, .. } =>
+        Row::new(Test, FOLLOW, "wa-visit-clip").so(P).answers("clip corner").keeps("entry");
+    past_clip: Event::Visit { list: Clip, corner: false, .. } =>
+        Row::new(Test, FOLLOW, "wa-past").answers("clip corner").drops("entry");
+    pinch_clip: Event::Switch { node_idx, to: Clip, .. } if pinches(step, node_idx) =>
+        Row::new(Cut, LEAVE, "wa-switch-pinch-clip").answers("switch");
+    pinch_subject: Event::Switch { node_idx, to: Subject, .. } if pinches(step, node_idx) =>
+        Row::new(Cut, ENTER, "wa-switch-pinch-subject").answers("switch");
+    switch_clip: Event::Switch { to: Clip, .. } => Row::new(Cut, LEAVE, "wa-switch-clip").answers("switch");
+    switch_subject: Event::Switch { to: Subject, .. } =>
+        Row::new(Cut, ENTER, "wa-switch-subject").answers("switch");
+    closed_outer: Event::Closed { kind: Outer, .. } => closed("wa-closed-outer");
+    closed_hole: Event::Closed { kind: Hole, .. } => closed("wa-closed-hole");
+    closed_sliver: Event::Closed { kind: Sliver, .. } => closed("wa-closed-sliver");
+    subject_kept: Event::Whole { list: Subject, ring_idx: 0, kind: Some(_), .. } =>
+        Row::new(Accept, WHOLE, "wa-whole-subject-kept").answers("whole subject");
+    subject_dropped: Event::Whole { list: Subject, ring_idx: 0, kind: None, .. } =>
+        Row::new(Reject, WHOLE, "wa-whole-subject-dropped").answers("whole subject");
+    hole_kept: Event::Whole { list: Subject, kind: Some(_), .. } =>
+        Row::new(Accept, WHOLE, "wa-whole-hole-kept").answers("whole hole");
+    hole_dropped: Event::Whole { list: Subject, kind: None, .. } =>
+        Row::new(Reject, WHOLE, "wa-whole-hole-dropped").answers("whole hole");
+    clip_kept: Event::Whole { list: Clip, kind: Some(_), .. } =>
+        Row::new(Accept, WHOLE, "wa-whole-clip-kept").answers("whole clip");
+    clip_dropped: Event::Whole { list: Clip, kind: None, .. } =>
+        Row::new(Reject, WHOLE, "wa-whole-clip-dropped").answers("whole clip");
+    hole: Event::Hole { .. } => Row::new(Test, HOLES, "wa-hole").picks("ring", "outer rings");
+    disjoint: Event::Done { relation: Relation::Disjoint } => done(Reject, "wa-done-disjoint");
+    touch: Event::Done { relation: Relation::Touching } => done(Reject, "wa-done-touching");
+    in_clip: Event::Done { relation: Relation::SubjectInside } => done(Accept, "wa-done-subject");
+    in_subject: Event::Done { relation: Relation::ClipInside } => done(Accept, "wa-done-clip");
+    equal: Event::Done { relation: Relation::Equal } => done(Accept, "wa-done-equal");
+    cross: Event::Done { relation: Relation::Crossing } => done(Accept, "wa-done-crossing");
+}
+
+const P: &[&str] = &["P = {at}"];
+
+const fn vertex(tick: Tick, line: usize, key: &'static str) -> Row {
+    Row::new(tick, line, key).so(&["{vertex} = {at}"])
+}
+
+const fn found(key: &'static str, option: &'static str) -> Row {
+    Row::new(Cut, FIND, key).answers_as("contact", option)
+}
+
+/// Of a crossing the distances say it; of any other intersection, where it is.
+const fn labelled(tick: Tick, key: &'static str) -> Row {
+    const SO: &[&str] = &["a₁ = {a₁}{order}{a₂} = a₂", "{node} = {at}"];
+    Row::new(tick, LABEL, key).so(SO).picks("label", "labels")
+}
+
+const fn closed(key: &'static str) -> Row {
+    Row::new(Accept, CLOSE, key).so(P).answers("closed")
+}
+
+const fn done(tick: Tick, key: &'static str) -> Row {
+    Row::new(tick, HOLES, key).answers("relation")
+}
+
+/// Is the subject inside before and after, or outside?
+fn stays(before: Side, after: Side) -> bool {
+    before == after && matches!(before, Side::Inside | Side::Outside)
+}
+
+fn pinches(step: &Step<'_, WeilerAtherton>, node: u32) -> bool {
+    standing::label(step.held, node) == Some(Pinching)
+}
+
+impl PolygonTelling for WeilerAtherton {
     const KNOWS_HOLES: bool = true;
     const SUBJECT: char = 'S';
 
@@ -69,7 +187,7 @@ impl PolygonDemo for WeilerAtherton {
             Event::Visit { at, .. } => (at == vertex).then_some(true),
             // The first ring is the one around all others.
             Event::Whole {
-                list: List::Subject,
+                list: Subject,
                 ring_idx: 0,
                 kind,
                 ..
@@ -103,28 +221,17 @@ impl PolygonDemo for WeilerAtherton {
         }
     }
 
-    fn piece(event: &Event, after: &State) -> Option<Vec<Point>> {
-        match *event {
-            Event::Closed {
-                kind: RingKind::Outer,
-                ..
-            }
-            | Event::Whole {
-                kind: Some(RingKind::Outer),
-                ..
-            } => after.rings.last().map(|ring| ring.points.clone()),
-            Event::Closed { .. }
-            | Event::Whole { .. }
-            | Event::Vertex { .. }
-            | Event::Found { .. }
-            | Event::Inserted { .. }
-            | Event::Labelled { .. }
-            | Event::Start { .. }
-            | Event::Visit { .. }
-            | Event::Switch { .. }
-            | Event::Hole { .. }
-            | Event::Done { .. } => None,
-        }
+    fn piece(step: &Step<'_, Self>) -> Option<Vec<Point>> {
+        let is_piece = matches!(
+            step.event()?,
+            Event::Closed { kind: Outer, .. }
+                | Event::Whole {
+                    kind: Some(Outer),
+                    ..
+                }
+        );
+        let last = step.held.rings.last().filter(|_| is_piece);
+        last.map(|ring| ring.points.clone())
     }
 }
 
@@ -138,7 +245,9 @@ impl Answer for WeilerAthertonOutput {
     }
 }
 
-impl Demo for WeilerAtherton {
+impl Telling for WeilerAtherton {
+    type Scenery = ();
+
     const ID: &'static str = "weiler-atherton";
     const NAME_KEY: &'static str = "alg-weiler-atherton";
     const SOURCE: &'static str =
@@ -156,90 +265,265 @@ impl Demo for WeilerAtherton {
         code_line(0, "code-wa-holes", "words-wa-holes"),
     ];
 
-    fn tick(event: &Event) -> Tick {
-        match event {
-            // Each stage begins with a phase, and so does each walk.
-            Event::Vertex { vertex_idx: 0, .. }
-            | Event::Labelled { node_idx: 0, .. }
-            | Event::Start { .. } => Tick::Phase,
-            Event::Vertex { .. }
-            | Event::Labelled { .. }
-            | Event::Visit { .. }
-            | Event::Hole { .. } => Tick::Test,
-            Event::Found { .. } | Event::Inserted { .. } | Event::Switch { .. } => Tick::Cut,
-            Event::Closed { .. } | Event::Whole { kind: Some(_), .. } => Tick::Accept,
-            Event::Whole { kind: None, .. } => Tick::Reject,
-            Event::Done { relation } => match relation {
-                Relation::Disjoint | Relation::Touching => Tick::Reject,
-                Relation::SubjectInside
-                | Relation::ClipInside
-                | Relation::Equal
-                | Relation::Crossing => Tick::Accept,
+    const ROWS: &'static [Row] = ROWS;
+    const WATCH: &'static [Watched] = &[Watched::Names(&["start", "path", "rings"])];
+
+    fn row(step: &Step<'_, Self>) -> &'static Row {
+        row(step)
+    }
+
+    fn opening(_: &At<'_, Self>) -> &'static Row {
+        const OPENING: Row = Row::new(Phase, FIND, "wa-opening");
+        &OPENING
+    }
+
+    fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
+        let watched = |key| move |named: Named| Some(named.labelled(Value::Term(key)));
+        let held = at.step.held;
+        match name {
+            "start" => {
+                let start = held.walk.start.map(names::node);
+                watched("wa-row-start")(Named::maybe(start))
+            }
+            "path" => watched("wa-row-path")(held.walk.path.len().into()),
+            "rings" => watched("wa-row-rings")(held.rings.len().into()),
+            _ => match at.step.event() {
+                None => opening_named(at.step.input, name),
+                Some(event @ Event::Found { .. }) => found_named(at.step.input, &event, name),
+                Some(event) => match node_of(event) {
+                    Some(node_idx) => node_named(&at.step, event, node_idx, name),
+                    None => ring_named(&at.step, event, name),
+                },
             },
         }
     }
 
-    fn code_line(event: &Event, before: &State) -> usize {
-        match event {
-            Event::Vertex {
-                list: List::Subject,
-                ..
+    fn listed(at: &At<'_, Self>, list: &str) -> Vec<Named> {
+        let held = at.step.held;
+        match list {
+            "labels" => [Entering, Leaving, Touching, Pinching]
+                .map(|it| label(it).into())
+                .into(),
+            "nodes" => (0..held.lists.nodes.len())
+                .map(|node_idx| names::node(node_idx as u32).into())
+                .collect(),
+            _ => {
+                let rings = held.rings.iter().enumerate();
+                let outer = rings.filter(|(_, ring)| ring.kind == Outer);
+                outer.map(|(i, _)| names::ring(i).into()).collect()
             }
-            | Event::Found { .. } => FIND,
-            Event::Vertex {
-                list: List::Clip, ..
-            }
-            | Event::Inserted { .. } => INSERT,
-            Event::Labelled { .. } => LABEL,
-            Event::Start { .. } => START,
-            Event::Visit { .. } => FOLLOW,
-            Event::Switch { node_idx, to, .. } => {
-                let label = before
-                    .labels
-                    .get(*node_idx as usize)
-                    .map(|label| label.label);
-                match (label, to) {
-                    (Some(IntersectionLabel::Leaving), _) | (_, List::Clip) => LEAVE,
-                    (_, List::Subject) => ENTER,
-                }
-            }
-            Event::Closed { .. } => CLOSE,
-            Event::Whole { .. } => WHOLE,
-            Event::Hole { .. } | Event::Done { .. } => HOLES,
         }
     }
 
-    fn opening(input: &Input) -> Caption {
-        captions::opening(input)
+    fn watch(at: &At<'_, Self>) -> Watch {
+        let names = Self::WATCH.iter().map(|watched| at.section(watched));
+        std::iter::once(lists_section(&at.step))
+            .chain(names)
+            .collect()
     }
 
-    fn caption(event: &Event, before: &State, input: &Input) -> Caption {
-        captions::caption(event, before, input)
-    }
-
-    fn views(step: &Step<'_, Self>) -> Vec<View> {
+    fn views(at: &At<'_, Self>) -> Vec<View> {
         vec![
-            View::plane(marks::marks(step)),
-            View::new(lists::VIEW, Body::Lists(lists::lists(step))),
+            View::plane(marks::marks(&at.step)),
+            View::new(lists::VIEW, Body::Lists(lists::lists(&at.step))),
         ]
     }
+}
 
-    fn watch(step: &Step<'_, Self>) -> Watch {
-        let state = step.state;
-        let start = state.start.map(|node| name(names::node(node)));
-        let count = |n: usize| Some(Value::Count(n));
-        let rows = vec![
-            WatchRow::new(Value::Term("wa-row-start"), start),
-            WatchRow::new(Value::Term("wa-row-path"), count(state.path.len())),
-            WatchRow::new(Value::Term("wa-row-rings"), count(state.rings.len())),
-        ];
-        vec![lists_section(step), WatchSection::list(rows)]
+fn opening_named(input: &Input, name: &str) -> Option<Named> {
+    let border = match name {
+        "n" => Subject,
+        "m" => Clip,
+        _ => return None,
+    };
+    Some(names::border(input, border).points().len().into())
+}
+
+/// Two edges meet: where along each, and where in the plane.
+fn found_named(input: &Input, event: &Event, name: &str) -> Option<Named> {
+    let Event::Found {
+        node_idx,
+        edges: [s, c],
+        contact,
+        at,
+        t,
+        u,
+        along: list,
+    } = *event
+    else {
+        return None;
+    };
+    let edges = [s, c].map(|idx| idx as usize);
+    let edge = |list: List| names::edge(input, list, edges[list.idx()]).into();
+    let vertex = |list: List| names::vertex(input, list, edges[list.idx()]).into();
+    let mean = |axis| {
+        let ratio = [t, u][list.idx()];
+        mean(
+            axis,
+            names::border(input, list).edge(edges[list.idx()]),
+            ratio,
+            at,
+        )
+        .into()
+    };
+    Some(match (name, contact) {
+        ("node", _) => names::node(node_idx).into(),
+        ("subject", Contact::BothVertices) => vertex(Subject),
+        ("clip", Contact::BothVertices) => vertex(Clip),
+        ("vertex", Contact::SubjectVertex) => vertex(Subject),
+        ("vertex", _) => vertex(Clip),
+        ("edge", Contact::SubjectVertex) | ("clip" | "clip-edge", _) => edge(Clip),
+        ("edge" | "subject" | "subject-edge", _) => edge(Subject),
+        ("at", _) => at.to_array().into(),
+        ("t", _) => quotient(t),
+        ("u", _) => quotient(u),
+        ("x", _) => mean(Axis::X),
+        ("y", _) => mean(Axis::Y),
+        _ => return None,
+    })
+}
+
+/// Of a step at an intersection that has been found already.
+fn node_named(
+    step: &Step<'_, WeilerAtherton>,
+    event: Event,
+    node_idx: u32,
+    name: &str,
+) -> Option<Named> {
+    let node = step.held.lists.nodes.get(node_idx as usize)?;
+    let clip_edge = node.edges[1] as usize;
+    let is_crossing = node.meeting.contact == Contact::Crossing;
+    Some(match (name, event) {
+        ("node", _) => Named::from(names::node(node_idx)).linked(names::node_link(node_idx)),
+        ("vertex", _) => names::vertex(step.input, Clip, clip_edge).into(),
+        ("edge", _) => names::edge(step.input, Clip, clip_edge).into(),
+        ("u", _) => quotient(node.meeting.u),
+        ("at", Event::Labelled { .. }) if is_crossing => return None,
+        ("at", _) => node.meeting.at.to_array().into(),
+        ("label", Event::Labelled { label: it, .. }) => label(it).into(),
+        ("before", Event::Labelled { before, .. }) => names::side(before).into(),
+        ("after", Event::Labelled { after, .. }) => names::side(after).into(),
+        ("a₁", _) if is_crossing => node.meeting.t.num.into(),
+        ("a₂", _) if is_crossing => other_distance(node.meeting.t).into(),
+        ("order", Event::Labelled { label, .. }) => {
+            let order = if label == Entering {
+                " < 0 < "
+            } else {
+                " > 0 > "
+            };
+            order.to_owned().into()
+        }
+        _ => return None,
+    })
+}
+
+/// Of a vertex that goes into a list, of a walk's step, of a ring, and of the end.
+fn ring_named(step: &Step<'_, WeilerAtherton>, event: Event, name: &str) -> Option<Named> {
+    let (held, input) = (step.held, step.input);
+    let last = held.rings.last();
+    Some(match (name, event) {
+        (
+            "vertex",
+            Event::Vertex {
+                list, vertex_idx, ..
+            },
+        ) => names::vertex(input, list, vertex_idx as usize).into(),
+        (
+            "edge",
+            Event::Vertex {
+                list, vertex_idx, ..
+            },
+        ) => names::edge(input, list, vertex_idx as usize).into(),
+        ("at", Event::Vertex { at, .. } | Event::Visit { at, .. }) => at.to_array().into(),
+        ("entry", Event::Visit { list, place, .. }) => {
+            let entry = held.lists.entries[list.idx()].get(place as usize)?;
+            let vertex = entry
+                .vertex()
+                .map(|idx| names::vertex_link(list, idx as usize));
+            let link = vertex.or(entry.node().map(names::node_link));
+            let named = Named::from(names::entry(input, list, entry));
+            Named { link, ..named }
+        }
+        ("n", Event::Visit { corner, .. }) => (held.walk.path.len() + usize::from(!corner)).into(),
+        ("n", Event::Closed { .. }) => last?.points.len().into(),
+        ("n", Event::Done { .. }) => held
+            .rings
+            .iter()
+            .filter(|it| it.kind == Outer)
+            .count()
+            .into(),
+        ("at", Event::Closed { .. }) => last?.points.first()?.to_array().into(),
+        ("ring", Event::Closed { .. }) => names::ring(held.rings.len() - 1).into(),
+        ("ring", Event::Whole { kind, .. }) => {
+            names::ring(held.rings.len() - usize::from(kind.is_some())).into()
+        }
+        ("ring", Event::Hole { outer_idx, .. }) => names::ring(outer_idx as usize).into(),
+        ("hole", Event::Hole { hole_idx, .. }) => names::ring(hole_idx as usize).into(),
+        ("hole", Event::Whole { ring_idx, .. }) => (ring_idx as usize).into(),
+        ("side", Event::Whole { side, .. }) => names::side(side).into(),
+        _ => return None,
+    })
+}
+
+/// The intersection that an event is about.
+const fn node_of(event: Event) -> Option<u32> {
+    match event {
+        Event::Found { node_idx, .. }
+        | Event::Inserted { node_idx, .. }
+        | Event::Labelled { node_idx, .. }
+        | Event::Start { node_idx }
+        | Event::Switch { node_idx, .. } => Some(node_idx),
+        Event::Vertex { .. }
+        | Event::Visit { .. }
+        | Event::Closed { .. }
+        | Event::Whole { .. }
+        | Event::Hole { .. }
+        | Event::Done { .. } => None,
     }
+}
+
+/// As an answer.
+const fn label(label: IntersectionLabel) -> Value {
+    Value::Term(match label {
+        Entering => "wa-mark-entering",
+        Leaving => "wa-mark-leaving",
+        Touching | Pinching => names::label_key(label),
+    })
+}
+
+fn quotient(Ratio { num, den }: Ratio) -> Named {
+    Value::Ratio { num, den }.into()
+}
+
+/// Of the edge's other end.
+fn other_distance(Ratio { num, den }: Ratio) -> f64 {
+    num - den
+}
+
+/// `x = (0 · 2 + 6 · 4) / (4 + 2) = 4`: the mean of an edge's ends, weighted by their distances from the other one; where
+/// both are 0 there is nothing to compute.
+fn mean(axis: Axis, ends: [Point; 2], ratio: Ratio, at: Point) -> Formula {
+    let [o1, o2] = ends.map(|p| along(p, axis)[0]);
+    if [o1, o2] == [0.0, 0.0] {
+        return Formula::default()
+            .sym(axis_symbol(axis))
+            .sym(" = ")
+            .num(0.0);
+    }
+    let (w1, w2) = (ratio.num.abs(), other_distance(ratio).abs());
+    let part = Formula::default;
+    let weighted = |f: Formula, o: f64, w: f64| f.operand(o).sym(" · ").num(w);
+    let sum = part().num(o1).sym(" · ").num(w2).sym(" + ");
+    part()
+        .sym(axis_symbol(axis))
+        .sym(" = ")
+        .over(weighted(sum, o2, w1), part().num(w1).sym(" + ").num(w2))
+        .equals(along(at, axis)[0])
 }
 
 /// Both lists side by side: of long ones the page that is being worked on.
 fn lists_section(step: &Step<'_, WeilerAtherton>) -> WatchSection {
-    let pages = [List::Subject, List::Clip].map(|list| page(step, list));
+    let pages = [Subject, Clip].map(|list| page(step, list));
     let n_rows = pages.iter().map(Vec::len).max().unwrap_or(0);
     let rows = (0..n_rows).map(|row| {
         let cells = pages
@@ -258,8 +542,8 @@ fn lists_section(step: &Step<'_, WeilerAtherton>) -> WatchSection {
 /// The entries of the page on which a list is being built, labelled or walked: what each says, and the
 /// intersection that it is.
 fn page(step: &Step<'_, WeilerAtherton>, list: List) -> Vec<(Value, Option<u32>)> {
-    let (state, input) = (step.state, step.input);
-    let entries = &state.lists[list.idx()];
+    let (held, input) = (step.held, step.input);
+    let entries = &held.lists.entries[list.idx()];
     let current = current_place(step, list);
     let first = current.unwrap_or(0) / MAX_ROWS * MAX_ROWS;
     let places = first..entries.len().min(first + MAX_ROWS);
@@ -269,47 +553,23 @@ fn page(step: &Step<'_, WeilerAtherton>, list: List) -> Vec<(Value, Option<u32>)
         let text = Formula::default()
             .sym(arrow)
             .sym(names::entry(input, list, entry));
-        let text = names::with_label(text, state, entry.node);
-        Some((Value::Formula(text), entry.node))
+        let text = names::with_label(text, held, entry.node());
+        Some((Value::Formula(text), entry.node()))
     };
     places.filter_map(cell).collect()
 }
 
 /// Where in a list something happens at this step.
 fn current_place(step: &Step<'_, WeilerAtherton>, list: List) -> Option<usize> {
-    let state = step.state;
-    let last = state.lists[list.idx()].len().checked_sub(1);
-    let of_node = |node: u32| match list {
-        List::Subject => state
-            .nodes
-            .get(node as usize)
-            .map(|node| node.place as usize),
-        List::Clip => {
-            let mut inserted = state.inserted.iter();
-            let found = inserted.find(|[inserted, _]| *inserted == node);
-            found.map(|[_, place]| *place as usize)
-        }
-    };
-    match (step.event?, list) {
-        (Event::Vertex { list: built, .. }, _) => last.filter(|_| built == list),
-        (Event::Found { .. }, List::Subject) | (Event::Inserted { .. }, List::Clip) => last,
-        (Event::Found { .. }, List::Clip) => None,
-        (
-            Event::Inserted { node_idx, .. }
-            | Event::Labelled { node_idx, .. }
-            | Event::Start { node_idx }
-            | Event::Switch { node_idx, .. },
-            _,
-        ) => of_node(node_idx),
-        (
-            Event::Visit { .. }
-            | Event::Closed { .. }
-            | Event::Whole { .. }
-            | Event::Hole { .. }
-            | Event::Done { .. },
-            _,
-        ) => {
-            let (walked, place) = state.position?;
+    let event = step.event()?;
+    if let Event::Vertex { list: built, .. } = event {
+        let last = step.held.lists.entries[list.idx()].len().checked_sub(1);
+        return last.filter(|_| built == list);
+    }
+    match node_of(event) {
+        Some(node) => place_of(step.held, list, node),
+        None => {
+            let (walked, place) = step.held.walk.position?;
             (walked == list).then_some(place as usize)
         }
     }

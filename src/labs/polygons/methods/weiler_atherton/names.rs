@@ -4,8 +4,8 @@
 
 use crate::{
     algo::polygon::weiler_atherton::{
-        IntersectionLabel, List, ListEntry, ListNode, Side, WeilerAthertonInput as Input,
-        WeilerAthertonState as State,
+        Entry, Intersection, IntersectionLabel, List, Side, WeilerAthertonHeld as Held,
+        WeilerAthertonInput as Input,
     },
     figure::Link,
     geom::{Rings, SimplePolygon},
@@ -48,26 +48,28 @@ pub fn ring(ring_idx: usize) -> Value {
 }
 
 /// `S₃`, `I₂` or `S₃ = I₂`.
-pub fn entry(input: &Input, list: List, entry: &ListEntry) -> String {
-    let own = entry.vertex.map(|idx| vertex(input, list, idx as usize));
-    match (own, entry.node.map(node)) {
+pub fn entry(input: &Input, list: List, entry: &Entry) -> String {
+    let own = entry.vertex().map(|idx| vertex(input, list, idx as usize));
+    match (own, entry.node().map(node)) {
         (Some(own), Some(node)) => format!("{own} = {node}"),
         (own, node) => own.or(node).unwrap_or_default(),
     }
 }
 
 /// `I₂`, `S₃ = I₂` or `S₃ = C₁ = I₂`: by all its names.
-pub fn meeting(input: &Input, node_idx: u32, meeting: &ListNode) -> String {
-    let at_vertex = meeting.contact.at_vertex();
+pub fn meeting(input: &Input, node_idx: u32, node: &Intersection) -> String {
+    let at_vertex = node.meeting.contact.at_vertex();
     let own = [List::Subject, List::Clip].into_iter().zip(at_vertex);
     let own = own.filter(|&(_, at_vertex)| at_vertex);
-    let own = own.map(|(list, _)| vertex(input, list, meeting.edges[list.idx()] as usize));
-    own.chain([node(node_idx)]).collect::<Vec<_>>().join(" = ")
+    let own = own.map(|(list, _)| vertex(input, list, node.edges[list.idx()] as usize));
+    own.chain([self::node(node_idx)])
+        .collect::<Vec<_>>()
+        .join(" = ")
 }
 
 /// `… in`, where there is a labelled intersection.
-pub fn with_label(formula: Formula, state: &State, node_idx: Option<u32>) -> Formula {
-    let label = node_idx.and_then(|idx| state.labels.get(idx as usize));
+pub fn with_label(formula: Formula, held: &Held, node_idx: Option<u32>) -> Formula {
+    let label = node_idx.and_then(|idx| held.labels.get(idx as usize));
     match label {
         Some(label) => formula.sym(" ").term(label_key(label.label)),
         None => formula,

@@ -5,11 +5,11 @@ use std::ops::Range;
 
 use crate::{
     algo::polygon::weiler_atherton::{
-        IntersectionLabel, List, ListEntry, Passed, WeilerAtherton, WeilerAthertonEvent as Event,
-        WeilerAthertonState as State,
+        Entry, IntersectionLabel, List, WeilerAtherton, WeilerAthertonEvent as Event,
+        WeilerAthertonHeld as Held,
     },
     figure::Role,
-    labs::Step,
+    trace::told::Step,
 };
 
 use super::names;
@@ -31,7 +31,7 @@ impl Standing {
             places.map(|place| at_rest(step, list, place)).collect()
         });
         let mut standing = Self { ranges, roles };
-        standing.walked(step.state);
+        standing.walked(step);
         for (list, place) in current(step) {
             standing.set(list, place, Role::Signal);
         }
@@ -40,7 +40,7 @@ impl Standing {
             places: [start, end],
             kind,
             ..
-        }) = step.event
+        }) = step.event()
         {
             let role = kind.map_or(Role::Discarded, |_| Role::Signal);
             for place in start as usize..end as usize {
@@ -64,70 +64,121 @@ impl Standing {
     }
 
     /// What walks have passed: kept where its ring is closed.
-    fn walked(&mut self, state: &State) {
-        let twins = self.twins(state);
-        let kept = state
-            .kept
+    fn walked(&mut self, step: &Step<'_, WeilerAtherton>) {
+        let held = step.held;
+        let Walked { passed, kept } = Walked::so_far(step.past);
+        let kept = kept
             .iter()
             .map(|&(list, place)| (list, place, Role::Accepted));
         let on_path = |&Passed { list, place, .. }: &Passed| (list, place, Role::Accent);
-        for (list, place, role) in kept.chain(state.passed.iter().map(on_path)) {
+        for (list, place, role) in kept.chain(passed.iter().map(on_path)) {
             self.set(list, place as usize, role);
             // The walk changes lists where it enters, leaves or pinches: there it has been in both.
-            let Some(&Some((node, twin))) = twins[list.idx()].get(place as usize) else {
+            let entry = held.lists.entries[list.idx()][place as usize];
+            let Some(node) = entry.node() else {
                 continue;
             };
-            let is_start = list == List::Subject && state.start == Some(node);
-            let stays = label(state, node).is_none_or(|label| label == IntersectionLabel::Touching);
-            if !(stays || is_start && role == Role::Accent) {
+            let is_start = list == List::Subject && held.walk.start == Some(node);
+            let stays = label(held, node).is_none_or(|label| label == IntersectionLabel::Touching);
+            let twin = place_of(held, list.other(), node);
+            if let Some(twin) = twin.filter(|_| !(stays || is_start && role == Role::Accent)) {
                 self.set(list.other(), twin, role);
             }
         }
     }
+}
 
-    /// For each place of both lists the intersection there and its place in the other list, where that is in range.
-    fn twins(&self, state: &State) -> [Vec<Option<(u32, usize)>>; 2] {
-        let mut twins = BOTH.map(|list| vec![None; state.lists[list.idx()].len()]);
-        for &[node, in_clip] in state.inserted.iter() {
-            let Some(in_subject) = place_of(state, List::Subject, node) else {
-                continue;
-            };
-            let places = [in_subject, in_clip as usize];
-            for list in BOTH {
-                let twin = places[list.other().idx()];
-                if self.ranges[list.other().idx()].contains(&twin) {
-                    twins[list.idx()][places[list.idx()]] = Some((node, twin));
+/// An entry of a list that a walk has passed.
+pub struct Passed {
+    pub list: List,
+    pub place: u32,
+    /// How many corners the path had before.
+    n_before: u32,
+}
+
+/// What walks have passed.
+#[derive(Default)]
+pub struct Walked {
+    /// Since the last start: entries that belong to no ring yet.
+    pub passed: Vec<Passed>,
+    /// Entries of closed rings.
+    pub kept: Vec<(List, u32)>,
+}
+
+impl Walked {
+    pub fn so_far(past: &[Event]) -> Self {
+        let (mut walked, mut n_corners) = (Self::default(), 0);
+        let Self { passed, kept } = &mut walked;
+        for event in past {
+            match *event {
+                Event::Start { .. } => {
+                    passed.clear();
+                    n_corners = 0;
                 }
+                Event::Visit {
+                    list,
+                    place,
+                    corner,
+                    ..
+                } => {
+                    let n_before = n_corners;
+                    passed.push(Passed {
+                        list,
+                        place,
+                        n_before,
+                    });
+                    n_corners += u32::from(corner);
+                }
+                Event::Closed { from, .. } => {
+                    let n_left = passed.partition_point(|passed| passed.n_before < from);
+                    kept.extend(passed.drain(n_left..).map(|it| (it.list, it.place)));
+                    n_corners = from;
+                }
+                Event::Whole {
+                    list,
+                    places: [start, end],
+                    kind: Some(_),
+                    ..
+                } => kept.extend((start..end).map(|place| (list, place))),
+                Event::Whole { kind: None, .. }
+                | Event::Vertex { .. }
+                | Event::Found { .. }
+                | Event::Inserted { .. }
+                | Event::Labelled { .. }
+                | Event::Switch { .. }
+                | Event::Hole { .. }
+                | Event::Done { .. } => {}
             }
         }
-        twins
+        walked
     }
 }
 
 /// Of an entry that nothing happens to.
 fn at_rest(step: &Step<'_, WeilerAtherton>, list: List, place: usize) -> Role {
-    match step.state.lists[list.idx()].get(place) {
+    match step.held.lists.entries[list.idx()].get(place) {
         None => Role::Faint,
-        Some(_) if step.state.relation.is_some() => Role::Discarded,
-        Some(entry) if entry.node.is_some() => Role::Ink,
+        Some(_) if is_done(step.event()) => Role::Discarded,
+        Some(entry) if entry.node().is_some() => Role::Ink,
         Some(_) => Role::Soft,
     }
 }
 
 /// The entries that this step is about.
 pub fn current(step: &Step<'_, WeilerAtherton>) -> Vec<(List, usize)> {
-    let state = step.state;
-    let last = |list: List| Some((list, state.lists[list.idx()].len().checked_sub(1)?));
-    let of_node = |list, node| Some((list, place_of(state, list, node)?));
+    let held = step.held;
+    let last = |list: List| Some((list, held.lists.entries[list.idx()].len().checked_sub(1)?));
+    let of_node = |list, node| Some((list, place_of(held, list, node)?));
     let both = |node| BOTH.map(|list| of_node(list, node));
-    let entries = match step.event {
+    let entries = match step.event() {
         None | Some(Event::Whole { .. } | Event::Hole { .. } | Event::Done { .. }) => [None; 2],
         Some(Event::Vertex { list, .. }) => [last(list), None],
-        Some(Event::Found { .. }) => [last(List::Subject), None],
-        Some(Event::Inserted { node_idx, .. }) => {
-            [of_node(List::Subject, node_idx), last(List::Clip)]
-        }
-        Some(Event::Labelled { node_idx, .. } | Event::Switch { node_idx, .. }) => both(node_idx),
+        Some(
+            Event::Found { node_idx, .. }
+            | Event::Inserted { node_idx, .. }
+            | Event::Labelled { node_idx, .. }
+            | Event::Switch { node_idx, .. },
+        ) => both(node_idx),
         Some(Event::Start { node_idx }) => [of_node(List::Subject, node_idx), None],
         Some(Event::Visit { list, place, .. }) => [Some((list, place as usize)), None],
         Some(Event::Closed { .. }) => taken(step).map_or([None; 2], |(node, _)| both(node)),
@@ -137,15 +188,15 @@ pub fn current(step: &Step<'_, WeilerAtherton>) -> Vec<(List, usize)> {
 
 /// The intersection at which lists are changed at this step, and the list that is left there.
 pub fn taken(step: &Step<'_, WeilerAtherton>) -> Option<(u32, List)> {
-    match step.event? {
+    match step.event()? {
         Event::Inserted { node_idx, .. } => Some((node_idx, List::Subject)),
         Event::Switch { node_idx, to, .. } => Some((node_idx, to.other())),
         // Back where the walk has been, by the clip polygon's list.
         Event::Closed { .. } => {
-            let (list, place) = step.state.position?;
-            let next = next_place(step, list, place as usize);
-            let entry = step.state.lists[list.idx()].get(next)?;
-            Some((entry.node?, list)).filter(|&(_, left)| left == List::Clip)
+            let (list, place) = step.held.walk.position?;
+            let next = next_place(step.held, list, place as usize);
+            let entry = step.held.lists.entries[list.idx()].get(next)?;
+            Some((entry.node()?, list)).filter(|&(_, left)| left == List::Clip)
         }
         Event::Vertex { .. }
         | Event::Found { .. }
@@ -159,52 +210,34 @@ pub fn taken(step: &Step<'_, WeilerAtherton>) -> Option<(u32, List)> {
 }
 
 /// The place of an intersection in a list, once it is there.
-pub fn place_of(state: &State, list: List, node: u32) -> Option<usize> {
-    match list {
-        List::Subject => Some(state.nodes.get(node as usize)?.place as usize),
-        List::Clip => {
-            let mut inserted = state.inserted.iter();
-            let [_, place] = inserted.find(|[inserted, _]| *inserted == node)?;
-            Some(*place as usize)
-        }
-    }
+pub fn place_of(held: &Held, list: List, node: u32) -> Option<usize> {
+    held.lists.nodes.get(node as usize)?.place(list)
 }
 
-/// The place after this one, in its ring.
-pub fn next_place(step: &Step<'_, WeilerAtherton>, list: List, place: usize) -> usize {
-    let entries = &step.state.lists[list.idx()];
-    let rings = names::border(step.input, list);
-    let begins = |entry: &ListEntry| {
-        let vertex = entry.vertex.map(|vertex| vertex as usize);
-        vertex.filter(|&vertex| rings.bounds(rings.ring_of(vertex))[0] == vertex)
-    };
-    let next = place + 1;
-    match entries.get(next) {
-        Some(entry) if begins(entry).is_none() => next,
-        Some(_) | None => (0..=place)
-            .rev()
-            .find(|&place| entries.get(place).and_then(begins).is_some())
-            .unwrap_or(0),
-    }
+/// The place after this one, in its ring; both lists are complete.
+pub fn next_place(held: &Held, list: List, place: usize) -> usize {
+    held.lists.entries[list.idx()][place].next as usize
 }
 
 /// What the subject does at an intersection, once that is known.
-pub fn label(state: &State, node: u32) -> Option<IntersectionLabel> {
-    let label = state.labels.get(node as usize)?;
+pub fn label(held: &Held, node: u32) -> Option<IntersectionLabel> {
+    let label = held.labels.get(node as usize)?;
     Some(label.label)
 }
 
 /// How many entries a list will have without the intersections that are not found yet.
 pub fn len(step: &Step<'_, WeilerAtherton>, list: List) -> usize {
-    step.state.lists[list.idx()].len() + names::border(step.input, list).points().len()
-        - n_vertices(step.state, list)
+    step.held.lists.entries[list.idx()].len() + names::border(step.input, list).points().len()
+        - n_vertices(step.held, list)
 }
 
 /// How many of a polygon's own vertices are in its list.
-pub fn n_vertices(state: &State, list: List) -> usize {
-    let entries = &state.lists[list.idx()];
-    let mut vertices = (0..entries.len())
-        .rev()
-        .filter_map(|place| entries.get(place)?.vertex);
-    vertices.next().map_or(0, |last| last as usize + 1)
+pub fn n_vertices(held: &Held, list: List) -> usize {
+    let mut entries = held.lists.entries[list.idx()].iter().rev();
+    let last = entries.find_map(Entry::vertex);
+    last.map_or(0, |last| last as usize + 1)
+}
+
+pub const fn is_done(event: Option<Event>) -> bool {
+    matches!(event, Some(Event::Done { .. }))
 }

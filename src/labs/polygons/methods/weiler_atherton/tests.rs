@@ -1,7 +1,10 @@
 use super::*;
 use crate::{
     figure::{ListLink, Lists, Role, Run},
-    labs::polygons::methods::shown_lists::{FORK, assert_are_short, at, at_step, comb, names_of},
+    labs::{
+        polygons::methods::shown_lists::{FORK, assert_are_short, at, at_step, comb, names_of},
+        telling::Recorded,
+    },
 };
 
 const WINDOW: [[f64; 2]; 4] = [[-4.0, -3.0], [4.0, -3.0], [4.0, 3.0], [-4.0, 3.0]];
@@ -9,10 +12,11 @@ const WINDOW: [[f64; 2]; 4] = [[-4.0, -3.0], [4.0, -3.0], [4.0, 3.0], [-4.0, 3.0
 fn run(subject: &[[f64; 2]], holes: &[&[[f64; 2]]]) -> Box<dyn Run> {
     let simple = |points: &[[f64; 2]]| SimplePolygon::new(points).unwrap();
     let holes = holes.iter().map(|hole| simple(hole)).collect();
-    crate::labs::record::<WeilerAtherton>(Input {
+    let input = Input {
         subject: Region::new(simple(subject), holes).unwrap(),
         clip: simple(&WINDOW),
-    })
+    };
+    Box::new(Recorded::<WeilerAtherton>::new(input, None))
 }
 
 fn taken(lists: &Lists) -> Vec<ListLink> {
