@@ -67,36 +67,6 @@ fn raster(at: &At<'_, Occlusion>) -> Raster {
         None
     };
     let edges = asked_box(at).into_iter().flat_map(|it| it.edges());
-    let marks = edges.map(|ends| {
-        let ends = ends.map(|at| camera.world_from_view(at));
-        Mark3::new(Role::Signal, Shape3::Segment(ends))
-    });
-    let views = vec![
-        scenery.observer(fate, marks.collect()),
-        View::new(RASTER_VIEW, Body::Raster(raster(at))),
-        View::new(LIST_VIEW, Body::Lists(lists(at))),
-    ];
-    fitting(scenery, views)
-}
-
-/// The box that is asked, in view space.
-fn asked_box(at: &At<'_, Occlusion>) -> Option<AlignedBox> {
-    let (bounds, _) = answer(at.step.past)?;
-    let [[x, y, z], [right, top, front]] = bounds?;
-    AlignedBox::new([x, y, z, right, top, front]).ok()
-}
-
-/// The picture so far by objects, the box over it, and where it would be seen.
-fn raster(at: &At<'_, Occlusion>) -> Raster {
-    let (input, event) = (at.step.input, at.step.event());
-    // Objects are in the order of their triangles.
-    let object_of = |id: u32| input.objects.partition_point(|object| object.first <= id) as u32 - 1;
-    let picture = at.step.held.drawing.so_far.picture.renamed(object_of);
-    let drawn = match event {
-        Some(Event::Draw { object_idx, .. }) => Some(object_idx as u32),
-        Some(Event::Query { .. } | Event::Skip { .. } | Event::Done) | None => None,
-    };
-    let edges = asked_box(at).into_iter().flat_map(|it| it.edges());
     let mut over: Vec<RasterMark> = edges
         .filter_map(|ends| segment(&input.surfaces, ends, Role::Signal))
         .collect();
