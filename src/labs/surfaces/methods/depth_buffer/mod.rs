@@ -167,29 +167,3 @@ impl<L: Variant> Telling for DepthBuffer<L> {
         views::views(at)
     }
 }
-
-/// The triangle whose turn it is.
-fn current<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Option<u32> {
-    match at.step.event()? {
-        Event::Triangle { id, .. } | Event::Span { id, .. } => Some(id),
-        Event::Fragment { fragment, .. } => Some(fragment.id),
-        Event::Clear { .. } | Event::Done => None,
-    }
-}
-
-/// The fragment that has been asked.
-fn fragment_of<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Option<Fragment> {
-    match at.step.event()? {
-        Event::Fragment { fragment, .. } => Some(fragment),
-        Event::Clear { .. } | Event::Triangle { .. } | Event::Span { .. } | Event::Done => None,
-    }
-}
-
-/// The pixel that the step is about.
-fn pixel_of<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Option<[u32; 2]> {
-    let input = at.step.input;
-    let [width, height] = input.surfaces.size();
-    let pixel = fragment_of(at).map(|fragment| fragment.pixel);
-    let pixel = pixel.or(input.pixel);
-    pixel.filter(|&[column, row]| column < width && row < height)
-}

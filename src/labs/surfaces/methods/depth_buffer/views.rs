@@ -18,11 +18,9 @@ use crate::{
 };
 
 use super::{
-    current,
     curve::curves,
-    fragment_of,
+    names::{current, fragment_of, pixel_of},
     numbers::{InPixels, t_of},
-    pixel_of,
     shades::Shades,
     story::story,
     variant::Variant,
