@@ -8,11 +8,12 @@ mod text;
 
 use crate::{
     figure::{Run, WatchRow, WatchSection},
+    input::Given,
     text::{Catalog, Message},
     trace::Counts,
 };
 
-use super::{Given, Id, refusal::short};
+use super::{Id, refusal::short};
 
 pub(super) use markdown::markdown;
 pub use refusing::Refusing;

@@ -24,6 +24,8 @@ use super::on_raster::depth_list;
 
 use captions::Input;
 
+pub use occluders::with_occluders;
+
 type Shown = OnScene<Occlusion>;
 
 const OCCLUDERS: usize = 0;
