@@ -63,14 +63,19 @@ impl Got {
         self.rows().first_chunk().copied().unwrap_or([[0.0; N]; R])
     }
 
+    /// The whole numbers, `N` in a row.
+    #[must_use]
+    pub fn whole_rows<const N: usize>(&self) -> &[[i64; N]] {
+        match self {
+            Self::Wholes(wholes) => wholes.as_chunks().0,
+            _ => &[],
+        }
+    }
+
     /// The first `N` of the whole numbers.
     #[must_use]
     pub fn wholes<const N: usize>(&self) -> [i64; N] {
-        let first = match self {
-            Self::Wholes(wholes) => wholes.first_chunk().copied(),
-            _ => None,
-        };
-        first.unwrap_or([0; N])
+        self.whole_rows().first().copied().unwrap_or([0; N])
     }
 
     /// The fields of the table that were given.

@@ -25,7 +25,7 @@ pub use given::Given;
 pub use got::Got;
 pub use parts::{
     BIT_ORDER, CAMERA, CAMERA_IN_FILE, CLIP, CONVEX_CLIP, CULL, FROZEN, FRUSTUM, HOLES,
-    MOST_VERTICES, POLYGON, SIZE, WINDOW, between, camera_fields_of, outline_told, polygon,
+    MOST_VERTICES, POLYGON, SIZE, WINDOW, between, outline_told, polygon,
 };
 pub use schema::{of_fields, of_shape};
 pub use shape::{Dim, Shape, Table};

@@ -184,26 +184,6 @@ const fn camera(name: &'static str, shape: &'static Shape) -> Part<TaughtCamera>
         .told(|got| table_told("object-camera", got))
 }
 
-/// The fields of a camera, as its part reads them.
-#[must_use]
-pub fn camera_fields_of(camera: &TaughtCamera) -> Got {
-    let [position, target, up] = camera.places().map(|at| Got::Numbers(at.to_vec()));
-    let opening = match camera.opening() {
-        Opening::FovY(degrees) => ("fov_y_deg", Got::Number(degrees)),
-        Opening::Height(height) => ("height", Got::Number(height)),
-    };
-    let [near, far] = camera.depths().map(Got::Number);
-    Got::Table(vec![
-        ("position", position),
-        ("target", target),
-        ("up", up),
-        opening,
-        ("aspect", Got::Number(camera.aspect())),
-        ("near", near),
-        ("far", far),
-    ])
-}
-
 fn opening(got: &Got) -> Opening {
     got.get("height").map_or_else(
         || Opening::FovY(got.number_in("fov_y_deg")),
