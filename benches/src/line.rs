@@ -10,7 +10,7 @@ use clipscope::{
         kernel,
     },
     geom::{Point, Segment, Window},
-    trace::told::silent,
+    trace::silent,
 };
 use line_clipping as peer;
 

@@ -7,8 +7,7 @@ use clipscope::{
         ClipRegion, Clipped, Clipper, Pipeline, SutherlandHodgman, SutherlandHodgmanInput,
     },
     geom::{Point, Window},
-    trace::told::{Recording, silent},
-};
+    trace::{Recording, silent}};
 use line_clipping as peer;
 
 use crate::{

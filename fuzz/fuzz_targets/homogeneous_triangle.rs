@@ -6,8 +6,7 @@
 
 use clipscope::{
     algo::volume::{ClipPolygon, ClipVertex, HomogeneousTriangle, SideCode},
-    trace::told::{self, silent},
-};
+    trace::{self, silent}};
 use libfuzzer_sys::fuzz_target;
 
 type Algorithm = HomogeneousTriangle<[f64; 3]>;
@@ -29,7 +28,7 @@ fuzz_target!(|bytes: &[u8]| {
     };
     let [one, other] = [[a, b, c], [b, a, d]].map(|corners| {
         let triangle = weighted(corners);
-        told::check::<Algorithm>(&triangle);
+        laws::check::<Algorithm>(&triangle);
         let polygon = silent::<Algorithm>(&triangle);
         check(&polygon);
         polygon

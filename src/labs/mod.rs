@@ -3,7 +3,6 @@
 
 mod card;
 mod crossing_formulas;
-mod demo;
 mod difference;
 mod edit;
 pub mod frustum;
@@ -26,7 +25,6 @@ mod window_handles;
 mod words;
 
 pub use card::{CodeLine, MethodCard};
-pub use demo::{Answer, Demo, Step};
 pub use difference::Difference;
 pub use edit::Edit;
 pub use handle::{Handle, HandleKind, Motion};
@@ -36,10 +34,10 @@ pub use lab::{
 };
 pub use registry::{Entry, Listed, Method};
 pub use sketch::Sketch;
+pub use telling::Answer;
 pub use typed::{place_of, written};
 
 use card::{but_for, code_line};
-pub(crate) use demo::{record, record_beside};
 pub(crate) use words::{plane_symbol, vertex_symbol};
 
 /// Every lab, in the order in which they are taught.

@@ -8,18 +8,25 @@ mod row;
 mod template;
 
 use serde::Serialize;
+use serde_json::Value as Json;
 
 use crate::{
     figure::{Caption, Choice, Decides, Link, Tick, View, Watch, WatchRow, WatchSection},
     text::{Catalog, Message, Value},
-    trace::told::{Method, Step},
+    trace::{Method, Step},
 };
 
-use super::{Answer, CodeLine, MethodCard};
+use super::{CodeLine, MethodCard};
 
 pub use recorded::Recorded;
 pub use row::{Options, Question, Row, all_rows};
 pub(crate) use row::{rows, table};
+
+/// An answer that can be written down.
+pub trait Answer {
+    /// The fields of `output` in `interfaces.md`.
+    fn json(&self) -> Json;
+}
 
 /// A method whose steps can be told and shown.
 pub trait Telling: Method<Output: Answer, Event: Serialize> + 'static {
@@ -94,7 +101,7 @@ pub trait Telling: Method<Output: Answer, Event: Serialize> + 'static {
 impl MethodCard {
     /// The card of a method that can be told.
     #[must_use]
-    pub const fn told<M: Telling>() -> Self {
+    pub const fn of<M: Telling>() -> Self {
         Self {
             id: M::ID,
             name_key: M::NAME_KEY,

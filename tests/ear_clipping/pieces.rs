@@ -6,11 +6,7 @@ use clipscope::{
         TriangulateAndClip, TriangulateAndClipEvent as Event, TriangulateAndClipInput,
     },
     geom::{ConvexPolygon, Point, Polygon, Segment, Window},
-<<<<<<< HEAD
-    trace::told::{self, Recording, silent},
-=======
-    trace::{Trace, laws, silent, told},
->>>>>>> 5f27bec
+    trace::{Recording, laws, silent},
 };
 use proptest::prelude::*;
 
@@ -88,8 +84,7 @@ fn no_bridge_is_left() {
     );
 
     let whole = Polygon::new(&COMB.map(|p| p.map(|x| x as f64))).expect("finite");
-    let ring =
-        told::silent::<SutherlandHodgman>(&SutherlandHodgmanInput::new(region.into(), &whole));
+    let ring = silent::<SutherlandHodgman>(&SutherlandHodgmanInput::new(region.into(), &whole));
     assert!(
         ring.vertices
             .contains(&Point::new(1.0, 3.0).expect("finite")),
@@ -126,7 +121,7 @@ fn inside_outside_and_touching() {
             ring.rotate_left(lowest.expect("not empty"));
         }
         assert_eq!(found, expected, "{name}");
-        told::check::<TriangulateAndClip>(&problem);
+        laws::check::<TriangulateAndClip>(&problem);
     }
 }
 
@@ -187,7 +182,7 @@ proptest! {
         let found = area(&pieces);
         prop_assert!((found - expected).abs() <= 1e-9 * expected.max(1.0), "{found} for {expected}");
         prop_assert!(pieces.rings().all(|ring| double_area(ring) > -SLIVER));
-        told::check::<TriangulateAndClip>(&problem);
+        laws::check::<TriangulateAndClip>(&problem);
     }
 
     #[test]

@@ -5,7 +5,7 @@ use clipscope::{
         BitOrder, CyrusBeck, CyrusBeckInput, LiangBarsky, LiangBarskyEvent, Outcode, WindowInput,
     },
     geom::{ConvexPolygon, Segment, Window},
-    trace::told::{Recording, silent},
+    trace::{Recording, silent},
 };
 
 use super::{all_clippers, floats};

@@ -7,14 +7,14 @@ use clipscope::{
         LiangBarsky, NichollLeeNicholl, WindowInput,
     },
     geom::{ConvexPolygon, Segment, Window},
-    trace::told::Method,
+    trace::Method,
 };
 use serde::Serialize;
 
 use crate::shared::event_log;
 
 fn check<M: Method<Event: Serialize>>(name: &str, input: M::Input) {
-    event_log::told::<M>(&format!("line/{name}"), input);
+    event_log::check::<M>(&format!("line/{name}"), input);
 }
 
 /// The slides' practice example.

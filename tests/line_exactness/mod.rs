@@ -23,7 +23,7 @@ use clipscope::{
         kernel,
     },
     geom::{Segment, Window},
-    trace::told::silent,
+    trace::silent,
 };
 
 /// A way to clip against a window, by name.

@@ -3,7 +3,7 @@
 use clipscope::{
     algo::line::{CyrusBeck, CyrusBeckInput, SegmentTurn, least_move_in, least_move_out},
     geom::{ConvexPolygon, HalfPlane, Point, Segment, Window},
-    trace::told::silent,
+    trace::silent,
 };
 use proptest::prelude::*;
 

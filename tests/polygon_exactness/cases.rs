@@ -5,7 +5,7 @@ use clipscope::{
         ClipRegion, RingOutcome, Rule, SutherlandHodgman, SutherlandHodgmanEvent, Textured,
     },
     geom::{ConvexPolygon, Point},
-    trace::told::{Recording, silent},
+    trace::{Recording, silent},
 };
 
 use super::{arrays, check_promises, clip, input, points, unit};

@@ -6,7 +6,7 @@ use clipscope::{
         faulty::{CutsTwice, DropsOnBorder, EndFirst, Faulty, KeepsUv, LeavesOpen, WalksClockwise},
     },
     geom::Point,
-    trace::told::{Method, Recording, silent},
+    trace::{Method, Recording, silent},
 };
 
 use super::{arrays, input, points, unit};

@@ -3,7 +3,7 @@
 use clipscope::{
     algo::polygon::{ClipRegion, RingOutcome, SutherlandHodgman, Textured},
     geom::{ConvexPolygon, Point, Window},
-    trace::told::silent,
+    trace::silent,
 };
 use proptest::prelude::*;
 

@@ -4,7 +4,7 @@
 use clipscope::{
     algo::polygon::{Pipeline, SutherlandHodgman, SutherlandHodgmanInput, Textured},
     geom::ConvexPolygon,
-    trace::told::Method,
+    trace::Method,
 };
 use serde::Serialize;
 
@@ -12,7 +12,7 @@ use super::{input, points, unit};
 use crate::shared::event_log;
 
 fn check<M: Method<Event: Serialize>>(name: &str, input: M::Input) {
-    event_log::told::<M>(&format!("polygon/{name}"), input);
+    event_log::check::<M>(&format!("polygon/{name}"), input);
 }
 
 /// A triangle whose crossings are decimals that terminate.

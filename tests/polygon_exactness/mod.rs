@@ -23,7 +23,7 @@ use clipscope::{
         SutherlandHodgmanInput, Vertex,
     },
     geom::{HalfPlane, Point, Window},
-    trace::told::silent,
+    trace::silent,
 };
 
 fn points(outline: &[[f64; 2]]) -> Vec<Point> {

@@ -4,7 +4,7 @@
 use clipscope::{
     algo::polygon::{ClipRegion, Share, SutherlandHodgman, Vertex},
     geom::{ConvexPolygon, Point, Window},
-    trace::{Real, told::silent},
+    trace::{Real, silent},
 };
 use proptest::prelude::*;
 

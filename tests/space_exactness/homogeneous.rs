@@ -2,7 +2,7 @@
 
 use clipscope::{
     algo::volume::{ClipVertex, HomogeneousTriangle, SideCode, clip_triangles},
-    trace::told::{check, silent},
+    trace::{laws, silent},
 };
 use proptest::prelude::*;
 
@@ -56,7 +56,7 @@ proptest! {
     #[test]
     fn laws_and_closedness(corners in prop::array::uniform3(corner())) {
         let input = triangle(corners.map(numbers));
-        check::<HomogeneousTriangle<[f64; 3]>>(&input);
+        laws::check::<HomogeneousTriangle<[f64; 3]>>(&input);
         let polygon = silent::<HomogeneousTriangle<[f64; 3]>>(&input);
         for vertex in polygon.vertices() {
             prop_assert!(SideCode::of(vertex.at).is_inside(), "{vertex:?} of {corners:?}");
@@ -82,7 +82,7 @@ proptest! {
     #[test]
     fn no_number_is_too_odd(corners in prop::array::uniform3(prop::array::uniform4(odd_number()))) {
         let input = triangle(corners);
-        check::<HomogeneousTriangle<[f64; 3]>>(&input);
+        laws::check::<HomogeneousTriangle<[f64; 3]>>(&input);
         let polygon = silent::<HomogeneousTriangle<[f64; 3]>>(&input);
         for vertex in polygon.vertices() {
             prop_assert!(vertex.at.iter().all(|x| x.is_finite()), "{vertex:?} of {corners:?}");

@@ -10,7 +10,7 @@ use clipscope::{
         faulty::{DividedLine, DividesFirst},
     },
     geom::{AlignedBox, Plane},
-    trace::told::{check, silent},
+    trace::{laws, silent},
 };
 use proptest::prelude::*;
 
@@ -155,8 +155,8 @@ proptest! {
         for found in in_box(bounds, ends) {
             prop_assert_eq!(found, expected);
         }
-        check::<CohenSutherland3d>(&CohenSutherland3dInput { bounds, ends });
-        check::<LiangBarsky3d>(&LineInput { bounds, ends });
+        laws::check::<CohenSutherland3d>(&CohenSutherland3dInput { bounds, ends });
+        laws::check::<LiangBarsky3d>(&LineInput { bounds, ends });
     }
 
     #[test]
@@ -190,7 +190,7 @@ proptest! {
             }
             (found, expected) => prop_assert_eq!(found, expected),
         }
-        check::<PlaneLine>(&LineInput { bounds, ends });
+        laws::check::<PlaneLine>(&LineInput { bounds, ends });
     }
 
     #[test]
@@ -207,8 +207,8 @@ proptest! {
             prop_assert_eq!(found, None, "behind the eye");
         }
         let input = LineInput { bounds: ClipSpace, ends: given };
-        check::<HomogeneousLine>(&input);
-        check::<DividedLine>(&input);
+        laws::check::<HomogeneousLine>(&input);
+        laws::check::<DividedLine>(&input);
     }
 
     /// 90°, near 1, far 3: then z_clip = −2z − 3 and w = −z, and every number is whole.
@@ -247,8 +247,8 @@ proptest! {
                 prop_assert_eq!(again, Some(visible), "clipping again changes nothing");
             }
         }
-        check::<CohenSutherland3d>(&CohenSutherland3dInput { bounds, ends });
-        check::<LiangBarsky3d>(&LineInput { bounds, ends });
+        laws::check::<CohenSutherland3d>(&CohenSutherland3dInput { bounds, ends });
+        laws::check::<LiangBarsky3d>(&LineInput { bounds, ends });
     }
 
     #[test]
@@ -264,8 +264,8 @@ proptest! {
             prop_assert_eq!(from_both_ends(&ClipSpace, visible), found, "clipping again changes nothing");
         }
         let input = LineInput { bounds: ClipSpace, ends };
-        check::<HomogeneousLine>(&input);
-        check::<DividedLine>(&input);
+        laws::check::<HomogeneousLine>(&input);
+        laws::check::<DividedLine>(&input);
     }
 
     #[test]
@@ -277,7 +277,7 @@ proptest! {
         prop_assume!(!bounds.is_empty());
         let found = from_both_ends(&bounds, ends);
         prop_assert!(found.iter().flatten().flatten().all(|x| x.is_finite()), "{:?}", found);
-        check::<PlaneLine>(&LineInput { bounds, ends });
+        laws::check::<PlaneLine>(&LineInput { bounds, ends });
     }
 }
 

@@ -10,7 +10,7 @@ use clipscope::{
         weighted_sum,
     },
     geom::{Plane, ViewVolume},
-    trace::told::{self, Method, silent},
+    trace::{self, Method, silent},
 };
 use proptest::prelude::*;
 
@@ -141,8 +141,8 @@ proptest! {
     #[test]
     fn what_is_left_is_what_fractions_leave(corners in corners(), of in any_planes()) {
         let input = input(corners, &of);
-        told::check::<PlaneAtATime>(&input);
-        told::check::<IntersectionPolygon>(&input);
+        laws::check::<PlaneAtATime>(&input);
+        laws::check::<IntersectionPolygon>(&input);
         let ring = if has_area(corners) { clipped_exactly(exact(corners), &of) } else { Vec::new() };
         let uv: Vec<[f64; 2]> = ring.iter().map(|v| [3, 4].map(|i| number(v[i], v[5]))).collect();
         for left in both(&input) {
@@ -251,8 +251,8 @@ proptest! {
     ) {
         let planes: Vec<Plane> = of.iter().filter_map(|&plane| Plane::new(plane).ok()).collect();
         let input = TrianglePlanes { planes, triangle: triangle(corners) };
-        told::check::<PlaneAtATime>(&input);
-        told::check::<IntersectionPolygon>(&input);
+        laws::check::<PlaneAtATime>(&input);
+        laws::check::<IntersectionPolygon>(&input);
         for left in both(&input) {
             for vertex in left.triangles.iter().flatten() {
                 prop_assert!(vertex.at.iter().all(|x| x.is_finite()), "{vertex:?}");
@@ -283,8 +283,8 @@ proptest! {
     #[test]
     fn mistakes_keep_the_laws(corners in corners(), of in any_planes()) {
         fn check<L: VolumeRules + std::fmt::Debug>(input: &TrianglePlanes) {
-            told::check::<PlaneAtATime<L>>(input);
-            told::check::<IntersectionPolygon<L>>(input);
+            laws::check::<PlaneAtATime<L>>(input);
+            laws::check::<IntersectionPolygon<L>>(input);
         }
         let input = input(corners, &of);
         check::<MissesEdge>(&input);
@@ -292,8 +292,8 @@ proptest! {
         check::<KeepsPlaceInTexture>(&input);
         check::<EdgeByEdge>(&input);
         let in_clip = input.triangle.map(|v| ClipVertex { at: [v.at[0], v.at[1], v.at[2], v.at[0] - v.at[2]], attributes: v.uv });
-        told::check::<HomogeneousTriangle<Option<[f64; 2]>, AllSides>>(&in_clip);
-        told::check::<HomogeneousTriangle<Option<[f64; 2]>, DividesFirst>>(&in_clip);
+        laws::check::<HomogeneousTriangle<Option<[f64; 2]>, AllSides>>(&in_clip);
+        laws::check::<HomogeneousTriangle<Option<[f64; 2]>, DividesFirst>>(&in_clip);
         // Codes save work and change nothing.
         let [right, dear] = [
             silent::<HomogeneousTriangle<Option<[f64; 2]>>>(&in_clip),

@@ -20,7 +20,7 @@
 //! Graphics*, 2nd ed. 1998, §3-1.
 //!
 //! ```
-//! use clipscope::{algo::line::{BruteForce, WindowInput}, geom::{Segment, Window}, trace::told::silent};
+//! use clipscope::{algo::line::{BruteForce, WindowInput}, geom::{Segment, Window}, trace::silent};
 //! let window = Window::new(-1.0, -1.0, 1.0, 1.0)?;
 //! let corner = Segment::new(-2.0, 0.0, 0.0, 2.0)?;
 //! let touch = Segment::new(-1.0, 1.0, -1.0, 1.0)?;
@@ -32,10 +32,7 @@ use serde::Serialize;
 
 use crate::{
     geom::{Edge, Point, Segment, Window},
-    trace::{
-        Real,
-        told::{Method, Tell, Told},
-    },
+    trace::{Method, Real, Tell, Told},
 };
 
 use super::{

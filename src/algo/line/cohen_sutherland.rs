@@ -25,7 +25,7 @@
 //! *Principles of Interactive Computer Graphics*, 1973, pp. 123–124.
 //!
 //! ```
-//! use clipscope::{algo::line::{BitOrder, CohenSutherland, CohenSutherlandInput}, geom::{Segment, Window}, trace::told::silent};
+//! use clipscope::{algo::line::{BitOrder, CohenSutherland, CohenSutherlandInput}, geom::{Segment, Window}, trace::silent};
 //! let window = Window::new(-1.0, -1.0, 1.0, 1.0)?;
 //! let segment = Segment::new(-2.0, -1.0, 2.0, 1.5)?;
 //! let input = CohenSutherlandInput { window, segment, bit_order: BitOrder::Tbrl };

@@ -31,7 +31,7 @@
 //! 3(1), 1978, pp. 23–28, doi:10.1016/0097-8493(78)90021-3.
 //!
 //! ```
-//! use clipscope::{algo::line::{CyrusBeck, CyrusBeckInput}, geom::{ConvexPolygon, Segment}, trace::told::silent};
+//! use clipscope::{algo::line::{CyrusBeck, CyrusBeckInput}, geom::{ConvexPolygon, Segment}, trace::silent};
 //! let clip = ConvexPolygon::new(&[[0.0, -2.0], [2.0, 0.0], [0.0, 2.0], [-2.0, 0.0]])?;
 //! let segment = Segment::new(-3.0, 1.0, 1.0, 1.0)?;
 //! assert_eq!(silent::<CyrusBeck>(&CyrusBeckInput { clip, segment }), Some(Segment::new(-1.0, 1.0, 1.0, 1.0)?));

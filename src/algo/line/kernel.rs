@@ -23,7 +23,7 @@
 
 use crate::{
     geom::{Point, Segment, Window},
-    trace::told::silent,
+    trace::silent,
 };
 
 use super::{

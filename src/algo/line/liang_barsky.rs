@@ -28,7 +28,7 @@
 //! Transactions on Graphics 3(1), 1984, pp. 1–22, doi:10.1145/357332.357333.
 //!
 //! ```
-//! use clipscope::{algo::line::{LiangBarsky, WindowInput}, geom::{Segment, Window}, trace::told::silent};
+//! use clipscope::{algo::line::{LiangBarsky, WindowInput}, geom::{Segment, Window}, trace::silent};
 //! let window = Window::new(-1.0, -1.0, 1.0, 1.0)?;
 //! let segment = Segment::new(-2.0, -1.0, 2.0, 1.5)?;
 //! assert_eq!(

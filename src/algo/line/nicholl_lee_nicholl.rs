@@ -39,7 +39,7 @@
 //! doi:10.1145/37401.37432.
 //!
 //! ```
-//! use clipscope::{algo::line::{NichollLeeNicholl, WindowInput}, geom::{Segment, Window}, trace::told::silent};
+//! use clipscope::{algo::line::{NichollLeeNicholl, WindowInput}, geom::{Segment, Window}, trace::silent};
 //! let window = Window::new(-1.0, -1.0, 1.0, 1.0)?;
 //! let segment = Segment::new(-2.0, -1.0, 2.0, 1.5)?;
 //! assert_eq!(
@@ -53,10 +53,7 @@ use serde::Serialize;
 
 use crate::{
     geom::{Axis, Edge, Point, Segment, Window},
-    trace::{
-        Real,
-        told::{Method, Tell, Told},
-    },
+    trace::{Method, Real, Tell, Told},
 };
 
 use super::{

@@ -27,7 +27,7 @@
 //!         surface::Viewport,
 //!     },
 //!     geom::{Camera, ViewVolume},
-//!     trace::told::silent,
+//!     trace::silent,
 //! };
 //! let volume = ViewVolume::perspective(90.0, 1.0, 1.0, 9.0)?;
 //! let drawn = DrawnSegment {
@@ -49,10 +49,7 @@ use crate::{
         volume::{ClipSpace, HomogeneousLine, LineInput},
     },
     geom::Camera,
-    trace::{
-        Real,
-        told::{Listening, Method, Tell, Told, held_after},
-    },
+    trace::{Listening, Method, Real, Tell, Told, held_after},
 };
 
 use super::{Bresenham, BresenhamEvent, BresenhamInput, row_times};

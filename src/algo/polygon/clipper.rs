@@ -34,7 +34,7 @@
 
 use crate::{
     geom::{Axis, Point},
-    trace::told::Told,
+    trace::Told,
 };
 
 #[cfg(doc)]

@@ -21,7 +21,7 @@
 //! 1974, pp. 32–42, doi:10.1145/360767.360802.
 //!
 //! ```
-//! use clipscope::{algo::polygon::{Pipeline, SutherlandHodgman, SutherlandHodgmanInput}, geom::{Polygon, Window}, trace::told::silent};
+//! use clipscope::{algo::polygon::{Pipeline, SutherlandHodgman, SutherlandHodgmanInput}, geom::{Polygon, Window}, trace::silent};
 //! let region = Window::new(-1.0, -1.0, 1.0, 1.0)?.into();
 //! let polygon = Polygon::new(&[[-1.5, 0.0], [0.0, -1.5], [1.5, 0.0], [0.0, 1.5]])?;
 //! let input = SutherlandHodgmanInput::new(region, &polygon);
@@ -37,10 +37,7 @@ use serde::Serialize;
 
 use crate::{
     geom::Point,
-    trace::{
-        Real,
-        told::{Method, Tell, Told},
-    },
+    trace::{Method, Real, Tell, Told},
 };
 
 #[cfg(doc)]

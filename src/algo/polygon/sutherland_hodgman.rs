@@ -35,7 +35,7 @@
 //! 1974, pp. 32–42, doi:10.1145/360767.360802.
 //!
 //! ```
-//! use clipscope::{algo::polygon::{RingOutcome, SutherlandHodgman, SutherlandHodgmanInput}, geom::{Polygon, Window}, trace::told::silent};
+//! use clipscope::{algo::polygon::{RingOutcome, SutherlandHodgman, SutherlandHodgmanInput}, geom::{Polygon, Window}, trace::silent};
 //! let region = Window::new(-1.0, -1.0, 1.0, 1.0)?.into();
 //! let polygon = Polygon::new(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]])?;
 //! let ring = silent::<SutherlandHodgman>(&SutherlandHodgmanInput::new(region, &polygon));
@@ -50,10 +50,7 @@ use serde::Serialize;
 
 use crate::{
     geom::{Point, Polygon},
-    trace::{
-        Real,
-        told::{Method, Tell, Told},
-    },
+    trace::{Method, Real, Tell, Told},
 };
 
 use super::{

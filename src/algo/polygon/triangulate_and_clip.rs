@@ -31,7 +31,7 @@
 //! use clipscope::{
 //!     algo::polygon::{TriangulateAndClip, TriangulateAndClipInput},
 //!     geom::{SimplePolygon, Window},
-//!     trace::told::silent,
+//!     trace::silent,
 //! };
 //! let v_shape = SimplePolygon::new(&[[0.0, 4.0], [2.0, 0.0], [4.0, 4.0], [2.0, 2.0]])?;
 //! let window = Window::new(0.0, 3.0, 4.0, 5.0)?;
@@ -47,10 +47,7 @@ use serde::Serialize;
 
 use crate::{
     geom::{Point, Segment, SimplePolygon},
-    trace::{
-        Real,
-        told::{Includes, Method, Tell, Told},
-    },
+    trace::{Includes, Method, Real, Tell, Told},
 };
 
 use super::{

@@ -3,10 +3,7 @@
 
 use std::ops::Range;
 
-use crate::trace::{
-    Real,
-    told::{Method, Tell, Told},
-};
+use crate::trace::{Method, Real, Tell, Told};
 
 use super::{Clip, Happening, Limit, Rules};
 

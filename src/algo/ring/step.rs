@@ -20,7 +20,7 @@ use serde::Serialize;
 
 use crate::{
     algo::parameter::Ratio,
-    trace::{Real, told::Told},
+    trace::{Real, Told},
 };
 
 use super::rules::{Right, Rules};

@@ -25,10 +25,7 @@ use serde::{Serialize, Serializer};
 
 use crate::{
     algo::parameter::{End, Ratio},
-    trace::{
-        Real,
-        told::{Method, Tell, Told},
-    },
+    trace::{Method, Real, Tell, Told},
 };
 
 use super::{Fields, VisibleLine};

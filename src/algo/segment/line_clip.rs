@@ -32,10 +32,7 @@ use crate::{
         parameter::{End, Interval, Param},
         ring::Right,
     },
-    trace::{
-        Real,
-        told::{Method, Tell, Told},
-    },
+    trace::{Method, Real, Tell, Told},
 };
 
 use super::{LineEvent, LineRules, RowNumbers, VisibleLine};

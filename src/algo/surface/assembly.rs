@@ -3,7 +3,7 @@
 use crate::{
     algo::volume::{ClipVertex, HomogeneousTriangle, SideCode},
     geom::Matrix,
-    trace::told::silent,
+    trace::silent,
 };
 
 use super::{

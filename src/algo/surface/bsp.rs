@@ -29,7 +29,7 @@
 //! use clipscope::{
 //!     algo::surface::{Bsp, BspChoice, BspInput, Surfaces},
 //!     geom::ViewVolume,
-//!     trace::told::silent,
+//!     trace::silent,
 //! };
 //! let volume = ViewVolume::perspective(90.0, 1.0, 1.0, 10.0)?;
 //! // Two that pierce each other: no order of whole triangles is right.
@@ -45,10 +45,7 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use crate::trace::{
-    Real,
-    told::{Listening, Method, Tell, Told},
-};
+use crate::trace::{Listening, Method, Real, Tell, Told};
 
 use super::{
     BspChoice, BspNode, BspPiece, BspSide, BspTooLarge, Picture, Surfaces,

@@ -22,7 +22,7 @@
 //! assert_eq!(left[0], inside);
 //! ```
 
-use crate::trace::told::{Method, Silent, Told};
+use crate::trace::{Method, Silent, Told};
 
 use super::{Attributes, ClipVertex, HomogeneousTriangle, SideCode, space_vertex::independent};
 

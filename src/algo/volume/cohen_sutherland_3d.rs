@@ -29,7 +29,7 @@
 //! use clipscope::{
 //!     algo::volume::{CohenSutherland3d, CohenSutherland3dInput},
 //!     geom::AlignedBox,
-//!     trace::told::silent,
+//!     trace::silent,
 //! };
 //! let bounds = AlignedBox::new([-1.0, -1.0, -1.0, 1.0, 1.0, 1.0])?;
 //! let ends = [[-2.0, 0.0, 0.0], [0.0, 0.0, 2.0]];

@@ -22,7 +22,7 @@
 //! *Source*: J. F. Blinn and M. E. Newell, "Clipping using homogeneous coordinates", SIGGRAPH 1978, pp. 245–251.
 //!
 //! ```
-//! use clipscope::{algo::volume::{ClipSpace, HomogeneousLine, LineInput}, trace::told::silent};
+//! use clipscope::{algo::volume::{ClipSpace, HomogeneousLine, LineInput}, trace::silent};
 //! let ends = [[1.0, 0.0, 0.0, 2.0], [2.0, 0.0, 0.0, -1.0]];
 //! let visible = silent::<HomogeneousLine>(&LineInput { bounds: ClipSpace, ends });
 //! assert_eq!(visible, Some([[1.0, 0.0, 0.0, 2.0], [1.25, 0.0, 0.0, 1.25]]));

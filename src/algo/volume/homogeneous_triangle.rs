@@ -22,7 +22,7 @@
 //! *Source*: J. F. Blinn and M. E. Newell, "Clipping using homogeneous coordinates", SIGGRAPH 1978, pp. 245–251.
 //!
 //! ```
-//! use clipscope::{algo::volume::{ClipVertex, HomogeneousTriangle}, trace::told::silent};
+//! use clipscope::{algo::volume::{ClipVertex, HomogeneousTriangle}, trace::silent};
 //! // One vertex behind the eye.
 //! let at = |at| ClipVertex { at, attributes: () };
 //! let triangle = [at([0.0, 0.0, 0.0, 1.0]), at([4.0, 0.0, 0.0, 1.0]), at([0.0, 2.0, 0.0, -1.0])];
@@ -40,10 +40,7 @@ use crate::{
         ring::{Lists, Right, Ring, RingClipper, Rule, ring_events},
     },
     geom::VolumeSide,
-    trace::{
-        Real,
-        told::{Method, Tell, Told},
-    },
+    trace::{Method, Real, Tell, Told},
 };
 
 use super::{

@@ -28,7 +28,7 @@
 //! use clipscope::{
 //!     algo::volume::{IntersectionPolygon, SpaceVertex, TrianglePlanes},
 //!     geom::Plane,
-//!     trace::told::silent,
+//!     trace::silent,
 //! };
 //! let planes = vec![Plane::new([1.0, 0.0, 0.0, 0.0])?, Plane::new([0.0, 1.0, 0.0, 0.0])?];
 //! let triangle = [[-1.0, 1.0, 0.0], [2.0, -2.0, 0.0], [2.0, 4.0, 0.0]].map(SpaceVertex::new);
@@ -48,10 +48,7 @@ use crate::{
         parameter::Ratio,
         ring::{Lists, Right, RingClipper, Rule, clip_ring, ring_events},
     },
-    trace::{
-        Real,
-        told::{Method, Tell, Told},
-    },
+    trace::{Method, Real, Tell, Told},
 };
 
 use super::{

@@ -17,7 +17,7 @@
 //! *Source*: Liang and Barsky, 1984, section 5.
 //!
 //! ```
-//! use clipscope::{algo::volume::{LiangBarsky3d, LineInput}, geom::AlignedBox, trace::told::silent};
+//! use clipscope::{algo::volume::{LiangBarsky3d, LineInput}, geom::AlignedBox, trace::silent};
 //! let bounds = AlignedBox::new([-1.0, -1.0, -1.0, 1.0, 1.0, 1.0])?;
 //! let ends = [[-2.0, -1.0, 0.0], [2.0, 1.0, 4.0]];
 //! let visible = silent::<LiangBarsky3d>(&LineInput { bounds, ends });

@@ -30,7 +30,7 @@
 //! use clipscope::{
 //!     algo::volume::{PlaneAtATime, SpaceVertex, TrianglePlanes},
 //!     geom::Plane,
-//!     trace::told::silent,
+//!     trace::silent,
 //! };
 //! let planes = vec![Plane::new([0.0, 1.0, 0.0, 0.0])?];
 //! let triangle = [[0.0, 2.0, 0.0], [-2.0, -2.0, 0.0], [2.0, 2.0, 0.0]].map(SpaceVertex::new);
@@ -48,10 +48,7 @@ use crate::{
         parameter::Ratio,
         ring::{Clip, Crossing, Happening, Right},
     },
-    trace::{
-        Real,
-        told::{Method, Tell, Told},
-    },
+    trace::{Method, Real, Tell, Told},
 };
 
 use super::{

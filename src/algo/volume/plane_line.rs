@@ -20,7 +20,7 @@
 //! *Source*: M. Cyrus and J. Beck, "Generalized two- and three-dimensional clipping", Computers & Graphics 3, 1978, pp. 23–28.
 //!
 //! ```
-//! use clipscope::{algo::volume::{LineInput, PlaneLine}, geom::Plane, trace::told::silent};
+//! use clipscope::{algo::volume::{LineInput, PlaneLine}, geom::Plane, trace::silent};
 //! let bounds = vec![Plane::new([1.0, 1.0, 1.0, 0.0])?];
 //! let ends = [[-1.0, -1.0, -1.0], [3.0, 3.0, 3.0]];
 //! let visible = silent::<PlaneLine>(&LineInput { bounds, ends });

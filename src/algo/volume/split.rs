@@ -5,7 +5,7 @@ use std::slice;
 use crate::{
     algo::ring::{Clip, Crossing, Limit, Right, put_in},
     geom::Plane,
-    trace::{Real, told::Told},
+    trace::{Real, Told},
 };
 
 use super::plane_cut::{PlaneCut, distance, plane_cut};

@@ -10,7 +10,7 @@ use crate::{
         volume::{ClipVertex, HomogeneousTriangle},
     },
     geom::{Matrix, Plane},
-    trace::told::silent,
+    trace::silent,
 };
 
 use crate::labs::space::{Object, Scene};

@@ -21,8 +21,7 @@ use crate::{
     labs::{
         Entry, Lab,
         space::{
-            MethodInfo, Model, Object, OnScene, Opening, Scene, SpaceDemo, SpaceLab, SpaceTelling,
-            TaughtCamera, demo,
+            MethodInfo, Model, Object, Opening, Scene, SpaceLab, SpaceTelling, TaughtCamera, demo,
         },
     },
 };
@@ -46,10 +45,6 @@ pub static FRUSTUM: SpaceLab<Scene> = SpaceLab {
 
 /// The same, for whoever knows no lab by name.
 pub static LAB: &dyn Lab = &FRUSTUM;
-
-const fn info<A: SpaceDemo>() -> Entry<MethodInfo> {
-    demo::entry::<A>(&FRUSTUM)
-}
 
 const fn told<M: SpaceTelling>() -> Entry<MethodInfo> {
     demo::told::<M>(&FRUSTUM)

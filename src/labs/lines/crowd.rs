@@ -8,7 +8,7 @@ use crate::{
     figure::{Mark, Role, Shape},
     geom::Segment,
     labs::words::{name, subscript},
-    trace::told::silent,
+    trace::silent,
 };
 
 use super::Scene;

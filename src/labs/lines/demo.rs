@@ -6,7 +6,7 @@ use crate::{
     algo::line::Visible,
     geom::Segment,
     labs::{Answer, telling::Telling},
-    trace::told::Method,
+    trace::Method,
 };
 
 use super::Scene;

@@ -5,10 +5,7 @@ use crate::{
     algo::line,
     geom::Segment,
     labs::{self, Entry, Lab, Listed, MethodCard, telling::Recorded, window_handles},
-    trace::{
-        Counted, Counts,
-        told::{held_after, silent},
-    },
+    trace::{Counted, Counts, held_after, silent},
 };
 
 use super::{LineTelling, Method, MethodInfo, Pass, Scene, verdict::decided};
@@ -46,7 +43,7 @@ impl Lab for Lines {
 
 const fn info<M: LineTelling>() -> Entry<MethodInfo> {
     Entry {
-        card: MethodCard::told::<M>(),
+        card: MethodCard::of::<M>(),
         info: MethodInfo {
             takes_polygon: M::TAKES_POLYGON,
             writes_codes: M::WRITES_CODES,

@@ -12,7 +12,7 @@ use crate::{
         words::{edge_link, edge_name},
     },
     text::{Message, Value},
-    trace::told::Recording,
+    trace::Recording,
 };
 
 use super::{

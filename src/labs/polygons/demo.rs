@@ -4,7 +4,7 @@ use crate::{
     figure::Run,
     geom::Point,
     labs::telling::{Recorded, Telling},
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::{GivenSubject, Scene, UnfitScene};

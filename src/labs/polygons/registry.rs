@@ -50,7 +50,7 @@ impl Lab for Polygons {
 
 const fn info<M: PolygonTelling>() -> Entry<MethodInfo> {
     Entry {
-        card: MethodCard::told::<M>(),
+        card: MethodCard::of::<M>(),
         info: MethodInfo {
             clips: M::CLIPS,
             carries_texture: M::CARRIES_TEXTURE,

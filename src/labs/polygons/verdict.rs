@@ -10,7 +10,7 @@ use crate::{
     geom::{Location, Point, Segment, locate},
     labs::{Answers, Click, Verdict, words::vertex_name},
     text::Message,
-    trace::told::Recording,
+    trace::Recording,
 };
 
 use super::{

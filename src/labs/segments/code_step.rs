@@ -12,7 +12,7 @@ use crate::{
         words::{end_link, end_name, end_name_now, name},
     },
     text::{Formula, Value},
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::{

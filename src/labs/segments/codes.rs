@@ -12,7 +12,7 @@ use crate::{
         telling::{At, Named, Row, Telling, Watched, table},
     },
     text::{Formula, Message, Value},
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::{CodeStep, ENDS, is_point};

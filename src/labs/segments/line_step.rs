@@ -10,7 +10,7 @@ use crate::{
     figure::Side,
     labs::interval::{ShownCrossing, ShownInterval},
     text::Value,
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::{LineLook, line_look::ratio};

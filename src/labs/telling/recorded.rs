@@ -8,10 +8,7 @@ use crate::{
     figure::{Caption, Choice, Decides, Link, Run, Shown, Tick, View, Watch, Words},
     labs::Answer,
     text::Message,
-    trace::{
-        Counts,
-        told::{Method, Recording},
-    },
+    trace::{Counts, Method, Recording},
 };
 
 use super::{At, Row, Telling};

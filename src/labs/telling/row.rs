@@ -161,7 +161,7 @@ macro_rules! rows {
 
         const ROWS: &[$crate::labs::telling::Row] = &[$($row),+];
 
-        fn row$(<$($generics)*>)?($step: &$crate::trace::told::Step<'_, $M>) -> &'static $crate::labs::telling::Row {
+        fn row$(<$($generics)*>)?($step: &$crate::trace::Step<'_, $M>) -> &'static $crate::labs::telling::Row {
             let Some($event) = $step.event() else {
                 // Only the opening has no event, and nobody asks for its row here.
                 return &ROWS[0];
@@ -177,7 +177,7 @@ macro_rules! table {
     (|$event:ident, $step:ident| $($name:ident: $pattern:pat $(if $guard:expr)? => $row:expr;)+) => {
         const ROWS: &'static [$crate::labs::telling::Row] = &[$($row),+];
 
-        fn row($step: &$crate::trace::told::Step<'_, Self>) -> &'static $crate::labs::telling::Row {
+        fn row($step: &$crate::trace::Step<'_, Self>) -> &'static $crate::labs::telling::Row {
             #[derive(Clone, Copy)]
             #[allow(non_camel_case_types, reason = "the names of rows, which are written once")]
             enum Which { $($name),+ }

@@ -6,7 +6,7 @@
 //! knows this room: `tests/architecture/` holds the rest of the house to that.
 //!
 //! ```
-//! use clipscope::{algo::polygon::{faulty::{DropsOnBorder, Faulty}, SutherlandHodgman, SutherlandHodgmanInput}, geom::{Polygon, Window}, trace::told::silent};
+//! use clipscope::{algo::polygon::{faulty::{DropsOnBorder, Faulty}, SutherlandHodgman, SutherlandHodgmanInput}, geom::{Polygon, Window}, trace::silent};
 //! // One vertex on the left border: the mistake loses it.
 //! let region = Window::new(-1.0, -1.0, 1.0, 1.0)?.into();
 //! let polygon = Polygon::new(&[[0.0, 0.0], [-1.0, 0.5], [0.0, 0.5]])?;

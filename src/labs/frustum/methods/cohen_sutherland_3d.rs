@@ -22,7 +22,7 @@ use crate::{
         words::{end_link, name, subscript},
     },
     text::{Formula, Message, Value},
-    trace::told::Recording,
+    trace::Recording,
 };
 
 use super::{

@@ -17,7 +17,7 @@ use crate::{
         words::{along, axis_symbol, border_equation, edge_link, edge_name, end_link, end_name},
     },
     text::{Formula, Value},
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::{

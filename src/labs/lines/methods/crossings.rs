@@ -6,7 +6,7 @@ use crate::{
     geom::{Edge, Point},
     labs::words::{along, edge_link, end_symbol, name},
     text::{Formula, Message, Value},
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::shared::side_key;

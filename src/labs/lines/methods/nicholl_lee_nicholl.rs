@@ -21,7 +21,7 @@ use crate::{
         },
     },
     text::{Formula, Message, Value},
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::{

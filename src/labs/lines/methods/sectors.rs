@@ -11,7 +11,7 @@ use crate::{
     figure::{Mark, Role, Shape},
     geom::{Edge, Point, Segment, Window},
     text::{Formula, Value},
-    trace::told::Recording,
+    trace::Recording,
 };
 
 use super::shared::side_key;

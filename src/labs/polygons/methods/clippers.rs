@@ -8,7 +8,7 @@ use crate::{
         rings::is_crossed,
         words::{name, vertex_symbol},
     },
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::{

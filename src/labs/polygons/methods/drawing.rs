@@ -14,7 +14,7 @@ use crate::{
         words::{name, vertex_symbol},
     },
     text::Formula,
-    trace::told::silent,
+    trace::silent,
 };
 
 use super::{

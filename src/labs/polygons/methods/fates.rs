@@ -7,7 +7,7 @@ use crate::{
     figure::{ItemMarker, ListColumn, ListLink, ListRow, Lists, Role},
     labs::words::{name, subscript},
     text::Value,
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::{

@@ -5,7 +5,7 @@ use crate::{
     figure::{ItemMarker, ListColumn, ListLink, ListRow, Lists, Role},
     labs::words::{name, vertex_symbol},
     text::Value,
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::lists::{output_symbol, vertex_link};

@@ -6,7 +6,7 @@ use crate::{
         SutherlandHodgmanInput as Input,
     },
     labs::rings::RingStep,
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::{clip_edge::ClipEdge, skin::LabVertex, variant::Variant};

@@ -22,7 +22,7 @@ use crate::{
         words::{name, vertex_symbol},
     },
     text::{Formula, Value},
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::{

@@ -21,7 +21,7 @@ use crate::{
         telling::{At, Named, Recorded, Row, Telling, Watched, rows},
         words::{name, vertex_symbol},
     },
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::{

@@ -20,7 +20,7 @@ use crate::{
         telling::{At, Named, Row, Telling, Watched, all_rows, rows},
     },
     text::Value,
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::{

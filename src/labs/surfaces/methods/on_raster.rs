@@ -22,7 +22,7 @@ use crate::{
         telling::{Named, Row},
     },
     text::{Message, Value},
-    trace::{silent, told},
+    trace::silent,
 };
 
 /// Greys of neighbouring triangles, a clear step apart.
@@ -201,7 +201,7 @@ pub fn seen_corners(surfaces: &Surfaces, id: u32) -> Vec<[f64; 2]> {
         at: clip_from_view.times([x, y, z, 1.0]),
         attributes: [],
     });
-    let seen = told::silent::<HomogeneousTriangle<[f32; 0]>>(&corners);
+    let seen = silent::<HomogeneousTriangle<[f32; 0]>>(&corners);
     let place = |vertex: &ClipVertex<[f32; 0]>| {
         let [x, y, _, w] = vertex.at;
         surfaces.viewport().screen_from_ndc([x / w, y / w])
@@ -270,7 +270,7 @@ pub fn outline(surfaces: &Surfaces, id: u32, role: Role) -> Vec<RasterMark> {
 /// Of a segment in view space what is seen of it, over the pixels.
 pub fn segment(surfaces: &Surfaces, ends: [[f64; 3]; 2], role: Role) -> Option<RasterMark> {
     let clip_from_view = surfaces.volume().clip_from_view();
-    let visible = told::silent::<HomogeneousLine>(&LineInput {
+    let visible = silent::<HomogeneousLine>(&LineInput {
         bounds: ClipSpace,
         ends: ends.map(|[x, y, z]| clip_from_view.times([x, y, z, 1.0])),
     })?;
@@ -308,7 +308,7 @@ pub fn titled(title: Value, n_wrong: usize) -> Value {
 
 /// A cross on each pixel that shows another surface than the one in front, by a depth buffer that rounds nothing.
 pub fn wrong_pixels(surfaces: &Surfaces, picture: &Picture) -> Vec<RasterMark> {
-    let truth = told::silent::<DepthBuffer>(&DepthBufferInput::new(surfaces.clone()));
+    let truth = silent::<DepthBuffer>(&DepthBufferInput::new(surfaces.clone()));
     let [width, _] = surfaces.size().map(|side| side as usize);
     let pairs = picture.ids().iter().zip(truth.picture.ids()).enumerate();
     let wrong = pairs.filter(|(_, (shown, seen))| shown != seen);

@@ -8,7 +8,7 @@ use crate::{
     figure::{Body, Cell, Role, Table, TableNote, TableRow, View},
     labs::space::Scene,
     text::{Formula, Message, Value},
-    trace::told::silent,
+    trace::silent,
 };
 
 use super::{

@@ -18,7 +18,7 @@ use crate::{
         words::name,
     },
     text::{Formula, Value},
-    trace::told::{Recording, Step, silent},
+    trace::{Recording, Step, silent},
 };
 
 use super::{

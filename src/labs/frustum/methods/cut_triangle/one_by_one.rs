@@ -20,7 +20,7 @@ use crate::{
         words::name,
     },
     text::Value,
-    trace::told::{Recording, Step},
+    trace::{Recording, Step},
 };
 
 use super::{

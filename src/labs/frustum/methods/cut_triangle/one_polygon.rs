@@ -23,7 +23,7 @@ use crate::{
         telling::{At, Named, Recorded, Row, Telling, Watched, rows},
         words::name,
     },
-    trace::told::{Recording, Step, silent},
+    trace::{Recording, Step, silent},
 };
 
 use super::{

@@ -10,7 +10,7 @@ use crate::{
     figure::{ItemMarker, Link, ListColumn, ListLink, ListRow, Lists, Role},
     labs::words::{name, subscript},
     text::{Formula, Value},
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::symbols::triangle_symbol;

@@ -9,7 +9,7 @@ use crate::{
     },
     figure::{WatchRow, WatchSection},
     text::Value,
-    trace::told::{Listening, Method, Told},
+    trace::{Listening, Method, Told},
 };
 
 /// A plane's turn.

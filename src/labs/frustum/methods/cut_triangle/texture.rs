@@ -4,7 +4,7 @@ use crate::{
     algo::volume::{ClipVertex, HomogeneousTriangle, SpaceVertex},
     figure::{Mark3, Role, Shape3},
     geom::Camera,
-    trace::told::silent,
+    trace::silent,
 };
 
 use super::clip_space::on_screen;

@@ -30,7 +30,7 @@ use crate::{
         words::name,
     },
     text::Value,
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::{

@@ -6,7 +6,7 @@ use crate::{
         segment::{EventOf, Given, LineClip, LineEvent as Event, LineRules},
     },
     geom::VolumeSide,
-    trace::told::Recording,
+    trace::Recording,
 };
 
 use super::{

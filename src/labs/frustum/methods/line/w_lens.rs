@@ -20,7 +20,7 @@ use crate::{
         words::{end_link, name},
     },
     text::{Formula, Message, Value},
-    trace::told::silent,
+    trace::silent,
 };
 
 use super::{

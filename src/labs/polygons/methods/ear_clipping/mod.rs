@@ -23,7 +23,7 @@ use crate::{
         words::{vertex_name, vertex_symbol},
     },
     text::{Formula, Value},
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::triangles::{named_triangles, part_of, triangle_link, triangle_name, triangles_json};

@@ -12,7 +12,7 @@ use crate::{
     figure::{self, ItemMarker, ListLink, Lists, Role},
     labs::words::name,
     text::Value,
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::{

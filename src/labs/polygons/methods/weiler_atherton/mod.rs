@@ -33,7 +33,7 @@ use crate::{
         words::name,
     },
     text::{Formula, Value},
-    trace::told::Step,
+    trace::Step,
 };
 
 use named::{found_named, label, node_named, opening_named, ring_named};

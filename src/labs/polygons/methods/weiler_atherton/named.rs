@@ -17,7 +17,7 @@ use crate::{
         words::{along, axis_symbol},
     },
     text::{Formula, Value},
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::names;

@@ -30,7 +30,7 @@ use crate::{
         },
         telling::{At, Named, Recorded, Row, Telling, Watched, rows},
     },
-    trace::told::{Step, silent},
+    trace::{Step, silent},
 };
 
 use super::on_raster::depth_list;
@@ -79,7 +79,7 @@ impl<L: Variant> SpaceTelling for DepthBuffer<L> {
         let reversed = const {
             &MethodCard {
                 code: L::REVERSED,
-                ..MethodCard::told::<Self>()
+                ..MethodCard::of::<Self>()
             }
         };
         scene.raster.format.is_reversed.then_some(reversed)

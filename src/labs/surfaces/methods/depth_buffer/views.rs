@@ -14,7 +14,7 @@ use crate::{
         telling::At,
     },
     text::Value,
-    trace::told::silent,
+    trace::silent,
 };
 
 use super::{

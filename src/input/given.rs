@@ -25,4 +25,9 @@ impl Given {
             values: values.take(MAX_SHOWN).collect(),
         }
     }
+
+    /// All that is told: these values.
+    pub fn only<const N: usize>(name_key: &'static str, values: [Value; N]) -> Vec<Self> {
+        vec![Self::new(name_key, values.into_iter())]
+    }
 }

@@ -4,13 +4,9 @@
 //! `held`; after the end, `held` has the answer. A program runs it with [`silent`], which compiles to the work alone; a
 //! [`Recording`] keeps the events that it tells. To show step *k*, the run is made again up to its *k*-th event.
 
-mod recording;
-
 use std::{convert::Infallible, ops::ControlFlow};
 
 use super::Real;
-
-pub use recording::{Recording, Step, check};
 
 /// What telling returns: the run goes on, or stops with what it was stopped for.
 pub type Told<S, T = ()> = ControlFlow<S, T>;
