@@ -16,8 +16,8 @@ use crate::{
     },
     panels::{
         bench::Bench,
+        fields::Seeded,
         lab_panel::{LabPanel, PanelAsk},
-        seeded::Seeded,
     },
     widgets::Look,
 };
