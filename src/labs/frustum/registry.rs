@@ -19,7 +19,7 @@ use crate::{
     },
     geom::{Orbit, Solid},
     labs::{
-        Entry, Lab,
+        Lab, MethodEntry,
         space::{
             MethodInfo, Model, Object, OnScene, Opening, Scene, SpaceDemo, SpaceLab, TaughtCamera,
             demo,
@@ -47,12 +47,12 @@ pub static FRUSTUM: SpaceLab<Scene> = SpaceLab {
 /// The same, for whoever knows no lab by name.
 pub static LAB: &dyn Lab = &FRUSTUM;
 
-const fn info<A: SpaceDemo>() -> Entry<MethodInfo> {
+const fn info<A: SpaceDemo>() -> MethodEntry<MethodInfo> {
     demo::entry::<A>(&FRUSTUM)
 }
 
 /// Every method, in the order in which they are taught; the mistakes last.
-pub static METHODS: [Entry<MethodInfo>; 28] = [
+pub static METHODS: [MethodEntry<MethodInfo>; 28] = [
     info::<OnScene<PointPlanes>>(),
     info::<OnScene<SphereCull>>(),
     info::<OnScene<BoxCull>>(),

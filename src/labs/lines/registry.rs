@@ -4,7 +4,7 @@
 use crate::{
     algo::line,
     geom::Segment,
-    labs::{self, Entry, Lab, Listed, MethodCard, window_handles},
+    labs::{self, Lab, Listed, MethodCard, MethodEntry, window_handles},
     trace::{Counted, Counts, silent},
 };
 
@@ -41,8 +41,8 @@ impl Lab for Lines {
     }
 }
 
-const fn info<A: LineDemo>() -> Entry<MethodInfo> {
-    Entry {
+const fn info<A: LineDemo>() -> MethodEntry<MethodInfo> {
+    MethodEntry {
         card: MethodCard::of::<A>(),
         info: MethodInfo {
             takes_polygon: A::TAKES_POLYGON,
@@ -68,7 +68,7 @@ fn pass<A: LineDemo>(scene: &Scene, segments: &[Segment]) -> Pass {
 }
 
 /// Every method, in the order in which they are taught.
-pub static METHODS: [Entry<MethodInfo>; 5] = [
+pub static METHODS: [MethodEntry<MethodInfo>; 5] = [
     info::<line::BruteForce>(),
     info::<line::CohenSutherland>(),
     info::<line::LiangBarsky>(),
@@ -77,7 +77,7 @@ pub static METHODS: [Entry<MethodInfo>; 5] = [
 ];
 
 impl Listed for MethodInfo {
-    fn all() -> &'static [Entry<Self>] {
+    fn all() -> &'static [MethodEntry<Self>] {
         &METHODS
     }
 }

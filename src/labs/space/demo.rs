@@ -2,7 +2,7 @@
 
 use crate::{
     figure::{Link, Run},
-    labs::{self, Demo, Entry, MethodCard, Verdict},
+    labs::{self, Demo, MethodCard, MethodEntry, Verdict},
 };
 
 use super::{FaceFate, MethodInfo, Scene, SpaceLab, Subject};
@@ -42,7 +42,7 @@ pub trait SpaceDemo: Demo {
 /// The line of a method in the table of its lab.
 pub(in crate::labs) const fn entry<A: SpaceDemo>(
     lab: &'static SpaceLab<Scene>,
-) -> Entry<MethodInfo> {
+) -> MethodEntry<MethodInfo> {
     let info = MethodInfo {
         lab,
         card_on: A::card,
@@ -53,5 +53,5 @@ pub(in crate::labs) const fn entry<A: SpaceDemo>(
         verdict: A::verdict,
     };
     let card = MethodCard::of::<A>();
-    Entry { card, info }
+    MethodEntry { card, info }
 }

@@ -12,7 +12,7 @@ use crate::{
     },
     geom::{Mesh, Orbit},
     labs::{
-        Entry, Lab,
+        Lab, MethodEntry,
         space::{
             MethodInfo, Model, NamedMesh, Object, OnScene, Opening, Scene, SpaceLab, TaughtCamera,
             demo::{self, SpaceDemo},
@@ -38,12 +38,12 @@ pub static SURFACES: SpaceLab<Scene> = SpaceLab {
 /// The same, for whoever knows no lab by name.
 pub static LAB: &dyn Lab = &SURFACES;
 
-const fn info<A: SpaceDemo>() -> Entry<MethodInfo> {
+const fn info<A: SpaceDemo>() -> MethodEntry<MethodInfo> {
     demo::entry::<A>(&SURFACES)
 }
 
 /// Every method, in the order in which they are taught; the mistakes last.
-pub static METHODS: [Entry<MethodInfo>; 11] = [
+pub static METHODS: [MethodEntry<MethodInfo>; 11] = [
     info::<OnScene<DepthBuffer>>(),
     info::<OnScene<RayCasting>>(),
     info::<OnScene<Painter>>(),

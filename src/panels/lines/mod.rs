@@ -12,7 +12,7 @@ use crate::{
         lines::{self, LinesChange, MAX_SEGMENTS, Scene},
     },
     panels::{
-        bench::{self, Bench, Costs},
+        bench::{self, Bench, Measuring},
         fields::Seeded,
         lab_panel::{LabPanel, PanelAsk},
     },

@@ -8,7 +8,7 @@ use crate::{
     case::{self, Field, Refusal, Solve, Solver, Told},
     figure::{Link, Mark, Run},
     labs::{
-        Answers, Backdrop, Click, Document, Edit, Handle, HandleKind, Hands, Lab, MethodCard,
+        Answers, Backdrop, Click, Document, Draggable, Edit, Handle, HandleKind, Lab, MethodCard,
         Motion, Own, Scene, record,
     },
     lesson::{SceneFormat, Sink, TomlFields, number},
@@ -86,7 +86,7 @@ impl Backdrop for BoxScene {
     }
 }
 
-impl Hands for BoxScene {
+impl Draggable for BoxScene {
     fn handles(&self) -> Vec<Handle> {
         vec![face()]
     }
