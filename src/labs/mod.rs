@@ -29,10 +29,10 @@ pub use difference::Difference;
 pub use edit::Edit;
 pub use handle::{Handle, HandleKind, Motion};
 pub use lab::{
-    Answers, Backdrop, Change, ChangeOf, Click, Document, Hands, Lab, Lock, OutlineKind, Own,
+    Answers, Backdrop, Change, ChangeOf, Click, Document, Draggable, Lab, Lock, OutlineKind, Own,
     Plain, Scene, Verdict,
 };
-pub use registry::{Entry, Listed, Method};
+pub use registry::{Listed, Method, MethodEntry};
 pub use sketch::Sketch;
 pub use telling::Answer;
 pub use typed::{place_of, written};

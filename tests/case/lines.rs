@@ -298,7 +298,7 @@ fn a_terminals_lines_fit_it() {
 
 #[test]
 fn a_case_can_name_only_the_solvers_that_are_handed_in() {
-    static TABLE: [Solver; 1] = [Solver::told::<clipscope::algo::line::LiangBarsky>()];
+    static TABLE: [Solver; 1] = [Solver::of::<clipscope::algo::line::LiangBarsky>()];
     static TABLES: [&[Solver]; 1] = [&TABLE];
     let solvers = Solvers::new(&TABLES);
     let case = |algorithm: &str| {

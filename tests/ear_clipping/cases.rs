@@ -3,7 +3,7 @@
 use clipscope::{
     algo::polygon::{Corner, EarClipping, EarClippingEvent as Event, Triangle},
     geom::SimplePolygon,
-    trace::{self, Method, Recording, silent},
+    trace::{Method, Recording, laws, silent},
 };
 
 use super::{

@@ -3,7 +3,7 @@
 use clipscope::{
     algo::polygon::EarClipping,
     geom::{Point, SimplePolygon},
-    trace::{self, silent},
+    trace::{laws, silent},
 };
 use proptest::prelude::*;
 

@@ -9,7 +9,7 @@ use clipscope::{
         surface::Viewport,
     },
     geom::{Camera, ViewVolume},
-    trace::{self, Counted, Counts, Recording, held_after, silent},
+    trace::{Counted, Counts, Recording, held_after, laws, silent},
 };
 use proptest::prelude::*;
 

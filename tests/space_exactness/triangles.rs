@@ -10,7 +10,7 @@ use clipscope::{
         weighted_sum,
     },
     geom::{Plane, ViewVolume},
-    trace::{self, Method, silent},
+    trace::{Method, laws, silent},
 };
 use proptest::prelude::*;
 

@@ -6,7 +6,7 @@ use clipscope::{
         WeilerAthertonInput,
     },
     geom::Region,
-    trace::{self, Recording},
+    trace::{Recording, laws},
 };
 
 use super::{clip, rings, shapes};

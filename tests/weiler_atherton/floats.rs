@@ -5,7 +5,7 @@ use clipscope::{
         WeilerAtherton, WeilerAthertonEvent as Event, WeilerAthertonInput, WeilerAthertonOutput,
     },
     geom::{Point, Region, SimplePolygon},
-    trace::{self, Recording, silent},
+    trace::{Recording, laws, silent},
 };
 use proptest::prelude::*;
 

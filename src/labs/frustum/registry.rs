@@ -19,7 +19,7 @@ use crate::{
     },
     geom::{Orbit, Solid},
     labs::{
-        Entry, Lab,
+        Lab, MethodEntry,
         space::{
             MethodInfo, Model, Object, Opening, Scene, SpaceLab, SpaceTelling, TaughtCamera, demo,
         },
@@ -46,12 +46,12 @@ pub static FRUSTUM: SpaceLab<Scene> = SpaceLab {
 /// The same, for whoever knows no lab by name.
 pub static LAB: &dyn Lab = &FRUSTUM;
 
-const fn told<M: SpaceTelling>() -> Entry<MethodInfo> {
+const fn told<M: SpaceTelling>() -> MethodEntry<MethodInfo> {
     demo::told::<M>(&FRUSTUM)
 }
 
 /// Every method, in the order in which they are taught; the mistakes last.
-pub static METHODS: [Entry<MethodInfo>; 28] = [
+pub static METHODS: [MethodEntry<MethodInfo>; 28] = [
     told::<PointPlanes>(),
     told::<SphereCull>(),
     told::<BoxCull>(),

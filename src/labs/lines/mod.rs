@@ -2,7 +2,6 @@
 
 mod backdrop;
 mod change;
-mod crowd;
 mod demo;
 mod document;
 mod handles;

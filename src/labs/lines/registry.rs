@@ -4,7 +4,7 @@
 use crate::{
     algo::line,
     geom::Segment,
-    labs::{self, Entry, Lab, Listed, MethodCard, telling::Recorded, window_handles},
+    labs::{self, Lab, Listed, MethodCard, MethodEntry, telling::Recorded, window_handles},
     trace::{Counted, Counts, held_after, silent},
 };
 
@@ -41,8 +41,8 @@ impl Lab for Lines {
     }
 }
 
-const fn info<M: LineTelling>() -> Entry<MethodInfo> {
-    Entry {
+const fn info<M: LineTelling>() -> MethodEntry<MethodInfo> {
+    MethodEntry {
         card: MethodCard::of::<M>(),
         info: MethodInfo {
             takes_polygon: M::TAKES_POLYGON,
@@ -68,7 +68,7 @@ fn pass<M: LineTelling>(scene: &Scene, segments: &[Segment]) -> Pass {
 }
 
 /// Every method, in the order in which they are taught.
-pub static METHODS: [Entry<MethodInfo>; 5] = [
+pub static METHODS: [MethodEntry<MethodInfo>; 5] = [
     info::<line::BruteForce>(),
     info::<line::CohenSutherland>(),
     info::<line::LiangBarsky>(),
@@ -77,7 +77,7 @@ pub static METHODS: [Entry<MethodInfo>; 5] = [
 ];
 
 impl Listed for MethodInfo {
-    fn all() -> &'static [Entry<Self>] {
+    fn all() -> &'static [MethodEntry<Self>] {
         &METHODS
     }
 }

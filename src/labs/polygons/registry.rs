@@ -3,7 +3,7 @@
 
 use crate::{
     algo::polygon,
-    labs::{self, Entry, Lab, Listed, MethodCard, OutlineKind, window_handles},
+    labs::{self, Lab, Listed, MethodCard, MethodEntry, OutlineKind, window_handles},
 };
 
 use super::{
@@ -48,8 +48,8 @@ impl Lab for Polygons {
     }
 }
 
-const fn info<M: PolygonTelling>() -> Entry<MethodInfo> {
-    Entry {
+const fn info<M: PolygonTelling>() -> MethodEntry<MethodInfo> {
+    MethodEntry {
         card: MethodCard::of::<M>(),
         info: MethodInfo {
             clips: M::CLIPS,
@@ -67,7 +67,7 @@ const fn info<M: PolygonTelling>() -> Entry<MethodInfo> {
 }
 
 /// Every method, in the order in which they are taught.
-pub static METHODS: [Entry<MethodInfo>; 10] = [
+pub static METHODS: [MethodEntry<MethodInfo>; 10] = [
     info::<polygon::SutherlandHodgman>(),
     info::<polygon::Pipeline>(),
     info::<polygon::weiler_atherton::WeilerAtherton>(),
@@ -81,7 +81,7 @@ pub static METHODS: [Entry<MethodInfo>; 10] = [
 ];
 
 impl Listed for MethodInfo {
-    fn all() -> &'static [Entry<Self>] {
+    fn all() -> &'static [MethodEntry<Self>] {
         &METHODS
     }
 }

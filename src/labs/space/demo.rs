@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::{
     figure::{Link, Run},
     labs::{
-        Entry, MethodCard, Verdict,
+        MethodCard, MethodEntry, Verdict,
         telling::{Recorded, Telling},
     },
 };
@@ -47,7 +47,7 @@ pub fn scenery_of(scene: &Scene) -> Option<Arc<Scenery>> {
 /// The line of a method that is told by a table, in the table of its lab.
 pub(in crate::labs) const fn told<A: SpaceTelling>(
     lab: &'static SpaceLab<Scene>,
-) -> Entry<MethodInfo> {
+) -> MethodEntry<MethodInfo> {
     let info = MethodInfo {
         lab,
         card_on: A::card,
@@ -57,5 +57,5 @@ pub(in crate::labs) const fn told<A: SpaceTelling>(
         verdict: A::verdict,
     };
     let card = MethodCard::of::<A>();
-    Entry { card, info }
+    MethodEntry { card, info }
 }

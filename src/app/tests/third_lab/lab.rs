@@ -9,7 +9,7 @@ use crate::{
     figure::{Link, Mark, Run},
     input::{Field, Part, Shape},
     labs::{
-        Answers, Backdrop, Click, Document, Edit, Handle, HandleKind, Hands, Lab, MethodCard,
+        Answers, Backdrop, Click, Document, Draggable, Edit, Handle, HandleKind, Lab, MethodCard,
         Motion, Own, Scene, telling::Recorded,
     },
     lesson::{SceneFormat, Sink, TomlFields, number},
@@ -87,7 +87,7 @@ impl Backdrop for BoxScene {
     }
 }
 
-impl Hands for BoxScene {
+impl Draggable for BoxScene {
     fn handles(&self) -> Vec<Handle> {
         vec![face()]
     }
