@@ -32,12 +32,12 @@ pub use graph::{
 pub use layout::{ColumnLayout, Layout, Sheet, Slot};
 pub use lens::Lens;
 pub use lists::{ItemMarker, ListColumn, ListLink, ListRow, Lists};
-pub use mark::{Label, Mark, Shape, Texel, Weight};
+pub use mark::{Mark, Shape, Texel, Weight};
 pub use moment::{Moment, MomentError};
 pub use project::{Projected, project};
 pub(crate) use project::{between, complement, inside};
 pub use raster::{Pixel, Raster, RasterMark, RasterShape};
-pub use role::{Link, Role};
+pub use role::{Label, Link, Role};
 pub use run::{Run, Tick};
 pub use shown::{Choice, Decides, Shown};
 pub use small_pictures::{

@@ -1,4 +1,6 @@
-//! What marks mean, and what they are about.
+//! What marks mean, what they are about, and the text beside them.
+
+use crate::text::Value;
 
 /// What a mark means. Each role differs by colour and also by dash, weight, fill or marker.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
@@ -50,5 +52,32 @@ impl Link {
 impl From<&'static str> for Link {
     fn from(name: &'static str) -> Self {
         Self::to(name)
+    }
+}
+
+/// Text beside a mark. The painter finds a place near the anchor where it covers nothing.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Label {
+    /// What it says.
+    pub text: Value,
+    /// Set in the monospaced face: codes and numbers.
+    pub mono: bool,
+    /// The one thing that matters here: semibold.
+    pub strong: bool,
+    /// The direction, in the world, in which it has to stand off its mark; for an inequality, where it holds.
+    pub toward: Option<[f64; 2]>,
+    /// The character, by its index, that is this step's: drawn in the signal's colour, as one bit of a code.
+    pub lit: Option<usize>,
+}
+
+impl Label {
+    pub(super) fn new(text: impl Into<Value>, mono: bool) -> Self {
+        Self {
+            text: text.into(),
+            mono,
+            strong: false,
+            toward: None,
+            lit: None,
+        }
     }
 }

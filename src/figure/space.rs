@@ -9,10 +9,7 @@ use crate::{
     text::Value,
 };
 
-use super::{
-    mark::Label,
-    role::{Link, Role},
-};
+use super::role::{Label, Link, Role};
 
 /// What is seen in space. It is turned into marks of a plane by [`super::project`], before anything is painted.
 #[derive(Clone, PartialEq, Debug)]

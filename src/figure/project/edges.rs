@@ -1,13 +1,11 @@
 //! Edges of solids: outlines, creases, and what is behind.
 
-use super::{
-    super::{
-        mark::{Mark, Shape},
-        role::Role,
-        space::Edge3,
-    },
-    Seen, light,
+use super::super::{
+    mark::{Mark, Shape},
+    role::Role,
+    space::Edge3,
 };
+use super::{Seen, light};
 
 /// What an edge is, as it is seen.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -12,8 +12,8 @@ use glam::DVec3;
 
 use crate::{algo::volume::clipped, geom::Plane};
 
+use super::super::{lens::Optics, space::Facet};
 use super::{
-    super::{lens::Optics, space::Facet},
     bounds::Bounds,
     grid::{Found, Grid},
     interval::{inside, union},

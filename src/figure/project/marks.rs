@@ -1,15 +1,11 @@
 //! Marks of space as marks of a plane.
 
-use super::{
-    super::{
-        mark::{Label, Mark, Shape},
-        role::Role,
-        space::{Mark3, Shape3},
-    },
-    Seen,
-    facets::cut_at,
-    light,
+use super::super::{
+    mark::{Mark, Shape},
+    role::{Label, Role},
+    space::{Mark3, Shape3},
 };
+use super::{Seen, facets::cut_at, light};
 
 /// Lines of construction: widths in points, and how strong.
 const FINE: (f32, f32) = (1.2, 1.0);

@@ -2,16 +2,14 @@
 
 use std::sync::Arc;
 
-use super::{
-    super::{
-        lens::Lens,
-        mark::{Mark, Shape},
-        role::Role,
-        solids::Solids,
-        space::{Edge3, Facet, Mark3, Shape3, Space},
-    },
-    Seen,
+use super::super::{
+    lens::Lens,
+    mark::{Mark, Shape},
+    role::Role,
+    solids::Solids,
+    space::{Edge3, Facet, Mark3, Shape3, Space},
 };
+use super::Seen;
 
 /// More edges than these are not drawn one by one.
 const MOST_EDGES: usize = 3_000;

@@ -16,8 +16,8 @@ use crate::{
     text::{Notation, Value},
 };
 
+use super::super::look::Look;
 use super::{
-    super::look::Look,
     on_slate::{Links, OnSlate},
     slate::{Face, Slate, Style, colour, text_colour},
 };

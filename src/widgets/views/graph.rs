@@ -21,8 +21,8 @@ use crate::{
     text::{Notation, Value},
 };
 
+use super::super::look::Look;
 use super::{
-    super::look::Look,
     on_slate::{Links, OnSlate},
     raster::tone,
     slate::{Face, Slate, text_colour},

@@ -15,8 +15,8 @@ use egui::{Align2, Painter, Pos2, Rect, pos2, vec2};
 
 use crate::figure::{ListColumn, ListLink, ListRow, Lists, Role};
 
+use super::super::look::Look;
 use super::{
-    super::look::Look,
     on_slate::{Links, OnSlate},
     slate::{Face, Slate},
     table::more,

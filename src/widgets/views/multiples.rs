@@ -15,8 +15,8 @@ use crate::{
     paint::{Around, Viewport, stage},
 };
 
+use super::super::look::Look;
 use super::{
-    super::look::Look,
     on_slate::{Links, OnSlate},
     slate::{Face, Slate},
 };

@@ -19,8 +19,8 @@ use crate::{
     text::{Formula, Notation, Value},
 };
 
+use super::super::look::Look;
 use super::{
-    super::look::Look,
     on_slate::{Links, OnSlate},
     slate::Slate,
 };

@@ -8,8 +8,8 @@ use crate::{
     text::Value,
 };
 
+use super::super::look::Look;
 use super::{
-    super::look::Look,
     on_slate::{Links, OnSlate},
     slate::{Face, Slate, colour},
 };

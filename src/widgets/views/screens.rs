@@ -14,8 +14,8 @@ use crate::{
     paint::{self, Around, Viewport},
 };
 
+use super::super::look::Look;
 use super::{
-    super::look::Look,
     on_slate::{Links, OnSlate},
     slate::{Face, Slate, text_colour},
 };

@@ -9,10 +9,8 @@ use crate::{
     paint::{self, Around, Typeset, Viewport},
 };
 
-use super::{
-    super::{composed::rect_of, hit, look::Look},
-    slate::{Face, Slate},
-};
+use super::super::{composed::rect_of, hit, look::Look};
+use super::slate::{Face, Slate};
 
 /// Of a camera's picture: its frame, and the size of its title.
 const FRAME: f32 = 1.5;

@@ -17,8 +17,8 @@ use crate::{
     text::Notation,
 };
 
+use super::super::look::Look;
 use super::{
-    super::look::Look,
     on_slate::{Links, OnSlate},
     slate::{Face, Slate},
     space::{picture_viewport, projected},

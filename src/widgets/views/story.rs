@@ -23,8 +23,8 @@ use crate::{
     text::{Notation, Value},
 };
 
+use super::super::look::Look;
 use super::{
-    super::look::Look,
     on_slate::{Links, OnSlate},
     slate::{LEAST_SCALE, Slate},
     table::more,

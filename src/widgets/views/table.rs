@@ -9,8 +9,8 @@ use crate::{
     text::{Formula, Message, Notation, Piece, Token, Value},
 };
 
+use super::super::look::Look;
 use super::{
-    super::look::Look,
     fold::Fold,
     on_slate::{Links, OnSlate},
     slate::{Face, LEAST_SCALE, Slate, Style, text_colour, wash},

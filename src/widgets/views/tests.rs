@@ -6,8 +6,8 @@ mod data;
 
 use egui::{Rect, Vec2, pos2, vec2};
 
+use super::super::look::Look;
 use super::{
-    super::look::Look,
     body_of,
     on_slate::{Links, OnSlate},
     slate::Slate,

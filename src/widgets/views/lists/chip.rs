@@ -7,13 +7,11 @@ use crate::{
     text::Value,
 };
 
-use super::{
-    super::{
-        on_slate::Links,
-        slate::{Face, Slate, wash},
-    },
-    plan::{DETAIL_SIZE, NAME_SIZE, Widths},
+use super::super::{
+    on_slate::Links,
+    slate::{Face, Slate, wash},
 };
+use super::plan::{DETAIL_SIZE, NAME_SIZE, Widths};
 
 /// How an entry of a role looks: its surface, its border, its name.
 fn look_of(slate: &Slate<'_>, role: Role) -> (Color32, Stroke, (Face, Color32)) {

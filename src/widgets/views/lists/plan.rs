@@ -7,8 +7,8 @@ use crate::{
     text::Notation,
 };
 
+use super::super::super::look::Look;
 use super::super::{
-    super::look::Look,
     fold::Fold,
     slate::{Face, Slate},
     table::more,

@@ -9,13 +9,11 @@ use crate::{
     text::{Formula, Value},
 };
 
-use super::{
-    super::{
-        on_slate::Links,
-        slate::{Face, Slate, text_colour},
-    },
-    axis::{NumberAxis, role_of, role_of_bound},
+use super::super::{
+    on_slate::Links,
+    slate::{Face, Slate, text_colour},
 };
+use super::axis::{NumberAxis, role_of, role_of_bound};
 
 const END_SIZE: f32 = 13.0;
 const BOUND_SIZE: f32 = 13.5;

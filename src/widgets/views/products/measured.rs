@@ -8,10 +8,8 @@ use crate::{
     text::{Notation, Value},
 };
 
-use super::super::{
-    super::look::Look,
-    slate::{Face, Slate, colour, text_colour, wash},
-};
+use super::super::super::look::Look;
+use super::super::slate::{Face, Slate, colour, text_colour, wash};
 
 const TITLE_SIZE: f32 = 13.5;
 const NAME_SIZE: f32 = 13.0;

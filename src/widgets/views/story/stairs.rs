@@ -4,13 +4,11 @@ use egui::{Align2, Pos2, Rect, Stroke, Vec2, pos2, vec2};
 
 use crate::figure::{CellStage, Story, StoryCard, StoryFate};
 
-use super::{
-    super::{
-        on_slate::Links,
-        slate::{Face, Slate},
-    },
-    plan::{NUMBER_PTS, Plan, label},
+use super::super::{
+    on_slate::Links,
+    slate::{Face, Slate},
 };
+use super::plan::{NUMBER_PTS, Plan, label};
 
 /// Radius of a dot.
 const DOT: f32 = 4.5;
