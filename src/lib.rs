@@ -13,6 +13,8 @@ pub mod figure;
 
 pub mod labs;
 
+pub mod input;
+
 pub mod lesson;
 
 pub mod case;

@@ -43,6 +43,16 @@ fn text(bytes: &[u8]) -> &str {
 }
 
 #[test]
+fn the_schema_is_one_object() {
+    let output = run(&["trace", "--schema"], "");
+    assert_eq!(status(&output), Some(0));
+    let schema: Json = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert_eq!(schema["version"], 2);
+    assert!(schema["algorithms"]["occlusion"]["case"].is_object());
+    assert_eq!(status(&run(&["trace", "--schema", "-"], "")), Some(2));
+}
+
+#[test]
 fn cases_are_answered_in_order_and_the_refused_are_named() {
     let output = run(&["trace"], &format!("{GOOD}\n\n{BAD}\n{GOOD}"));
     let lines: Vec<Json> = text(&output.stdout)

@@ -8,8 +8,7 @@ use clipscope::{
         surface::{Painter, PainterAnswer, PainterEvent, PainterHeld, PairTest, Surfaces},
     },
     geom::ViewVolume,
-    trace::told::{Listening, Method, Told},
-};
+    trace::{Listening, Method, Told}};
 
 use crate::{
     harness::{Target, median},

@@ -7,8 +7,7 @@ use clipscope::{
         ClipRegion, Clipped, Clipper, Pipeline, SutherlandHodgman, SutherlandHodgmanInput,
     },
     geom::{Point, Window},
-    trace::{Trace, silent},
-};
+    trace::{Recording, silent}};
 use line_clipping as peer;
 
 use crate::{
@@ -88,18 +87,20 @@ fn record() {
         region: window.into(),
         vertices: (0..N_LARGE).map(corner).collect(),
     };
-    let trace = Trace::<SutherlandHodgman>::record(input.clone());
+    let trace = Recording::<SutherlandHodgman>::new(input.clone());
     let n_steps = trace.events().len();
     let mut step = 0;
     let results = race(
         N_ROUNDS,
         vec![
             Contender::new(RECORD, || {
-                black_box(Trace::<SutherlandHodgman>::record(input.clone()));
+                black_box(Recording::<SutherlandHodgman>::new(input.clone()));
             }),
             Contender::new(SEEK, || {
                 step = (step + 7_919) % n_steps;
-                black_box(trace.state_at(step));
+                trace.at(step, |step| {
+                    black_box(step.held);
+                });
             }),
         ],
     );

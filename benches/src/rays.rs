@@ -12,7 +12,7 @@ use clipscope::{
     },
     geom::{Camera, ViewVolume},
     lesson::read_obj,
-    trace::told::silent,
+    trace::silent,
 };
 use obvhs::{
     BvhBuildParams,

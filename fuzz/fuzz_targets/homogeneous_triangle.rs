@@ -6,8 +6,7 @@
 
 use clipscope::{
     algo::volume::{ClipPolygon, ClipVertex, HomogeneousTriangle, SideCode},
-    trace::{laws, silent},
-};
+    trace::{self, silent}};
 use libfuzzer_sys::fuzz_target;
 
 type Algorithm = HomogeneousTriangle<[f64; 3]>;

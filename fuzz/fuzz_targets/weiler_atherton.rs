@@ -9,8 +9,7 @@ use clipscope::{
         Relation, WeilerAtherton, WeilerAthertonInput, WeilerAthertonOutput,
     },
     geom::{GeomError, Location, Point, Region, SimplePolygon, locate},
-    trace::told::{self, silent},
-};
+    trace::{self, silent}};
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|bytes: &[u8]| {
@@ -35,7 +34,7 @@ fuzz_target!(|bytes: &[u8]| {
         clip,
     };
     if subject.vertices().len() + input.clip.vertices().len() < 60 {
-        told::check::<WeilerAtherton>(&input);
+        laws::check::<WeilerAtherton>(&input);
     }
     let answer = silent::<WeilerAtherton>(&input);
     check_rings(&answer, &input);

@@ -9,5 +9,6 @@ pub mod parameter;
 pub mod pipeline;
 pub mod polygon;
 pub mod ring;
+pub mod segment;
 pub mod surface;
 pub mod volume;

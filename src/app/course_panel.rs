@@ -182,7 +182,7 @@ fn has_changes(app: &App, idx: usize, lesson: &Lesson) -> bool {
 }
 
 /// Is the scene of this step another than the lesson's?
-pub(super) fn is_changed(app: &App, lesson: usize, step: usize) -> bool {
+fn is_changed(app: &App, lesson: usize, step: usize) -> bool {
     if [lesson, step] == app.bookmark.indices() {
         return !app.is_untouched();
     }
@@ -277,40 +277,27 @@ fn words(ui: &Ui, theme: &Theme, rect: Rect, row: Row<'_>) -> bool {
 
 /// One small disc a step, the open one filled.
 fn steps(app: &App, ui: &mut Ui, lesson: &Lesson, commands: &mut Vec<Command>) {
-    let look = app.look();
-    let [lesson_idx, open] = app.bookmark.indices();
-    let titles = &lesson.text(app.settings.lang).steps;
     let n_steps = lesson.steps.len().max(1) as f32;
     let room = (ui.available_width() + GAP) / n_steps - GAP;
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = GAP;
-        for i in 0..lesson.steps.len() {
-            let disc = Disc {
-                number: i + 1,
-                title: titles.get(i).map_or("", |step| &step.title),
-                is_open: i == open,
-                is_changed: is_changed(app, lesson_idx, i),
-            };
-            if disc.show(ui, look, room) {
-                commands.push(Command::Open([lesson_idx, i]));
-            }
-        }
+        discs(app, ui, lesson, room, commands);
     });
     ui.add_space(12.0);
 }
 
 /// The number of a step.
-pub(super) struct Disc<'a> {
-    pub number: usize,
-    pub title: &'a str,
-    pub is_open: bool,
+struct Disc<'a> {
+    number: usize,
+    title: &'a str,
+    is_open: bool,
     /// Has the reader changed its scene?
-    pub is_changed: bool,
+    is_changed: bool,
 }
 
 impl Disc<'_> {
     /// Draws it; was it clicked?
-    pub fn show(&self, ui: &mut Ui, look: Look<'_>, room: f32) -> bool {
+    fn show(&self, ui: &mut Ui, look: Look<'_>, room: f32) -> bool {
         let theme = look.theme;
         let size = (22.0 * theme.text_scale.sqrt()).min(room).floor();
         let (rect, response) = ui.allocate_exact_size(Vec2::splat(size), Sense::click());
@@ -359,4 +346,27 @@ fn changed(ui: &mut Ui, look: Look<'_>, commands: &mut Vec<Command>) {
             commands.push(Command::Reset);
         }
     });
+}
+
+/// Draws a disc for each step of the open lesson, no wider than `room`; one that is clicked opens its step.
+pub(super) fn discs(
+    app: &App,
+    ui: &mut Ui,
+    lesson: &Lesson,
+    room: f32,
+    commands: &mut Vec<Command>,
+) {
+    let [lesson_idx, open] = app.bookmark.indices();
+    let titles = &lesson.text(app.settings.lang).steps;
+    for i in 0..lesson.steps.len() {
+        let disc = Disc {
+            number: i + 1,
+            title: titles.get(i).map_or("", |step| &step.title),
+            is_open: i == open,
+            is_changed: is_changed(app, lesson_idx, i),
+        };
+        if disc.show(ui, app.look(), room) {
+            commands.push(Command::Open([lesson_idx, i]));
+        }
+    }
 }

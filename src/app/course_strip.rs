@@ -5,10 +5,7 @@ use egui::{Align, Layout, ScrollArea, Ui};
 
 use crate::widgets::{Icon, icon_button};
 
-use super::{
-    App, Command,
-    course_panel::{Disc, is_changed},
-};
+use super::{App, Command, course_panel::discs};
 
 /// Draws the strip.
 pub fn show(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
@@ -24,19 +21,7 @@ pub fn show(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
         ui.add_space(12.0);
         ScrollArea::vertical().show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 8.0;
-            let [lesson_idx, open] = app.bookmark.indices();
-            let titles = &lesson.text(app.settings.lang).steps;
-            for i in 0..lesson.steps.len() {
-                let disc = Disc {
-                    number: i + 1,
-                    title: titles.get(i).map_or("", |step| &step.title),
-                    is_open: i == open,
-                    is_changed: is_changed(app, lesson_idx, i),
-                };
-                if disc.show(ui, look, f32::INFINITY) {
-                    commands.push(Command::Open([lesson_idx, i]));
-                }
-            }
+            discs(app, ui, lesson, f32::INFINITY, commands);
         });
     });
 }

@@ -5,7 +5,7 @@ use egui::{
 };
 
 use crate::{
-    figure::{Frame, Link, Run, Watch, unseen},
+    figure::{CodeLinks, Frame, Link, Run, Watch, unseen},
     labs::MethodCard,
     lesson::CodeView,
     paint::theme,
@@ -92,10 +92,9 @@ pub fn content(
     rule(ui, look);
     costs(app, ui, column, commands);
     verdict(app, ui, state, commands);
-    if let Some(of_all) = state
-        .all_costs
-        .of(app.on_stage(), ui, (app.scene(), column))
-    {
+    if let Some(of_all) = state.all_costs[column].get(app.on_stage(), ui, 0.0, || {
+        app.scene().document().cost_of_all(column)
+    }) {
         let text = RichText::new(look.catalog.message(of_all)).small();
         ui.add(Label::new(text.color(look.theme.soft)).wrap());
     }
@@ -125,10 +124,7 @@ fn pseudocode(
     } = inspected;
     let is_now = |link| frame.focus().any(|about| about == link);
     let mut lit = match state.lit {
-        Some(link) => state
-            .code_links
-            .of(app.on_stage(), ui, (column, run))
-            .lines(link),
+        Some(link) => code_links(app, ui, state, (column, run)).lines(link),
         None => Vec::new(),
     };
     lit.extend(frame.code_line.filter(|_| state.lit.is_some_and(is_now)));
@@ -147,7 +143,7 @@ fn pseudocode(
     if let Some(link) = now.filter(|_| frame.code_line == Some(line)) {
         return Some(link);
     }
-    let links = state.code_links.of(app.on_stage(), ui, (column, run));
+    let links = code_links(app, ui, state, (column, run));
     links.of_line(line, moment)
 }
 
@@ -332,4 +328,14 @@ fn costs(app: &App, ui: &mut Ui, column: usize, commands: &mut Vec<Command>) {
         most: most_of_a_kind(&[end, compared.map_or(end, |(_, end, _)| end)]),
     };
     ui.scope(|ui| cost(ui, look, &shown));
+}
+
+/// What the lines of a method's pseudocode are about: found when it is first asked for.
+fn code_links<'a>(
+    app: &App,
+    ui: &Ui,
+    state: &'a mut StageState,
+    (column, run): (usize, &dyn Run),
+) -> &'a CodeLinks {
+    state.code_links[column].get(app.on_stage(), ui, 0.0, || CodeLinks::of(run))
 }

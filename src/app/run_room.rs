@@ -1,14 +1,14 @@
-//! What is found once for a run and kept until another run asks for more: the room of its captions and its watch tables,
-//! what its lines of code are about, what all there is costs, and why what was clicked was kept or dropped.
+//! What is found once for a run and kept until another run asks for more, such as the room of its captions and of its watch
+//! tables, and why what was clicked was kept or dropped.
 
 use egui::Ui;
 
 use crate::{
-    figure::{CodeLinks, Link, Run, Watch, sentences, watches},
+    figure::{Link, Run, Watch, watches},
     labs::{Scene, Verdict},
     paint::ThemeKind,
-    text::{Lang, Message},
-    widgets::{Look, WatchRoom, height_for_all},
+    text::Lang,
+    widgets::{Look, WatchRoom},
 };
 
 use super::playback::Playback;
@@ -63,21 +63,6 @@ impl<T> RunRoom<T> {
     }
 }
 
-/// The height that the runs' captions take.
-#[derive(Default)]
-pub struct CaptionRoom(RunRoom<f32>);
-
-impl CaptionRoom {
-    /// The height that every caption of the runs on stage fits into, in lines of at most `width` points.
-    pub fn height(&mut self, on_stage: OnStage<'_>, ui: &Ui, width: f32) -> f32 {
-        let (playback, look) = on_stage;
-        *self.0.get(on_stage, ui, width, || {
-            let said = playback.runs().flat_map(sentences);
-            height_for_all(ui.painter(), look, said, width)
-        })
-    }
-}
-
 /// The room of each method's table.
 #[derive(Default)]
 pub struct WatchRooms([RunRoom<WatchRoom>; 2]);
@@ -105,22 +90,6 @@ impl WatchRooms {
     }
 }
 
-/// What the lines of each method's pseudocode are about: found when it is first asked for.
-#[derive(Default)]
-pub struct CodeLinkRooms([RunRoom<CodeLinks>; 2]);
-
-impl CodeLinkRooms {
-    /// Of the method in this column.
-    pub fn of(
-        &mut self,
-        on_stage: OnStage<'_>,
-        ui: &Ui,
-        (column, run): (usize, &dyn Run),
-    ) -> &CodeLinks {
-        self.0[column].get(on_stage, ui, 0.0, || CodeLinks::of(run))
-    }
-}
-
 /// Why what was clicked was kept or dropped.
 #[derive(Default)]
 pub struct Verdicts {
@@ -141,22 +110,5 @@ impl Verdicts {
         }
         let verdict = || scene.document().verdict(about, on_stage.0.main());
         self.room.get(on_stage, ui, 0.0, verdict).as_ref()
-    }
-}
-
-/// What each method does for all that its run is one of.
-#[derive(Default)]
-pub struct AllCosts([RunRoom<Option<Message>>; 2]);
-
-impl AllCosts {
-    /// Of the method in this column, in a sentence; none where the run is of all there is.
-    pub fn of(
-        &mut self,
-        on_stage: OnStage<'_>,
-        ui: &Ui,
-        (scene, column): (&Scene, usize),
-    ) -> Option<&Message> {
-        let of_all = || scene.document().cost_of_all(column);
-        self.0[column].get(on_stage, ui, 0.0, of_all).as_ref()
     }
 }

@@ -8,14 +8,18 @@ use egui::{
 };
 
 use crate::{
-    figure::{Body, Caption, ColumnLayout, Frame, Layout, Lens, Mark, Raster, Role, Seer, ViewId},
+    figure::{
+        Body, Caption, ColumnLayout, Frame, Layout, Lens, Mark, Raster, Role, Seer, ViewId,
+        sentences,
+    },
     labs::{Click, Edit, Handle, Lock, MethodCard, Sketch},
     paint::Viewport,
     panels::{Reach, spots},
     text::Message,
     widgets::{
-        Canvas, CanvasShown, Composition, Spacing, Spot, caption_text, covered, gripped, link_at,
-        picture_viewport, projected, rect_of, title_ground, title_of_space, under_title,
+        Canvas, CanvasShown, Composition, Spacing, Spot, caption_text, covered, gripped,
+        height_for_all, link_at, picture_viewport, projected, rect_of, title_ground,
+        title_of_space, under_title,
     },
 };
 
@@ -128,7 +132,10 @@ fn lay_out(
     (rect, composition): (Rect, &Composition<'_>),
 ) -> Layout {
     let width = composition.column_width(rect);
-    let caption = state.captions.height(app.on_stage(), ui, width);
+    let caption = *state.captions.get(app.on_stage(), ui, width, || {
+        let said = app.playback.runs().flat_map(sentences);
+        height_for_all(ui.painter(), app.look(), said, width)
+    });
     ui.painter()
         .rect_filled(rect, 0.0, app.look().theme.background);
     let heights = [caption, 0.0];

@@ -5,10 +5,11 @@ use std::{borrow::Cow, collections::BTreeMap};
 use egui::{Context, Id, Pos2, Rect};
 
 use crate::{
-    figure::{Body, Frame, Lens, Link, Mark, Seer, Slot, View, ViewId},
+    figure::{Body, CodeLinks, Frame, Lens, Link, Mark, Seer, Slot, View, ViewId},
     geom::Orbit,
     labs::{Handle, MethodCard, Scene, Sketch},
     paint::Viewport,
+    text::Message,
     widgets::{PanZoom, picture_viewport},
 };
 
@@ -16,7 +17,7 @@ use super::{
     Command,
     history::History,
     playback::Playback,
-    run_room::{AllCosts, CaptionRoom, CodeLinkRooms, Verdicts, WatchRooms},
+    run_room::{RunRoom, Verdicts, WatchRooms},
     typing::Typing,
 };
 
@@ -53,14 +54,14 @@ pub struct StageState {
     ways_out: Option<(u64, Vec<&'static MethodCard>)>,
     /// A place that is being typed.
     pub typing: Option<Typing>,
-    /// The room that is kept for the captions.
-    pub captions: CaptionRoom,
+    /// The height that the runs' captions take.
+    pub captions: RunRoom<f32>,
     /// The room that is kept for the watch tables.
     pub watch: WatchRooms,
-    /// What lines of pseudocode are about.
-    pub code_links: CodeLinkRooms,
-    /// What all that a run is one of costs.
-    pub all_costs: AllCosts,
+    /// What the lines of each method's pseudocode are about.
+    pub code_links: [RunRoom<CodeLinks>; 2],
+    /// What each method does for all that its run is one of, in a sentence.
+    pub all_costs: [RunRoom<Option<Message>>; 2],
     /// Why what is looked at was kept or dropped.
     pub verdicts: Verdicts,
     /// Of two methods side by side, the one that the inspector is about.

@@ -43,7 +43,7 @@ impl Case {
             Answer {
                 id,
                 algorithm,
-                output: run.output_json(),
+                output: self.problem.output_of(&*run),
                 counts: run.counts_at(n_steps),
                 events: Some((1..=n_steps).map(|step| run.event_json(step)).collect()),
             }

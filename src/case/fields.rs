@@ -2,57 +2,22 @@
 
 use serde_json::value::RawValue;
 
-use crate::text::{Message, Value};
+use crate::{
+    input::{Fault, Field, Given, Got, Part, Presence, Table},
+    text::{Message, Value},
+};
 
-use super::{Code, Detail, Node, Path, Refusal, raw::Pairs, refusal::short};
-
-/// Must a field be there?
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Presence {
-    /// Always.
-    Required,
-    /// Exactly one of an algorithm's fields of this kind.
-    Choice,
-    /// It may be left out.
-    Optional,
-}
-
-/// A field that an algorithm takes.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Field {
-    /// As a case spells it.
-    pub name: &'static str,
-    /// Must it be there?
-    pub need: Presence,
-}
-
-impl Field {
-    /// A field that must be there.
-    #[must_use]
-    pub const fn required(name: &'static str) -> Self {
-        let need = Presence::Required;
-        Self { name, need }
-    }
-
-    /// One of several fields of which exactly one must be there.
-    #[must_use]
-    pub const fn choice(name: &'static str) -> Self {
-        let need = Presence::Choice;
-        Self { name, need }
-    }
-
-    /// A field that may be left out.
-    #[must_use]
-    pub const fn optional(name: &'static str) -> Self {
-        let need = Presence::Optional;
-        Self { name, need }
-    }
-}
+use super::{
+    Code, Detail, Path, Refusal,
+    raw::{Node, Pairs},
+    refusal::short,
+};
 
 /// The fields of one case, after a check against those that its algorithm takes; or those of an object in it.
 pub struct Fields<'a> {
     /// The object that they are fields of, where it is not the case itself.
     within: Option<&'a Path<'a>>,
+    takes: &'static [Field],
     given: Vec<(&'static str, &'a RawValue)>,
     detail: Detail,
 }
@@ -68,32 +33,24 @@ impl<'a> Fields<'a> {
     ) -> Result<Self, Refusal> {
         let is_own = |name: &str| !matches!(name, "id" | "algorithm");
         let pairs = pairs.0.iter().filter(|(name, _)| is_own(name));
-        Self::checked(None, name_key, takes, pairs, detail)
+        Self::checked(None, (name_key, takes), pairs, detail)
     }
 
-    /// Those of an object, which is called by this key.
-    ///
-    /// # Errors
-    /// `wrong-type`, `bad-json` where a field is given twice, `unknown-field` or `missing-field`
-    pub fn of(
-        node: &'a Node<'a>,
-        name_key: &'static str,
-        takes: &'static [Field],
-        detail: Detail,
-    ) -> Result<Self, Refusal> {
+    /// Those of an object: refuses one that is given twice, too.
+    pub(super) fn of(node: &'a Node<'a>, table: &Table, detail: Detail) -> Result<Self, Refusal> {
         let pairs = node.pairs()?;
         if let Some(name) = pairs.repeated() {
             let problem = Message::new("case-repeated-field").with("name", short(name));
             let place = Path::Member(&node.path, name);
             return Err(Refusal::at(Code::BadJson, &place, problem));
         }
-        Self::checked(Some(&node.path), name_key, takes, pairs.0.iter(), detail)
+        let takes = (table.name_key, table.fields);
+        Self::checked(Some(&node.path), takes, pairs.0.iter(), detail)
     }
 
     fn checked<'p>(
         within: Option<&'a Path<'a>>,
-        name_key: &'static str,
-        takes: &'static [Field],
+        (name_key, takes): (&'static str, &'static [Field]),
         pairs: impl Iterator<Item = &'p (String, &'a RawValue)>,
         detail: Detail,
     ) -> Result<Self, Refusal>
@@ -107,40 +64,32 @@ impl<'a> Fields<'a> {
                 None => return Err(unknown(&path(within, name), name_key, takes)),
             }
         }
-        let is_given = |name: &str| given.iter().any(|(given, _)| *given == name);
-        let mut choices = takes.iter().filter(|f| f.need == Presence::Choice);
-        let mut chosen = choices.clone().filter(|f| is_given(f.name));
+        let is_given = |field: &&Field| given.iter().any(|(name, _)| *name == field.name);
+        let choices = || takes.iter().filter(|field| field.need == Presence::Choice);
+        let mut chosen = choices().filter(is_given);
         let (first, second) = (chosen.next(), chosen.next());
-        for field in takes {
+        for field in takes.iter().filter(|field| !is_given(field)) {
+            let place = path(within, field.name);
             match field.need {
-                Presence::Required if !is_given(field.name) => {
-                    return Err(missing(&path(within, field.name)));
-                }
+                Presence::Required => return Err(missing(&place)),
                 Presence::Choice if first.is_none() => {
-                    let names: Vec<&str> = choices.by_ref().map(|f| f.name).collect();
-                    let problem = Message::new("case-missing-choice")
-                        .with("fields", quoted(names.into_iter()));
-                    return Err(Refusal::at(
-                        Code::MissingField,
-                        &path(within, field.name),
-                        problem,
-                    ));
+                    let fields = quoted(choices());
+                    let problem = Message::new("case-missing-choice").with("fields", fields);
+                    return Err(Refusal::at(Code::MissingField, &place, problem));
                 }
-                _ => {}
+                Presence::Choice | Presence::Optional => {}
             }
         }
         if let (Some(first), Some(second)) = (first, second) {
             let problem = Message::new("case-both")
                 .with("one", first.name.to_owned())
                 .with("other", second.name.to_owned());
-            return Err(Refusal::at(
-                Code::UnknownField,
-                &path(within, second.name),
-                problem,
-            ));
+            let place = path(within, second.name);
+            return Err(Refusal::at(Code::UnknownField, &place, problem));
         }
         Ok(Self {
             within,
+            takes,
             given,
             detail,
         })
@@ -152,21 +101,73 @@ impl<'a> Fields<'a> {
         self.detail
     }
 
-    /// The field, where it is given.
+    /// This part of the case, where it is given.
+    ///
+    /// # Errors
+    /// What is wrong with its value, or with what it means.
+    pub fn get<T>(&self, part: &Part<T>) -> Result<Option<T>, Refusal> {
+        let node = self.node(part.name());
+        node.map(|node| node.make(part, self.detail)).transpose()
+    }
+
+    /// This part of the case, which must be there.
+    ///
+    /// # Errors
+    /// `missing-field`, or as for [`Fields::get`].
+    pub fn need<T>(&self, part: &Part<T>) -> Result<T, Refusal> {
+        let found = self.get(part)?;
+        found.ok_or_else(|| missing(&path(self.within, part.name())))
+    }
+
+    /// Is this part of the case given?
+    pub(super) fn has<T>(&self, part: &Part<T>) -> bool {
+        self.node(part.name()).is_some()
+    }
+
+    /// A list in which each entry is such a part, where it is given.
+    pub(super) fn each<T>(
+        &self,
+        name: &'static str,
+        part: &Part<T>,
+    ) -> Result<Option<Vec<T>>, Refusal> {
+        let Some(list) = self.node(name) else {
+            return Ok(None);
+        };
+        let entries = list.entries("json-list")?;
+        let made = entries.map(|node| node.make(part, self.detail));
+        made.collect::<Result<_, _>>().map(Some)
+    }
+
+    /// What is wrong with this part of the case, together with others.
     #[must_use]
-    pub fn get(&self, name: &'static str) -> Option<Node<'a>> {
+    pub fn refuse<T>(&self, part: &Part<T>, fault: impl Into<Fault>) -> Refusal {
+        Refusal::of(&path(self.within, part.name()), fault.into())
+    }
+
+    /// What the case gives, for people.
+    pub(super) fn told(&self) -> Vec<Given> {
+        let told = self.takes.iter().flat_map(|field| {
+            let node = self.node(field.name);
+            let got = node.and_then(|node| node.got(field.shape, self.detail).ok());
+            field.given(got.as_ref())
+        });
+        told.collect()
+    }
+
+    /// All that is given, in the order of the description.
+    pub(super) fn all(&self) -> Result<Got, Refusal> {
+        let given = self.takes.iter().filter_map(|field| {
+            let node = self.node(field.name)?;
+            let got = node.got(field.shape, self.detail);
+            Some(got.map(|got| (field.name, got)))
+        });
+        given.collect::<Result<_, _>>().map(Got::Table)
+    }
+
+    pub(super) fn node(&self, name: &'static str) -> Option<Node<'a>> {
         let (_, raw) = self.given.iter().find(|(given, _)| *given == name)?;
         let path = path(self.within, name);
         Some(Node { path, raw })
-    }
-
-    /// The field.
-    ///
-    /// # Errors
-    /// `missing-field`
-    pub fn need(&self, name: &'static str) -> Result<Node<'a>, Refusal> {
-        self.get(name)
-            .ok_or_else(|| missing(&path(self.within, name)))
     }
 }
 
@@ -188,10 +189,11 @@ fn unknown(place: &Path<'_>, name_key: &'static str, takes: &[Field]) -> Refusal
     let problem = Message::new("case-unknown-field")
         .with("name", short(&place.to_string()))
         .with("algorithm", Value::Term(name_key))
-        .with("expected", quoted(takes.iter().map(|f| f.name)));
+        .with("expected", quoted(takes.iter()));
     Refusal::at(Code::UnknownField, place, problem)
 }
 
-fn quoted(names: impl Iterator<Item = &'static str>) -> String {
-    names.collect::<Vec<_>>().join(", ")
+fn quoted<'f>(fields: impl Iterator<Item = &'f Field>) -> String {
+    let names: Vec<&str> = fields.map(|field| field.name).collect();
+    names.join(", ")
 }

@@ -8,7 +8,8 @@
 //! ```
 //!
 //! A lab joins with a line in [`Solvers::standard`]: a table of its algorithms, of which each says which fields it
-//! takes and what input they make ([`Solve`]). Everything else (unknown fields, missing fields, paths, formats) is done here, once.
+//! takes, each a [`Part`](crate::input::Part) or several, and what input they make ([`Solve`]). Everything else (unknown fields,
+//! missing fields, shapes, paths, formats, the schema) is done here, once.
 //!
 //! *What is reported first*, where a case has several mistakes: the line (length, UTF-8, JSON syntax, that
 //! it is an object), a field given twice, `id`, `algorithm`, unknown fields as they come, missing fields
@@ -29,32 +30,28 @@
 mod answer;
 mod fields;
 mod frustum;
-mod given;
 mod line;
 mod lines;
-mod parts;
 mod path;
-mod picture;
 mod polygons;
 mod raw;
 mod read;
 mod refusal;
 mod report;
+mod schema;
 mod solver;
 mod stream;
 mod style;
 mod surfaces;
-mod volume;
 
-pub use fields::{Field, Fields, Presence};
-pub use given::Given;
+pub use fields::Fields;
 pub use line::{CaseLine, CaseLines, MAX_LINE_BYTES};
 pub use path::Path;
-pub use raw::{Id, Node};
+pub use raw::Id;
 pub use read::{Case, Refused, read};
 pub use refusal::{Code, Refusal};
 pub use report::Refusing;
-pub use solver::{Solvable, Solve, SolveTold, Solver, Solvers, Told};
+pub use solver::{Solvable, Solve, Solver, Solvers};
 pub use stream::{Tally, TraceError, trace};
 pub use style::{Detail, Format, Style};
 

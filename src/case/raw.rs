@@ -11,9 +11,12 @@ use serde::{
 };
 use serde_json::value::RawValue;
 
-use crate::text::{Message, Value};
+use crate::{
+    input::{Dim, Got, Part, Shape},
+    text::{Message, Value},
+};
 
-use super::{Code, Path, Refusal, refusal::short};
+use super::{Code, Detail, Fields, Path, Refusal, refusal::short};
 
 /// Objects and lists inside each other in an `id`: as many as `serde_json` reads by itself.
 const MAX_DEPTH: usize = 128;
@@ -30,11 +33,39 @@ pub struct Node<'a> {
 }
 
 impl<'a> Node<'a> {
+    /// What the value means as this part of a case.
+    pub(super) fn make<T>(&self, part: &Part<T>, detail: Detail) -> Result<T, Refusal> {
+        let got = self.got(part.optional.shape, detail)?;
+        (part.make)(&got).map_err(|fault| Refusal::of(&self.path, fault))
+    }
+
+    /// The value, once it has this shape.
+    pub(super) fn got(&self, shape: &Shape, detail: Detail) -> Result<Got, Refusal> {
+        match shape {
+            Shape::Number => self.number().map(Got::Number),
+            Shape::Text => self.text().map(Got::Text),
+            Shape::Word(words) => self.word(words),
+            Shape::Numbers(dims) => {
+                let mut numbers = Vec::new();
+                self.numbers(dims, detail, &mut numbers)?;
+                Ok(Got::Numbers(numbers))
+            }
+            Shape::Wholes(dims, ..) => self.wholes(dims, detail),
+            Shape::Table(table) => Fields::of(self, table, detail)?.all(),
+            Shape::List(entry) => {
+                let entries = self
+                    .entries("json-list")?
+                    .map(|node| node.got(entry, detail));
+                entries.collect::<Result<_, _>>().map(Got::List)
+            }
+            Shape::OrNull(shape) => self.got(shape, detail),
+            // Answers alone have these.
+            Shape::Bool | Shape::Whole(..) => Err(self.wrong_type("json-whole")),
+        }
+    }
+
     /// A number of an `f64`.
-    ///
-    /// # Errors
-    /// `wrong-type` or `not-finite`
-    pub fn number(&self) -> Result<f64, Refusal> {
+    fn number(&self) -> Result<f64, Refusal> {
         let text = self.raw.get();
         if kind(text) != "json-number" {
             return Err(self.wrong_type("json-number"));
@@ -48,127 +79,73 @@ impl<'a> Node<'a> {
         }
     }
 
-    /// A list of exactly `N` numbers.
-    ///
-    /// # Errors
-    /// `wrong-type`, `wrong-length` or `not-finite`
-    pub fn numbers<const N: usize>(&self) -> Result<[f64; N], Refusal> {
-        let elements = self.elements("json-numbers")?;
-        if elements.len() != N {
-            return Err(self.wrong_length(N, elements.len()));
-        }
-        let mut numbers = [0.0; N];
-        for (i, (number, raw)) in numbers.iter_mut().zip(elements).enumerate() {
-            let path = Path::Index(&self.path, i);
-            *number = Node { path, raw }.number()?;
-        }
-        Ok(numbers)
-    }
-
-    /// A list of exactly `N` whole numbers.
-    ///
-    /// # Errors
-    /// `wrong-type`, `wrong-length`, `not-finite`, or `too-large` beyond an `i64`
-    pub fn wholes<const N: usize>(&self) -> Result<[i64; N], Refusal> {
-        let rounded: [f64; N] = self.numbers()?;
-        let elements = self.elements("json-numbers")?;
-        let mut wholes = [0; N];
-        for (i, (whole, raw)) in wholes.iter_mut().zip(elements).enumerate() {
-            let path = Path::Index(&self.path, i);
-            *whole = match (raw.get().parse(), rounded[i]) {
-                (Ok(exact), _) => exact,
-                (Err(_), x) if x.fract() != 0.0 => {
-                    return Err(Node { path, raw }.wrong_type("json-whole"));
-                }
-                // Written as 3.0 or 3e0.
-                (Err(_), x) if x.abs() < TWO_TO_53 => x as i64,
-                (Err(_), _) => {
-                    let problem = Message::new("case-whole-too-large");
-                    let problem = problem.with("number", short(raw.get()));
-                    return Err(Refusal::at(Code::TooLarge, &path, problem));
-                }
-            };
-        }
-        Ok(wholes)
-    }
-
-    /// A list of exactly `R` points with `N` coordinates each.
-    ///
-    /// # Errors
-    /// `wrong-type`, `wrong-length` or `not-finite`
-    pub fn rows<const R: usize, const N: usize>(&self) -> Result<[[f64; N]; R], Refusal> {
-        let elements = self.elements("json-points")?;
-        if elements.len() != R {
-            let problem = Message::new("case-wrong-points")
-                .with("expected", R)
-                .with("found", elements.len());
-            return Err(Refusal::at(Code::WrongLength, &self.path, problem));
-        }
-        let mut rows = [[0.0; N]; R];
-        for (i, (row, raw)) in rows.iter_mut().zip(elements).enumerate() {
-            let path = Path::Index(&self.path, i);
-            *row = Node { path, raw }.numbers()?;
-        }
-        Ok(rows)
-    }
-
-    /// A list of any number of points with `N` coordinates each, at most `max` of them.
-    ///
-    /// # Errors
-    /// `wrong-type`, `wrong-length`, `not-finite`, or `too-large`
-    pub fn points<const N: usize>(&self, max: usize) -> Result<Vec<[f64; N]>, Refusal> {
-        let elements = self.elements("json-points")?;
-        if elements.len() > max {
-            let problem = Message::new("case-too-many")
-                .with("found", elements.len())
-                .with("max", max);
-            return Err(Refusal::at(Code::TooLarge, &self.path, problem));
-        }
-        let point = |(i, raw)| {
-            let path = Path::Index(&self.path, i);
-            Node { path, raw }.numbers()
+    /// Numbers in lists of lists, appended to `out`.
+    fn numbers(&self, dims: &[Dim], detail: Detail, out: &mut Vec<f64>) -> Result<(), Refusal> {
+        let [dim, inner @ ..] = dims else {
+            out.push(self.number()?);
+            return Ok(());
         };
-        elements.into_iter().enumerate().map(point).collect()
+        let expected = ["json-numbers", "json-points", "json-list"][inner.len().min(2)];
+        let entries = self.entries(expected)?;
+        let found = entries.len();
+        match *dim {
+            Dim::Exactly(n) if n != found => {
+                let key = if inner.is_empty() {
+                    "case-wrong-length"
+                } else {
+                    "case-wrong-points"
+                };
+                let problem = Message::new(key).with("expected", n).with("found", found);
+                return Err(Refusal::at(Code::WrongLength, &self.path, problem));
+            }
+            Dim::UpTo(n) if found > detail.limit(n) => {
+                let problem = Message::new("case-too-many");
+                let problem = problem.with("found", found).with("max", n);
+                return Err(Refusal::at(Code::TooLarge, &self.path, problem));
+            }
+            Dim::Exactly(_) | Dim::UpTo(_) => {}
+        }
+        for node in entries {
+            node.numbers(inner, detail, out)?;
+        }
+        Ok(())
     }
 
-    /// A list, each element read by `read`, which is given its place.
-    ///
-    /// # Errors
-    /// `wrong-type`, or what `read` refuses
-    pub fn list<T>(
-        &self,
-        read: impl Fn(&Node<'_>) -> Result<T, Refusal>,
-    ) -> Result<Vec<T>, Refusal> {
-        let elements = self.elements("json-list")?;
-        let element = |(i, raw)| {
-            let path = Path::Index(&self.path, i);
-            read(&Node { path, raw })
-        };
-        elements.into_iter().enumerate().map(element).collect()
+    /// A list of whole numbers.
+    fn wholes(&self, dims: &[Dim], detail: Detail) -> Result<Got, Refusal> {
+        let mut rounded = Vec::new();
+        self.numbers(dims, detail, &mut rounded)?;
+        let wholes = self.entries("json-numbers")?.zip(rounded);
+        let wholes = wholes.map(|(node, x)| match node.raw.get().parse() {
+            Ok(exact) => Ok(exact),
+            Err(_) if x.fract() != 0.0 => Err(node.wrong_type("json-whole")),
+            // Written as 3.0 or 3e0.
+            Err(_) if x.abs() < TWO_TO_53 => Ok(x as i64),
+            Err(_) => {
+                let problem = Message::new("case-whole-too-large");
+                let problem = problem.with("number", short(node.raw.get()));
+                Err(Refusal::at(Code::TooLarge, &node.path, problem))
+            }
+        });
+        wholes.collect::<Result<_, _>>().map(Got::Wholes)
     }
 
     /// A text.
-    ///
-    /// # Errors
-    /// `wrong-type`
-    pub fn text(&self) -> Result<String, Refusal> {
+    pub(super) fn text(&self) -> Result<String, Refusal> {
         serde_json::from_str(self.raw.get()).map_err(|_| self.wrong_type("json-text"))
     }
 
     /// One of several words.
-    ///
-    /// # Errors
-    /// `wrong-type`, which tells the words
-    pub fn choice<T: Copy>(&self, choices: &[(&'static str, T)]) -> Result<T, Refusal> {
+    fn word(&self, words: &[&str]) -> Result<Got, Refusal> {
         let text = self.text()?;
-        let found = choices.iter().find(|(word, _)| *word == text);
-        found.map(|&(_, value)| value).ok_or_else(|| {
-            let words: Vec<String> = choices.iter().map(|(w, _)| format!("\"{w}\"")).collect();
-            let problem = Message::new("case-wrong-word")
-                .with("expected", words.join(", "))
-                .with("found", short(&text));
-            Refusal::at(Code::WrongType, &self.path, problem)
-        })
+        if words.contains(&&*text) {
+            return Ok(Got::Text(text));
+        }
+        let words: Vec<String> = words.iter().map(|word| format!("\"{word}\"")).collect();
+        let problem = Message::new("case-wrong-word")
+            .with("expected", words.join(", "))
+            .with("found", short(&text));
+        Err(Refusal::at(Code::WrongType, &self.path, problem))
     }
 
     /// An object's fields.
@@ -176,8 +153,18 @@ impl<'a> Node<'a> {
         serde_json::from_str(self.raw.get()).map_err(|_| self.wrong_type("json-object"))
     }
 
-    fn elements(&self, expected: &'static str) -> Result<Vec<&'a RawValue>, Refusal> {
-        serde_json::from_str(self.raw.get()).map_err(|_| self.wrong_type(expected))
+    /// The entries of a list, each with its place.
+    pub(super) fn entries(
+        &self,
+        expected: &'static str,
+    ) -> Result<impl ExactSizeIterator<Item = Node<'_>>, Refusal> {
+        let entries: Vec<&'a RawValue> =
+            serde_json::from_str(self.raw.get()).map_err(|_| self.wrong_type(expected))?;
+        let entry = |(i, raw)| {
+            let path = Path::Index(&self.path, i);
+            Node { path, raw }
+        };
+        Ok(entries.into_iter().enumerate().map(entry))
     }
 
     fn wrong_type(&self, expected: &'static str) -> Refusal {
@@ -185,13 +172,6 @@ impl<'a> Node<'a> {
             .with("expected", Value::Term(expected))
             .with("found", Value::Term(kind(self.raw.get())));
         Refusal::at(Code::WrongType, &self.path, problem)
-    }
-
-    fn wrong_length(&self, expected: usize, found: usize) -> Refusal {
-        let problem = Message::new("case-wrong-length")
-            .with("expected", expected)
-            .with("found", found);
-        Refusal::at(Code::WrongLength, &self.path, problem)
     }
 }
 
@@ -230,7 +210,13 @@ impl<'de: 'a, 'a> Deserialize<'de> for Pairs<'a> {
     }
 }
 
-impl Pairs<'_> {
+impl<'a> Pairs<'a> {
+    /// The value of this field, where it is given.
+    pub fn get(&self, name: &str) -> Option<&'a RawValue> {
+        let found = self.0.iter().find(|(given, _)| given == name);
+        found.map(|(_, raw)| *raw)
+    }
+
     /// The first field whose name has come before.
     pub fn repeated(&self) -> Option<&str> {
         let mut order: Vec<usize> = (0..self.0.len()).collect();

@@ -2,13 +2,15 @@
 
 use serde_json::value::RawValue;
 
-use crate::text::{Message, Value};
+use crate::{
+    input::Given,
+    text::{Message, Value},
+};
 
 use super::{
-    CaseLine, Code, Detail, Fields, Id, MAX_LINE_BYTES, Node, Path, Refusal, Solvable, Solver,
-    Solvers,
+    CaseLine, Code, Detail, Fields, Id, MAX_LINE_BYTES, Path, Refusal, Solvable, Solver, Solvers,
     fields::missing,
-    raw::{Pairs, kind},
+    raw::{Node, Pairs, kind},
     refusal::short,
 };
 
@@ -53,10 +55,8 @@ fn read_into(
     detail: Detail,
     id: &mut Id,
 ) -> Result<(&'static Solver, Box<dyn Solvable>), Refusal> {
-    let text = text(line)?;
-    let pairs = pairs(text)?;
-    let find = |name: &str| pairs.0.iter().find(|(n, _)| n == name).map(|(_, raw)| *raw);
-    let read_id = find("id").map_or_else(|| Ok(Id::default()), Id::read);
+    let pairs = pairs(text(line)?)?;
+    let read_id = pairs.get("id").map_or_else(|| Ok(Id::default()), Id::read);
     if let Ok(read) = &read_id {
         id.clone_from(read);
     }
@@ -65,9 +65,25 @@ fn read_into(
         return Err(Refusal::at(Code::BadJson, &Path::Field(name), problem));
     }
     read_id?;
-    let solver = algorithm(solvers, find("algorithm"))?;
-    let fields = Fields::check(solver.name_key(), solver.fields(), &pairs, detail)?;
+    let (solver, fields) = fields(solvers, &pairs, detail)?;
     Ok((solver, solver.read(&fields)?))
+}
+
+/// What a case gives, for people; nothing of one that is refused.
+pub(super) fn told(solvers: Solvers, line: CaseLine<'_>, detail: Detail) -> Vec<Given> {
+    let pairs = text(line).and_then(pairs);
+    let told = pairs.and_then(|pairs| Ok(fields(solvers, &pairs, detail)?.1.told()));
+    told.unwrap_or_default()
+}
+
+fn fields<'a>(
+    solvers: Solvers,
+    pairs: &Pairs<'a>,
+    detail: Detail,
+) -> Result<(&'static Solver, Fields<'a>), Refusal> {
+    let solver = algorithm(solvers, pairs.get("algorithm"))?;
+    let fields = Fields::check(solver.name_key(), solver.fields(), pairs, detail)?;
+    Ok((solver, fields))
 }
 
 fn text(line: CaseLine<'_>) -> Result<&str, Refusal> {

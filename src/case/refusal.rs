@@ -1,8 +1,8 @@
 //! Why a case is refused.
 
 use crate::{
-    geom::{GeomError, SpaceError},
-    text::{Catalog, Diagnostic, Lang, Message},
+    input::{At, Fault},
+    text::{Catalog, Lang, Message},
 };
 
 use super::Path;
@@ -37,6 +37,26 @@ pub enum Code {
 }
 
 impl Code {
+    const ALL: [Self; 12] = [
+        Self::BadJson,
+        Self::UnknownAlgorithm,
+        Self::UnknownField,
+        Self::MissingField,
+        Self::WrongType,
+        Self::WrongLength,
+        Self::NotFinite,
+        Self::EmptyWindow,
+        Self::NotConvex,
+        Self::SelfIntersecting,
+        Self::Degenerate,
+        Self::TooLarge,
+    ];
+
+    /// Every code, as JSON spells it.
+    pub(super) fn ids() -> [&'static str; 12] {
+        Self::ALL.map(Self::id)
+    }
+
     /// As JSON spells it.
     #[must_use]
     pub const fn id(self) -> &'static str {
@@ -53,41 +73,6 @@ impl Code {
             Self::SelfIntersecting => "self-intersecting",
             Self::Degenerate => "degenerate",
             Self::TooLarge => "too-large",
-        }
-    }
-}
-
-impl From<GeomError> for Code {
-    fn from(error: GeomError) -> Self {
-        match error {
-            GeomError::NotFinite { .. } => Self::NotFinite,
-            GeomError::EmptyWindow { .. } => Self::EmptyWindow,
-            GeomError::TooFewVertices | GeomError::Degenerate { .. } => Self::Degenerate,
-            GeomError::NotConvex { .. } => Self::NotConvex,
-            GeomError::SelfIntersecting { .. }
-            | GeomError::EdgesMeet { .. }
-            | GeomError::MisplacedHole { .. } => Self::SelfIntersecting,
-        }
-    }
-}
-
-impl From<SpaceError> for Code {
-    fn from(error: SpaceError) -> Self {
-        match error {
-            SpaceError::NotFinite { .. } => Self::NotFinite,
-            SpaceError::EmptyBox { .. } => Self::EmptyWindow,
-            SpaceError::ZeroNormal
-            | SpaceError::NegativeRadius(_)
-            | SpaceError::NoVertices
-            | SpaceError::TargetAtPosition
-            | SpaceError::UpAlongView
-            | SpaceError::FieldOfView(_)
-            | SpaceError::Size(_)
-            | SpaceError::Height(_)
-            | SpaceError::Aspect(_)
-            | SpaceError::Near(_)
-            | SpaceError::Far { .. }
-            | SpaceError::NotAffine => Self::Degenerate,
         }
     }
 }
@@ -124,32 +109,20 @@ impl Refusal {
         }
     }
 
-    /// A primitive that the field's numbers do not make.
+    /// A value of the right shape that means nothing, at the very place in it that is to blame; where a minimum is not
+    /// below its maximum, the value as a whole.
     #[must_use]
-    pub fn geometry(field: &Path<'_>, error: GeomError) -> Self {
-        let idx = match error {
-            GeomError::Degenerate { vertex_idx }
-            | GeomError::NotConvex { vertex_idx }
-            | GeomError::SelfIntersecting { vertex_idx } => Some(vertex_idx),
-            // Edge i starts from vertex i: the place is the first of the two.
-            GeomError::EdgesMeet { edges: [i, _] } => Some(i),
-            GeomError::MisplacedHole { hole_idx } => Some(hole_idx),
-            // The numbers were read one by one before: this names the place as well as it can.
-            GeomError::NotFinite { .. }
-            | GeomError::EmptyWindow { .. }
-            | GeomError::TooFewVertices => None,
-        };
-        let problem = Diagnostic::from(error).message;
-        match idx {
-            Some(idx) => Self::at(error.into(), &Path::Index(field, idx), problem),
-            None => Self::at(error.into(), field, problem),
+    pub(super) fn of(value: &Path<'_>, Fault { at, what }: Fault) -> Self {
+        let codes = Code::ALL.into_iter().find(|code| code.id() == what.code);
+        let code = codes.unwrap_or(Code::Degenerate);
+        let problem = what.message;
+        match at {
+            At::Entry(i) if code != Code::EmptyWindow => {
+                Self::at(code, &Path::Index(value, i), problem)
+            }
+            At::Field(name) => Self::at(code, &Path::Member(value, name), problem),
+            At::Entry(_) | At::Whole => Self::at(code, value, problem),
         }
-    }
-
-    /// The same in space, at the very place that is to blame.
-    #[must_use]
-    pub fn space(place: &Path<'_>, error: SpaceError) -> Self {
-        Self::at(error.into(), place, Diagnostic::from(error).message)
     }
 
     /// The sentence of the JSON answer: English, like its keys.

@@ -1,56 +1,53 @@
 //! How an algorithm joins, and what it makes of a case.
 
+use std::convert::Infallible;
+
 use serde_json::Value as Json;
 
 use crate::{
     figure::Run,
+    input::Field,
     labs::{
-        Answer, Demo, MethodCard, record,
+        Answer, MethodCard,
         telling::{Recorded, Telling},
     },
     text::Message,
-    trace::{Counted, Counts, silent, told},
+    trace::{Counted, Counts, Listening, Told, held_after, silent},
 };
 
-use super::{Field, Fields, Given, Refusal};
+use super::{Code, Detail, Fields, Path, Refusal};
 
 /// An algorithm that a case can name: what it reads, and how its answer is told.
-pub trait Solve: Demo {
+pub trait Solve: Telling {
     /// What a case gives besides `id` and `algorithm`, in the order in which it is checked.
     const FIELDS: &'static [Field];
+    /// What the answer's `output` holds.
+    const OUTPUT: &'static [Field];
+    /// The field by which a case is refused whose report would have more steps than [`Detail::MOST_STEPS`]; `None` where
+    /// the limits on the fields' sizes are enough.
+    const LONG_BY: Option<&'static str> = None;
 
-    /// Its input from checked fields, and what is told of them.
+    /// Its input from checked fields.
     ///
     /// # Errors
     /// The first field whose value is refused.
-    fn read(fields: &Fields<'_>) -> Result<(Self::Input, Told), Refusal>;
+    fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal>;
 
     /// Its answer in one sentence.
     fn verdict(output: &Self::Output) -> Message;
+
+    /// The answer's `output`, from that of its run.
+    #[must_use]
+    fn told_output(_input: &Self::Input, of_run: Json) -> Json {
+        of_run
+    }
 }
-
-/// The same of a method that is told by a table.
-pub trait SolveTold: Telling {
-    /// What a case gives besides `id` and `algorithm`, in the order in which it is checked.
-    const FIELDS: &'static [Field];
-
-    /// Its input from checked fields, and what is told of them.
-    ///
-    /// # Errors
-    /// The first field whose value is refused.
-    fn read(fields: &Fields<'_>) -> Result<(Self::Input, Told), Refusal>;
-
-    /// Its answer in one sentence.
-    fn verdict(output: &Self::Output) -> Message;
-}
-
-/// What is given, put into words only when somebody reads it.
-pub type Told = Box<dyn Fn() -> Vec<Given>>;
 
 /// An algorithm that a case can name, with its type erased.
 pub struct Solver {
     card: MethodCard,
     fields: &'static [Field],
+    output: &'static [Field],
     read: ReadProblem,
 }
 
@@ -63,17 +60,8 @@ impl Solver {
         Self {
             card: MethodCard::of::<A>(),
             fields: A::FIELDS,
+            output: A::OUTPUT,
             read: read_problem::<A>,
-        }
-    }
-
-    /// By this method.
-    #[must_use]
-    pub const fn told<M: SolveTold>() -> Self {
-        Self {
-            card: MethodCard::told::<M>(),
-            fields: M::FIELDS,
-            read: read_told::<M>,
         }
     }
 
@@ -104,6 +92,12 @@ impl Solver {
     #[must_use]
     pub const fn fields(&self) -> &'static [Field] {
         self.fields
+    }
+
+    /// What the answer's `output` holds.
+    #[must_use]
+    pub const fn output(&self) -> &'static [Field] {
+        self.output
     }
 
     /// The problem that checked fields describe.
@@ -140,82 +134,80 @@ impl Solvers {
 
 /// A case that can be solved.
 pub trait Solvable {
-    /// What is given, for people.
-    fn given(&self) -> Vec<Given>;
     /// The answer as a program would ask for it: nothing counted, nothing recorded.
     fn output(&self) -> Json;
     /// The answer and its cost, without recording the steps.
     fn cost(&self) -> (Json, Counts);
     /// Every step.
     fn run(&self) -> Box<dyn Run>;
+    /// The answer of such a run.
+    fn output_of(&self, run: &dyn Run) -> Json;
     /// The answer in one sentence.
     fn verdict(&self) -> Message;
 }
 
 /// The problem that fields describe for this algorithm.
 pub(super) fn read_problem<A: Solve>(fields: &Fields<'_>) -> Result<Box<dyn Solvable>, Refusal> {
-    let (input, told) = A::read(fields)?;
-    Ok(Box::new(SolvableOf::<A> { input, told }))
+    let input = A::read(fields)?;
+    if let Some(field) = A::LONG_BY {
+        check_steps::<A>(&input, field, fields.detail())?;
+    }
+    Ok(Box::new(SolvableOf::<A>(input)))
 }
 
-struct SolvableOf<A: Solve> {
-    input: A::Input,
-    told: Told,
+/// Refuses a report of too many steps.
+fn check_steps<A: Solve>(
+    input: &A::Input,
+    field: &'static str,
+    detail: Detail,
+) -> Result<(), Refusal> {
+    let most = detail.limit(Detail::MOST_STEPS);
+    // The bound may be far above what there will be.
+    if A::max_events(input) <= most {
+        return Ok(());
+    }
+    let mut n_steps = 0;
+    let mut counting = Listening(|_: &A::Held, _| {
+        n_steps += 1;
+        Told::<Infallible>::Continue(())
+    });
+    let Told::Continue(()) = A::run::<f64, _>(input, &mut A::begin(input), &mut counting);
+    if n_steps <= most {
+        return Ok(());
+    }
+    let problem = Message::new("case-too-many-steps")
+        .with("found", n_steps)
+        .with("max", most);
+    Err(Refusal::at(Code::TooLarge, &Path::Field(field), problem))
+}
+
+struct SolvableOf<A: Solve>(A::Input);
+
+impl<A: Solve> SolvableOf<A> {
+    fn told(&self, output: &A::Output) -> Json {
+        A::told_output(&self.0, output.json())
+    }
 }
 
 impl<A: Solve> Solvable for SolvableOf<A> {
-    fn given(&self) -> Vec<Given> {
-        (self.told)()
-    }
-
     fn output(&self) -> Json {
-        silent::<A>(&self.input).json()
+        self.told(&silent::<A>(&self.0))
     }
 
     fn cost(&self) -> (Json, Counts) {
-        let (output, counts) = Counts::of(|| A::run::<Counted>(&self.input, |_| {}));
-        (output.json(), counts)
+        let (held, counts) = Counts::of(|| held_after::<A, Counted>(&self.0));
+        (self.told(&A::output(held)), counts)
     }
 
     fn run(&self) -> Box<dyn Run> {
-        record::<A>(self.input.clone())
+        Box::new(Recorded::<A>::new(self.0.clone(), None))
+    }
+
+    fn output_of(&self, run: &dyn Run) -> Json {
+        A::told_output(&self.0, run.output_json())
     }
 
     fn verdict(&self) -> Message {
-        A::verdict(&silent::<A>(&self.input))
-    }
-}
-
-/// The problem that fields describe for this method.
-pub(super) fn read_told<M: SolveTold>(fields: &Fields<'_>) -> Result<Box<dyn Solvable>, Refusal> {
-    let (input, told) = M::read(fields)?;
-    Ok(Box::new(SolvableBy::<M> { input, told }))
-}
-
-struct SolvableBy<M: SolveTold> {
-    input: M::Input,
-    told: Told,
-}
-
-impl<M: SolveTold> Solvable for SolvableBy<M> {
-    fn given(&self) -> Vec<Given> {
-        (self.told)()
-    }
-
-    fn output(&self) -> Json {
-        told::silent::<M>(&self.input).json()
-    }
-
-    fn cost(&self) -> (Json, Counts) {
-        let (held, counts) = Counts::of(|| told::held_after::<M, Counted>(&self.input));
-        (M::output(held).json(), counts)
-    }
-
-    fn run(&self) -> Box<dyn Run> {
-        Box::new(Recorded::<M>::new(self.input.clone(), None))
-    }
-
-    fn verdict(&self) -> Message {
-        M::verdict(&told::silent::<M>(&self.input))
+        A::verdict(&silent::<A>(&self.0))
     }
 }

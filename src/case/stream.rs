@@ -5,9 +5,13 @@ use std::{
     io::{self, Read, Write},
 };
 
-use crate::text::Catalog;
+use crate::{input::Given, text::Catalog};
 
-use super::{Case, CaseLines, Format, Refused, Refusing, Solvers, Style, read, report};
+use super::{
+    Case, CaseLines, Format, Refused, Refusing, Solvers, Style,
+    read::{read, told},
+    report,
+};
 
 /// Written in pieces of this size: large enough that calls into the system cost nothing.
 const CHUNK_BYTES: usize = 1 << 16;
@@ -72,7 +76,8 @@ pub fn trace(
         };
         let case = read(solvers, text, style.detail);
         let number = tally.answered + tally.refused + 1;
-        write_answer(number, &case, style, &mut out).map_err(TraceError::Write)?;
+        let told = || told(solvers, text, style.detail);
+        write_answer(number, &case, told, style, &mut out).map_err(TraceError::Write)?;
         match &case {
             Ok(_) => tally.answered += 1,
             Err(refused) => {
@@ -90,6 +95,7 @@ pub fn trace(
 fn write_answer(
     number: usize,
     case: &Result<Case, Refused>,
+    told: impl Fn() -> Vec<Given>,
     style: Style,
     out: &mut Vec<u8>,
 ) -> io::Result<()> {
@@ -107,8 +113,8 @@ fn write_answer(
             out.push(b'\n');
             return Ok(());
         }
-        Format::Text => report::text(number, case, detail, Catalog::of(lang)),
-        Format::Markdown => report::markdown(number, case, detail, Catalog::of(lang)),
+        Format::Text => report::text(number, case, &told(), detail, Catalog::of(lang)),
+        Format::Markdown => report::markdown(number, case, &told(), detail, Catalog::of(lang)),
     };
     out.extend_from_slice(report.as_bytes());
     Ok(())

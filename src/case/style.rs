@@ -23,6 +23,9 @@ pub enum Detail {
 }
 
 impl Detail {
+    /// A report of more steps, or of more pixels, is refused: each step is told with the picture so far.
+    pub const MOST_STEPS: usize = 65_536;
+
     /// What a report would make too long is limited to `most`; an answer alone takes as much as a line holds.
     #[must_use]
     pub const fn limit(self, most: usize) -> usize {

@@ -6,7 +6,8 @@ use clap::ValueEnum;
 use serde_json::{Value as Json, json};
 
 use crate::{
-    case::{Presence, Solver, Solvers},
+    case::{Solver, Solvers},
+    input::Presence,
     lesson::{Course, Lesson},
     text::{Catalog, Lang, Message},
 };

@@ -15,12 +15,13 @@ use crate::{
 
 use super::{
     Outcome, Progress, lang_parser, say,
-    say::{not_written, say_text},
+    say::{not_written, print, say_text},
 };
 
 const EXAMPLES: &str = r#"Examples:
   clipscope trace cases.ndjson --events false > answers.ndjson
   clipscope trace cases.ndjson --format markdown --lang es > respuestas.md
+  clipscope trace --schema > schema.json
   echo '{"algorithm":"liang-barsky","window":[-1,-1,1,1],"segment":[-2,-1,2,1.5]}' |
     clipscope trace
 
@@ -43,6 +44,9 @@ pub(super) struct Args {
     /// Write every step, or the answers only
     #[arg(long, value_name = "BOOL", default_value_t = true, action = ArgAction::Set)]
     events: bool,
+    /// Print a JSON Schema of the cases and answers of every algorithm, and answer nothing
+    #[arg(long, conflicts_with_all = ["file", "format", "events"])]
+    schema: bool,
     /// Language of text, markdown and messages
     #[arg(long, value_name = "LANG", default_value_t = Lang::En, value_parser = lang_parser())]
     lang: Lang,
@@ -61,6 +65,10 @@ enum Format {
 /// Answers the cases.
 pub(super) fn trace(args: &Args) -> Outcome {
     let lang = args.lang;
+    if args.schema {
+        let schema = Solvers::standard().schema();
+        return print(&format!("{schema:#}\n"), lang);
+    }
     let unreadable = |error: io::Error| {
         let message = Message::new("cli-unreadable")
             .with("path", args.file.display().to_string())

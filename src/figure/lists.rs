@@ -58,6 +58,23 @@ impl ListColumn {
         }
     }
 
+    /// Of a list of `len` the entries about `focus`.
+    #[must_use]
+    pub fn about(
+        title: Value,
+        len: usize,
+        focus: Option<usize>,
+        entry: impl FnMut(usize) -> ListRow,
+    ) -> Self {
+        let reach = Self::reach(len, focus);
+        Self {
+            n_before: reach.start,
+            n_after: len - reach.end,
+            focus: focus.map(|at| at - reach.start),
+            ..Self::new(title, reach.map(entry).collect())
+        }
+    }
+
     /// The places of a list of `len` that are to be given as entries: those about `focus`, or its first ones.
     #[must_use]
     pub fn reach(len: usize, focus: Option<usize>) -> Range<usize> {

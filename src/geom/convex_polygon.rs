@@ -49,8 +49,18 @@ impl ConvexPolygon {
     /// One half-plane an edge; edge `i` runs from vertex `i` to vertex `i + 1`.
     #[must_use]
     pub fn half_planes(&self) -> impl ExactSizeIterator<Item = HalfPlane> + '_ {
-        let n = self.vertices.len();
-        (0..n).map(move |i| HalfPlane::left_of(self.vertices[i], self.vertices[(i + 1) % n]))
+        (0..self.vertices.len()).map(|edge_idx| self.half_plane(edge_idx))
+    }
+
+    /// The inside of the edge from one vertex to the next.
+    ///
+    /// # Panics
+    /// Where there are not so many.
+    #[inline]
+    #[must_use]
+    pub fn half_plane(&self, edge_idx: usize) -> HalfPlane {
+        let next = (edge_idx + 1) % self.vertices.len();
+        HalfPlane::left_of(self.vertices[edge_idx], self.vertices[next])
     }
 }
 

@@ -78,6 +78,12 @@ impl Segment {
         })
     }
 
+    /// Are both ends the same?
+    #[must_use]
+    pub fn is_point(&self) -> bool {
+        self.p1 == self.p2
+    }
+
     /// The same segment walked the other way.
     #[must_use]
     pub const fn reversed(self) -> Self {

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::{Axis, GeomError, HalfPlane, Point, point::finite};
 
 /// A side of the window.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, Serialize, Deserialize)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Edge {
     /// x = xmin

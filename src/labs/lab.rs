@@ -48,7 +48,7 @@ impl PartialEq for dyn Lab {
 }
 
 /// What figures, lessons and the window ask of a lab's scene.
-pub trait Document: Plain + Backdrop + Hands + Answers {
+pub trait Document: Plain + Backdrop + Draggable + Answers {
     /// Its lab.
     fn lab(&self) -> &'static dyn Lab;
     /// The methods on stage, from left to right: one, or several that are compared.
@@ -101,7 +101,7 @@ pub trait Backdrop {
 }
 
 /// What of a scene can be taken hold of.
-pub trait Hands {
+pub trait Draggable {
     /// What can be dragged, in the order in which Tab visits it.
     fn handles(&self) -> Vec<Handle>;
     /// Where a handle lies; `None` where the scene has no such handle.

@@ -3,7 +3,6 @@
 
 mod card;
 mod crossing_formulas;
-mod demo;
 mod difference;
 mod edit;
 pub mod frustum;
@@ -14,6 +13,8 @@ pub mod lines;
 mod operator;
 pub mod polygons;
 mod registry;
+mod rings;
+mod segments;
 mod sketch;
 pub mod space;
 mod split_mix;
@@ -24,20 +25,19 @@ mod window_handles;
 mod words;
 
 pub use card::{CodeLine, MethodCard};
-pub use demo::{Answer, Demo, Step};
 pub use difference::Difference;
 pub use edit::Edit;
 pub use handle::{Handle, HandleKind, Motion};
 pub use lab::{
-    Answers, Backdrop, Change, ChangeOf, Click, Document, Hands, Lab, Lock, OutlineKind, Own,
+    Answers, Backdrop, Change, ChangeOf, Click, Document, Draggable, Lab, Lock, OutlineKind, Own,
     Plain, Scene, Verdict,
 };
-pub use registry::{Entry, Listed, Method};
+pub use registry::{Listed, Method, MethodEntry};
 pub use sketch::Sketch;
+pub use telling::Answer;
 pub use typed::{place_of, written};
 
 use card::{but_for, code_line};
-pub(crate) use demo::{record, record_beside};
 pub(crate) use words::{plane_symbol, vertex_symbol};
 
 /// Every lab, in the order in which they are taught.

@@ -5,7 +5,7 @@ use std::fmt;
 use super::MethodCard;
 
 /// A line of a lab's table of methods: what the lab knows of a method without running it.
-pub struct Entry<I> {
+pub struct MethodEntry<I> {
     /// Names, source and pseudocode.
     pub card: MethodCard,
     /// What only this lab knows of its methods.
@@ -15,16 +15,16 @@ pub struct Entry<I> {
 /// What only one lab knows of its methods.
 pub trait Listed: Sized + 'static {
     /// Every method of that lab, in the order in which they are taught.
-    fn all() -> &'static [Entry<Self>];
+    fn all() -> &'static [MethodEntry<Self>];
 }
 
 /// One of a lab's methods.
-pub struct Method<I: 'static>(&'static Entry<I>);
+pub struct Method<I: 'static>(&'static MethodEntry<I>);
 
 impl<I> Method<I> {
     /// The method of this line of the table.
     #[must_use]
-    pub const fn of(entry: &'static Entry<I>) -> Self {
+    pub const fn of(entry: &'static MethodEntry<I>) -> Self {
         Self(entry)
     }
 

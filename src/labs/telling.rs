@@ -8,18 +8,25 @@ mod row;
 mod template;
 
 use serde::Serialize;
+use serde_json::Value as Json;
 
 use crate::{
-    figure::{Caption, Choice, Decides, Link, View, Watch, WatchRow, WatchSection},
+    figure::{Caption, Choice, Decides, Link, Tick, View, Watch, WatchRow, WatchSection},
     text::{Catalog, Message, Value},
-    trace::told::{Method, Step},
+    trace::{Method, Step},
 };
 
-use super::{Answer, CodeLine, MethodCard};
+use super::{CodeLine, MethodCard};
 
 pub use recorded::Recorded;
-pub(crate) use row::rows;
-pub use row::{Options, Question, Row};
+pub use row::{Options, Question, Row, all_rows};
+pub(crate) use row::{rows, table};
+
+/// An answer that can be written down.
+pub trait Answer {
+    /// The fields of `output` in `interfaces.md`.
+    fn json(&self) -> Json;
+}
 
 /// A method whose steps can be told and shown.
 pub trait Telling: Method<Output: Answer, Event: Serialize> + 'static {
@@ -60,6 +67,12 @@ pub trait Telling: Method<Output: Answer, Event: Serialize> + 'static {
         row.line
     }
 
+    /// The shape of the tick of a row; a method may show the steps of its parts in another way than these do.
+    #[must_use]
+    fn tick(row: &Row) -> Tick {
+        row.tick
+    }
+
     /// The value of a name at a step; none where the name is not alive, or no name of this method.
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named>;
 
@@ -88,7 +101,7 @@ pub trait Telling: Method<Output: Answer, Event: Serialize> + 'static {
 impl MethodCard {
     /// The card of a method that can be told.
     #[must_use]
-    pub const fn told<M: Telling>() -> Self {
+    pub const fn of<M: Telling>() -> Self {
         Self {
             id: M::ID,
             name_key: M::NAME_KEY,

@@ -92,14 +92,6 @@ pub fn border_equation(window: &Window, edge: Edge) -> Formula {
         .num(window.border(edge))
 }
 
-/// `P₁ = (−2, −1)`.
-pub fn point_formula(symbol: &'static str, point: Point) -> Formula {
-    Formula::default()
-        .sym(symbol)
-        .sym(" = ")
-        .point(point.to_array())
-}
-
 /// What says where a point lies along one axis: `x = −2 < −1` beyond a side, `−1 ≤ y = 0 ≤ 1` between both.
 pub fn position_formula(
     axis: Axis,

@@ -7,7 +7,10 @@ use toml::{
     de::{DeTable, DeValue},
 };
 
-use crate::text::{Message, Value};
+use crate::{
+    input::{At, Dim, Got, Part, Presence, Shape, Table},
+    text::{Message, Value},
+};
 
 use super::sink::{Sink, clipped};
 
@@ -85,6 +88,16 @@ impl<'t> TomlFields<'t> {
             sink.error(self.span(), message, []);
         }
         item
+    }
+
+    /// A part that must be there.
+    pub fn need<T>(&self, part: &Part<T>, sink: &mut Sink<'_>) -> Option<T> {
+        made(self.require(part.name(), sink)?, part, sink)
+    }
+
+    /// A part that may be left out.
+    pub fn part<T>(&self, part: &Part<T>, sink: &mut Sink<'_>) -> Option<T> {
+        made(self.get(part.name())?, part, sink)
     }
 }
 
@@ -164,26 +177,156 @@ pub(super) fn list<'t>(
     list.map(|list| &**list)
 }
 
-/// A list of exactly `N` numbers.
-pub(super) fn numbers<const N: usize>(
+/// What a value means as this part of a file.
+pub(crate) fn made<T>(item: &Item<'_>, part: &Part<T>, sink: &mut Sink<'_>) -> Option<T> {
+    let got = got(item, part.optional.shape, part.expect, sink)?;
+    let fault = match (part.make)(&got) {
+        Ok(made) => return Some(made),
+        Err(fault) => fault,
+    };
+    let inner = match fault.at {
+        At::Whole => None,
+        At::Entry(i) => item.get_ref().get(i),
+        At::Field(name) => item.get_ref().get(name),
+    };
+    let span = inner.unwrap_or(item).span();
+    sink.refuse(span, fault.what, [Message::new(part.expect)]);
+    None
+}
+
+/// A value, once it has this shape.
+pub(super) fn got(
     item: &Item<'_>,
+    shape: &Shape,
     expect: &'static str,
     sink: &mut Sink<'_>,
-) -> Option<[f64; N]> {
-    let items = list(item, expect, sink)?;
-    if items.len() != N {
-        let message = Message::new("problem-wrong-length").with("count", items.len());
-        sink.error(item.span(), message, [Message::new(expect)]);
-        return None;
+) -> Option<Got> {
+    match shape {
+        Shape::Number => number(item, expect, sink).map(Got::Number),
+        Shape::Whole(least, most) => {
+            let whole = whole(item, *least as u64..*most as u64 + 1, sink)?;
+            Some(Got::Wholes(vec![whole as i64]))
+        }
+        Shape::Text => Some(Got::Text(text(item, sink)?.to_owned())),
+        Shape::Word(words) => one_of(item, words, "problem-unknown-value", sink, |word| {
+            words.contains(&word).then(|| Got::Text(word.to_owned()))
+        }),
+        Shape::Numbers(dims) => {
+            let mut numbers = Vec::new();
+            lists(item, dims, expect, sink, &mut |item, sink| {
+                numbers.extend(number(item, "expect-number", sink));
+            })?;
+            Some(Got::Numbers(numbers))
+        }
+        Shape::Wholes(dims, least, most) => {
+            let mut wholes = Vec::new();
+            let range = *least as u64..*most as u64 + 1;
+            lists(item, dims, expect, sink, &mut |item, sink| {
+                wholes.extend(whole(item, range.clone(), sink).map(|n| n as i64));
+            })?;
+            Some(Got::Wholes(wholes))
+        }
+        Shape::Table(table) => fields_of(item, table, sink).map(Got::Table),
+        Shape::List(entry) => each(item, expect, sink, |item, sink| {
+            got(item, entry, expect, sink)
+        })
+        .map(Got::List),
+        Shape::OrNull(shape) => got(item, shape, expect, sink),
+        // Answers alone have it.
+        Shape::Bool => None,
     }
-    let mut all = Some([0.0; N]);
-    for (i, item) in items.iter().enumerate() {
-        match (number(item, "expect-number", sink), &mut all) {
-            (Some(x), Some(all)) => all[i] = x,
-            (_, all) => *all = None,
+}
+
+/// Lists in lists: calls back with each of the innermost entries. `None` where anything is wrong.
+fn lists(
+    item: &Item<'_>,
+    dims: &[Dim],
+    expect: &'static str,
+    sink: &mut Sink<'_>,
+    entry: &mut dyn FnMut(&Item<'_>, &mut Sink<'_>),
+) -> Option<()> {
+    let n_errors = sink.n_errors();
+    let [dim, inner @ ..] = dims else {
+        entry(item, sink);
+        return (sink.n_errors() == n_errors).then_some(());
+    };
+    let items = list(item, expect, sink)?;
+    let is_wrong = matches!(dim, Dim::Exactly(n) if *n != items.len());
+    let is_flat = inner.is_empty();
+    if !(is_wrong && is_flat) {
+        for item in items {
+            lists(item, inner, expected(inner).unwrap_or(expect), sink, entry);
         }
     }
-    all
+    if is_wrong && sink.n_errors() == n_errors {
+        let key = if is_flat {
+            "problem-wrong-length"
+        } else {
+            "problem-too-few-places"
+        };
+        let message = Message::new(key).with("count", items.len());
+        sink.error(item.span(), message, [Message::new(expect)]);
+    }
+    (sink.n_errors() == n_errors).then_some(())
+}
+
+/// Catalogue key of what so many numbers are.
+const fn expected(dims: &[Dim]) -> Option<&'static str> {
+    match dims {
+        [Dim::Exactly(2)] => Some("expect-point"),
+        [Dim::Exactly(3)] => Some("expect-place"),
+        [Dim::Exactly(4)] => Some("expect-segment"),
+        _ => None,
+    }
+}
+
+/// All fields of a table that are right; `None` where one is not.
+fn fields_of(
+    item: &Item<'_>,
+    table: &Table,
+    sink: &mut Sink<'_>,
+) -> Option<Vec<(&'static str, Got)>> {
+    let n_errors = sink.n_errors();
+    let names: Vec<&str> = table.fields.iter().map(|field| field.name).collect();
+    let fields = TomlFields::of(item, &names, sink)?;
+    let choices = table.fields.iter().filter(|f| f.need == Presence::Choice);
+    let names = choices.map(|field| field.name);
+    let mut chosen = names.clone().filter_map(|name| fields.get(name));
+    if let Some(name) = names.clone().next()
+        && chosen.next().is_none()
+    {
+        fields.require(name, sink);
+    }
+    if let Some(second) = chosen.next() {
+        sink.error(second.span(), Message::new(table.both_key), []);
+    }
+    let mut all = Vec::new();
+    for field in table.fields {
+        let given = match field.need {
+            Presence::Required => fields.require(field.name, sink),
+            Presence::Choice | Presence::Optional => fields.get(field.name),
+        };
+        let expect = match field.shape {
+            Shape::Numbers(dims) => expected(dims).unwrap_or("expect-number"),
+            Shape::Wholes(..) => "expect-pixel",
+            _ => "expect-number",
+        };
+        let got = given.and_then(|item| got(item, field.shape, expect, sink));
+        all.extend(got.map(|got| (field.name, got)));
+    }
+    (sink.n_errors() == n_errors).then_some(all)
+}
+
+/// A list, each entry read; `None` where one of them is wrong.
+pub(super) fn each<'t, T>(
+    item: &'t Item<'t>,
+    expect: &'static str,
+    sink: &mut Sink<'_>,
+    mut read: impl FnMut(&'t Item<'t>, &mut Sink<'_>) -> Option<T>,
+) -> Option<Vec<T>> {
+    let items = list(item, expect, sink)?;
+    let read: Vec<T> = items.iter().filter_map(|item| read(item, sink)).collect();
+    (read.len() == items.len()).then_some(read)
 }
 
 /// A word that `parse` knows; `key` is what is said of another one.

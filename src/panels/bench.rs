@@ -18,7 +18,7 @@ pub trait Bench {
 }
 
 /// Costs that are measured in small pieces of work.
-pub trait Costs {
+pub trait Measuring {
     /// Is there nothing left to do?
     fn is_done(&self) -> bool;
 
@@ -30,7 +30,7 @@ pub trait Costs {
 }
 
 /// Works for a slice of a frame, if there are costs that are not known yet; is there more to do?
-pub fn work_on<C: Costs>(costs: Option<&mut C>, clock: &dyn Fn() -> f64) -> bool {
+pub fn work_on<C: Measuring>(costs: Option<&mut C>, clock: &dyn Fn() -> f64) -> bool {
     let Some(costs) = costs.filter(|costs| !costs.is_done()) else {
         return false;
     };
@@ -42,7 +42,7 @@ pub fn work_on<C: Costs>(costs: Option<&mut C>, clock: &dyn Fn() -> f64) -> bool
 }
 
 /// Draws the window's title, what is measured, and while it is measured how far that has come.
-pub fn head<C: Costs>(
+pub fn head<C: Measuring>(
     ui: &mut Ui,
     look: Look<'_>,
     title_key: &str,

@@ -1,26 +1,24 @@
 //! What each lab adds to the window; [`all`] is the table that a lab joins.
 
 mod bench;
+mod fields;
 mod frustum;
 mod lab_panel;
 mod lines;
 mod moved;
-mod number_field;
 mod pickers;
 mod plots;
 mod polygons;
-mod seeded;
 mod space;
 mod spots;
 mod surfaces;
 
 pub use bench::Bench;
+pub use fields::{Seeded, number_field};
 pub use lab_panel::{LabPanel, PanelAsk, panel_of, work};
 pub use moved::moved_to;
-pub use number_field::number_field;
 pub use pickers::{compare_choices, compare_picker, method_picker};
 pub use plots::{PowerLine, power_plot, still_plot};
-pub use seeded::Seeded;
 pub use spots::{Reach, spots};
 
 /// The panels of all labs, in the order of their tabs.

@@ -1,50 +1,59 @@
-//! The laws of traced execution. Every algorithm joins with one line in a property test.
+//! The laws of told runs. Every method joins with one line in a property test.
 
-use std::fmt::Debug;
+use std::{convert::Infallible, fmt::Debug};
 
-use super::{Algorithm, Trace, silent};
+use super::{
+    method::{Listening, Method, Told, silent},
+    recording::Recording,
+};
 
-/// Checks that silent and recorded runs agree, that the folded state holds the answer, that the number
-/// of events keeps its bound, and that seeking equals folding.
+/// Checks the laws of a told run: the silent and the recorded run agree, a run that is made again tells the same events, so does
+/// one from every copy that was kept, and the number of events keeps its bound.
 ///
 /// # Panics
 /// Where a law is broken, in its own words.
-pub fn check<A>(input: &A::Input)
+pub fn check<M: Method>(input: &M::Input)
 where
-    A: Algorithm,
-    A::Input: Debug,
-    A::Output: Debug,
-    A::State: PartialEq + Debug,
+    M::Input: Debug,
+    M::Output: Debug,
+    M::Event: Debug,
 {
-    let trace = Trace::<A>::record(input.clone());
+    let recording = Recording::<M>::new(input.clone());
+    let output = recording.output();
     assert_eq!(
-        &silent::<A>(input),
-        trace.output(),
+        silent::<M>(input),
+        output,
         "silent and recorded runs agree on {input:?}"
     );
-    let n = trace.events().len();
-    assert_eq!(
-        &A::finish(&trace.state_at(n)),
-        trace.output(),
-        "the folded state holds the answer to {input:?}"
-    );
+    let n = recording.events().len();
     assert!(
-        n <= A::max_events(input),
+        n <= M::max_events(input),
         "{n} events on {input:?}, more than the stated {}",
-        A::max_events(input)
+        M::max_events(input)
     );
-    let mut state = A::start(input);
-    for (i, &event) in trace.events().iter().enumerate() {
+    let start = (0, M::begin(input));
+    for (from, held) in std::iter::once(&start).chain(recording.rests()) {
+        let (mut n, mut held) = (*from, held.clone());
+        let mut same = Listening(|_: &M::Held, event| {
+            let told = recording.events().get(n).copied();
+            assert_eq!(
+                told,
+                Some(event),
+                "event {n} again, from step {from} of {input:?}"
+            );
+            n += 1;
+            Told::<Infallible>::Continue(())
+        });
+        let Told::Continue(()) = M::run::<f64, _>(input, &mut held, &mut same);
         assert_eq!(
-            trace.state_at(i),
-            state,
-            "seeking to {i} equals folding {i} events of {input:?}"
+            n,
+            recording.events().len(),
+            "all events again, from step {from} of {input:?}"
         );
-        A::apply(&mut state, event);
+        assert_eq!(
+            M::output(held),
+            output,
+            "the same answer, from step {from} of {input:?}"
+        );
     }
-    assert_eq!(
-        trace.state_at(n + 1),
-        state,
-        "seeking past the end stops at the end"
-    );
 }

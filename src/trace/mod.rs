@@ -1,20 +1,17 @@
-//! Traced execution: one implementation of each algorithm, silent or recorded.
+//! Told runs: one implementation of each algorithm, silent or recorded.
 //!
-//! An algorithm is written once, in the shape of its published pseudocode, over a [`Real`] scalar and
-//! with an `emit` closure. Production runs it over `f64` with `|_| {}`, which compiles to nothing; a
-//! [`Trace`] runs it over [`Counted`], keeps the events it emitted and how many operations it had done by
-//! then. A picture of step *k* is a fold over the first *k* events.
+//! An algorithm is written once, in the shape of its published pseudocode, over a [`Real`] scalar. It works in a memory of its own,
+//! which has the answer after the end, and tells small events as it goes. A program runs it with [`silent`]: nobody listens,
+//! and what is told compiles to nothing. A [`Recording`] runs it over [`Counted`], and keeps the events and how many operations had
+//! been done by each. To show step *k*, the run is made again up to its *k*-th event.
 
-mod algorithm;
 mod counts;
 pub mod laws;
-mod log;
+mod method;
 mod recording;
-pub mod told;
 mod transport;
 
-pub use algorithm::{Algorithm, silent};
 pub use counts::{Counted, Counts, Real};
-pub use log::Log;
-pub use recording::Trace;
+pub use method::{Includes, Listening, Method, Silent, Tell, Told, held_after, silent};
+pub use recording::{Recording, Step};
 pub use transport::Transport;

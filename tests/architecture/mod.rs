@@ -10,8 +10,8 @@ use std::{
 use clipscope::labs::LABS;
 
 /// Modules in reading order: each may use only those before it. The second half needs the `gui` feature.
-const PURE: [&str; 8] = [
-    "geom", "trace", "algo", "text", "figure", "labs", "lesson", "case",
+const PURE: [&str; 9] = [
+    "geom", "trace", "algo", "text", "figure", "labs", "input", "lesson", "case",
 ];
 const GUI: [&str; 6] = ["paint", "widgets", "panels", "export", "app", "cli"];
 /// Past this a file usually holds two things.

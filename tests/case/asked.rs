@@ -6,6 +6,8 @@ use clipscope::{
 };
 use serde_json::Value as Json;
 
+use super::schema;
+
 /// Every step, in English.
 pub const JSON: Style = style(Format::Json, Lang::En);
 /// Answers without steps, in English.
@@ -28,7 +30,17 @@ pub fn tallied(cases: &[u8], style: Style) -> (String, Tally) {
     let mut out = Vec::new();
     let tally = trace(Solvers::standard(), cases, &mut out, style, |_| {})
         .expect("memory can be read and written");
-    (String::from_utf8(out).expect("answers are UTF-8"), tally)
+    let answers = String::from_utf8(out).expect("answers are UTF-8");
+    if style.format == Format::Json {
+        let lines = cases
+            .split(|byte| *byte == b'\n')
+            .map(String::from_utf8_lossy);
+        let cases = lines.filter(|line| !line.trim().is_empty());
+        for (case, answer) in cases.zip(answers.lines()) {
+            schema::check(&case, answer);
+        }
+    }
+    (answers, tally)
 }
 
 /// What is written about cases.

@@ -5,5 +5,6 @@ mod frustum;
 mod lines;
 mod pipeline;
 mod polygons;
+mod schema;
 mod space_lines;
 mod surfaces;

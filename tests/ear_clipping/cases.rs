@@ -3,7 +3,7 @@
 use clipscope::{
     algo::polygon::{Corner, EarClipping, EarClippingEvent as Event, Triangle},
     geom::SimplePolygon,
-    trace::told::{self, Method, Recording, silent},
+    trace::{Method, Recording, laws, silent},
 };
 
 use super::{
@@ -57,7 +57,7 @@ fn outlines_and_their_triangles() {
     for (name, outline, expected) in cases {
         assert!(is_simple(outline), "{name}");
         assert_eq!(triangulated(outline), expected, "{name}");
-        told::check::<EarClipping>(&polygon(outline));
+        laws::check::<EarClipping>(&polygon(outline));
     }
 }
 
@@ -78,7 +78,7 @@ fn combs_spirals_and_stars() {
         let mut from_another_vertex = outline.clone();
         from_another_vertex.rotate_left(outline.len() / 2);
         triangulated(&from_another_vertex);
-        told::check::<EarClipping>(&polygon(&outline));
+        laws::check::<EarClipping>(&polygon(&outline));
     }
 }
 

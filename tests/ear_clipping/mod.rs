@@ -15,7 +15,7 @@ use std::collections::HashSet;
 use clipscope::{
     algo::polygon::{EarClipping, Triangle},
     geom::{Point, SimplePolygon},
-    trace::told::silent,
+    trace::silent,
 };
 
 /// On a grid, where every area is exact.

@@ -6,7 +6,7 @@ use clipscope::{
         TriangulateAndClip, TriangulateAndClipEvent as Event, TriangulateAndClipInput,
     },
     geom::{ConvexPolygon, Point, Polygon, Segment, Window},
-    trace::{Trace, laws, silent, told},
+    trace::{Recording, laws, silent},
 };
 use proptest::prelude::*;
 
@@ -141,7 +141,7 @@ fn a_touch_may_leave_a_sliver_as_wide_as_rounding() {
 
 #[test]
 fn the_phases_follow_each_other() {
-    let trace = Trace::<TriangulateAndClip>::record(input(&COMB, window([-1.0, 3.0, 6.0, 5.0])));
+    let trace = Recording::<TriangulateAndClip>::new(input(&COMB, window([-1.0, 3.0, 6.0, 5.0])));
     let phase = |event: &Event| match event {
         Event::Triangulate(_) => 't',
         Event::Each(_) => 'e',
@@ -189,7 +189,7 @@ proptest! {
     fn in_a_window_that_holds_it_all_nothing_is_cut(outline in any_outline()) {
         let problem = input(&outline, window([-2000.0, -2000.0, 2000.0, 2000.0]));
         let pieces = silent::<TriangulateAndClip>(&problem);
-        let whole = told::silent::<EarClipping>(&problem.polygon);
+        let whole = silent::<EarClipping>(&problem.polygon);
         let triangles: Vec<_> = whole.triangles().iter().map(|&t| whole.corners(t).to_vec()).collect();
         let found: Vec<_> = pieces.rings().map(<[Point]>::to_vec).collect();
         prop_assert_eq!(found, triangles);

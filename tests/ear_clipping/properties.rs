@@ -3,7 +3,7 @@
 use clipscope::{
     algo::polygon::EarClipping,
     geom::{Point, SimplePolygon},
-    trace::told::{self, silent},
+    trace::{laws, silent},
 };
 use proptest::prelude::*;
 
@@ -68,7 +68,7 @@ proptest! {
 
     #[test]
     fn the_laws_of_traced_execution(outline in any_outline()) {
-        told::check::<EarClipping>(&polygon(&outline));
+        laws::check::<EarClipping>(&polygon(&outline));
     }
 
     #[test]

@@ -5,7 +5,7 @@ use clipscope::{
         BitOrder, CyrusBeck, CyrusBeckInput, LiangBarsky, LiangBarskyEvent, Outcode, WindowInput,
     },
     geom::{ConvexPolygon, Segment, Window},
-    trace::{Trace, silent},
+    trace::{Recording, silent},
 };
 
 use super::{all_clippers, floats};
@@ -150,12 +150,18 @@ fn the_practice_example_of_the_slides() {
         window: window(UNIT),
         segment: segment([-2.0, -1.0, 2.0, 1.5]),
     };
-    let trace = Trace::<LiangBarsky>::record(input);
-    let state = trace.state_at(trace.events().len());
-    let rows = state.rows.map(|row| row.map(|row| (row.p, row.q)));
-    let expected = [(-4.0, -1.0), (4.0, 3.0), (-2.5, 0.0), (2.5, 2.0)].map(Some);
-    assert_eq!(rows, expected, "p and q, row by row");
-    assert_eq!(state.interval, [0.25, 0.75], "u");
+    let trace = Recording::<LiangBarsky>::new(input);
+    let rows = trace.events().iter().filter_map(|event| match event {
+        LiangBarskyEvent::Row { row, .. } => Some((row.p, row.q)),
+        _ => None,
+    });
+    let expected = [(-4.0, -1.0), (4.0, 3.0), (-2.5, 0.0), (2.5, 2.0)];
+    assert_eq!(rows.collect::<Vec<_>>(), expected, "p and q, row by row");
+    let put = trace.events().iter().filter_map(|event| match event {
+        LiangBarskyEvent::Put { u, .. } => Some(*u),
+        _ => None,
+    });
+    assert_eq!(put.collect::<Vec<_>>(), [0.25, 0.75], "u");
 }
 
 #[test]
@@ -187,7 +193,7 @@ fn equal_codes_and_different_verdicts() {
 fn parallel_and_between_two_sides_is_not_enough() {
     // E4: p = 0 for left and right with both q > 0, and yet all of it lies above the window.
     check("above the window", [0.5, 2.0, 0.5, 3.0], None);
-    let trace = Trace::<LiangBarsky>::record(WindowInput {
+    let trace = Recording::<LiangBarsky>::new(WindowInput {
         window: window(UNIT),
         segment: segment([0.5, 2.0, 0.5, 3.0]),
     });

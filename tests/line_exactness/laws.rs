@@ -6,7 +6,7 @@ use clipscope::{
         LiangBarsky, NichollLeeNicholl, WindowInput,
     },
     geom::{ConvexPolygon, Segment, Window},
-    trace::laws::check,
+    trace::laws,
 };
 use proptest::prelude::*;
 
@@ -37,22 +37,22 @@ fn polygon() -> impl Strategy<Value = ConvexPolygon> {
 
 proptest! {
     #[test]
-    fn brute_force(input in input()) { check::<BruteForce>(&input); }
+    fn brute_force(input in input()) { laws::check::<BruteForce>(&input); }
 
     #[test]
     fn cohen_sutherland(WindowInput { window, segment } in input(), tbrl in any::<bool>()) {
         let bit_order = if tbrl { BitOrder::Tbrl } else { BitOrder::Lrbt };
-        check::<CohenSutherland>(&CohenSutherlandInput { window, segment, bit_order });
+        laws::check::<CohenSutherland>(&CohenSutherlandInput { window, segment, bit_order });
     }
 
     #[test]
-    fn liang_barsky(input in input()) { check::<LiangBarsky>(&input); }
+    fn liang_barsky(input in input()) { laws::check::<LiangBarsky>(&input); }
 
     #[test]
     fn cyrus_beck(clip in polygon(), input in input()) {
-        check::<CyrusBeck>(&CyrusBeckInput { clip, segment: input.segment });
+        laws::check::<CyrusBeck>(&CyrusBeckInput { clip, segment: input.segment });
     }
 
     #[test]
-    fn nicholl_lee_nicholl(input in input()) { check::<NichollLeeNicholl>(&input); }
+    fn nicholl_lee_nicholl(input in input()) { laws::check::<NichollLeeNicholl>(&input); }
 }

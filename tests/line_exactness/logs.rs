@@ -7,14 +7,14 @@ use clipscope::{
         LiangBarsky, NichollLeeNicholl, WindowInput,
     },
     geom::{ConvexPolygon, Segment, Window},
-    trace::Algorithm,
+    trace::Method,
 };
 use serde::Serialize;
 
 use crate::shared::event_log;
 
-fn check<A: Algorithm<Event: Serialize>>(name: &str, input: A::Input) {
-    event_log::check::<A>(&format!("line/{name}"), input);
+fn check<M: Method<Event: Serialize>>(name: &str, input: M::Input) {
+    event_log::check::<M>(&format!("line/{name}"), input);
 }
 
 /// The slides' practice example.

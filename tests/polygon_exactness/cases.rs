@@ -5,7 +5,7 @@ use clipscope::{
         ClipRegion, RingOutcome, Rule, SutherlandHodgman, SutherlandHodgmanEvent, Textured,
     },
     geom::{ConvexPolygon, Point},
-    trace::{Trace, silent},
+    trace::{Recording, silent},
 };
 
 use super::{arrays, check_promises, clip, input, points, unit};
@@ -329,7 +329,7 @@ fn t_runs_from_s_to_p_whichever_end_is_inside() {
     let triangle = points(&[[0.0, 0.0], [0.0, 0.5], [-4.0, 0.0]]);
     let diamond = ConvexPolygon::new(&[[0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]]);
     for region in [unit(), diamond.expect("convex").into()] {
-        let trace = Trace::<SutherlandHodgman>::record(input(&region, triangle.clone()));
+        let trace = Recording::<SutherlandHodgman>::new(input(&region, triangle.clone()));
         let mut rule = Rule::InIn;
         let mut n_crossings = 0;
         let mut ends = [Point::default(); 2];

@@ -6,7 +6,7 @@ use clipscope::{
         faulty::{CutsTwice, DropsOnBorder, EndFirst, Faulty, KeepsUv, LeavesOpen, WalksClockwise},
     },
     geom::Point,
-    trace::{Algorithm, Trace, silent},
+    trace::{Method, Recording, silent},
 };
 
 use super::{arrays, input, points, unit};
@@ -16,15 +16,15 @@ type Event = SutherlandHodgmanEvent<Point>;
 /// Its ring, and the first event that is not the right one's.
 fn differs<L>(outline: &[[f64; 2]]) -> (Vec<[f64; 2]>, Option<Event>)
 where
-    Faulty<L>: Algorithm<
+    Faulty<L>: Method<
             Input = SutherlandHodgmanInput,
             Event = Event,
             Output = clipscope::algo::polygon::ClippedRing<Point>,
         >,
 {
     let input = input(&unit(), points(outline));
-    let right = Trace::<SutherlandHodgman>::record(input.clone());
-    let wrong = Trace::<Faulty<L>>::record(input);
+    let right = Recording::<SutherlandHodgman>::new(input.clone());
+    let wrong = Recording::<Faulty<L>>::new(input);
     let pairs = wrong.events().iter().zip(right.events());
     let first = pairs.clone().position(|(w, r)| w != r);
     let event = first.map(|i| wrong.events()[i]);

@@ -6,7 +6,7 @@ use clipscope::{
         faulty::{CutsTwice, DropsOnBorder, EndFirst, Faulty, KeepsUv, LeavesOpen, WalksClockwise},
     },
     geom::{ConvexPolygon, Point, Window},
-    trace::laws::check,
+    trace::laws,
 };
 use proptest::prelude::*;
 
@@ -50,35 +50,35 @@ fn with<V>(
 
 proptest! {
     #[test]
-    fn sutherland_hodgman(input in input()) { check::<SutherlandHodgman>(&input); }
+    fn sutherland_hodgman(input in input()) { laws::check::<SutherlandHodgman>(&input); }
 
     #[test]
-    fn pipeline(input in input()) { check::<Pipeline>(&input); }
+    fn pipeline(input in input()) { laws::check::<Pipeline>(&input); }
 
     #[test]
     fn textured(input in input()) {
         let input = with(input, |at, uv| Textured { at, uv });
-        check::<SutherlandHodgman<Textured>>(&input);
-        check::<Pipeline<Textured>>(&input);
+        laws::check::<SutherlandHodgman<Textured>>(&input);
+        laws::check::<Pipeline<Textured>>(&input);
     }
 
     #[test]
-    fn drops_on_border(input in input()) { check::<Faulty<DropsOnBorder>>(&input); }
+    fn drops_on_border(input in input()) { laws::check::<Faulty<DropsOnBorder>>(&input); }
 
     #[test]
-    fn leaves_open(input in input()) { check::<Faulty<LeavesOpen>>(&input); }
+    fn leaves_open(input in input()) { laws::check::<Faulty<LeavesOpen>>(&input); }
 
     #[test]
-    fn walks_clockwise(input in input()) { check::<Faulty<WalksClockwise>>(&input); }
+    fn walks_clockwise(input in input()) { laws::check::<Faulty<WalksClockwise>>(&input); }
 
     #[test]
-    fn cuts_twice(input in input()) { check::<Faulty<CutsTwice>>(&input); }
+    fn cuts_twice(input in input()) { laws::check::<Faulty<CutsTwice>>(&input); }
 
     #[test]
-    fn end_first(input in input()) { check::<Faulty<EndFirst>>(&input); }
+    fn end_first(input in input()) { laws::check::<Faulty<EndFirst>>(&input); }
 
     #[test]
     fn keeps_uv(input in input()) {
-        check::<SutherlandHodgman<KeepsUv>>(&with(input, |at, uv| KeepsUv { at, uv }));
+        laws::check::<SutherlandHodgman<KeepsUv>>(&with(input, |at, uv| KeepsUv { at, uv }));
     }
 }

@@ -4,15 +4,15 @@
 use clipscope::{
     algo::polygon::{Pipeline, SutherlandHodgman, SutherlandHodgmanInput, Textured},
     geom::ConvexPolygon,
-    trace::Algorithm,
+    trace::Method,
 };
 use serde::Serialize;
 
 use super::{input, points, unit};
 use crate::shared::event_log;
 
-fn check<A: Algorithm<Event: Serialize>>(name: &str, input: A::Input) {
-    event_log::check::<A>(&format!("polygon/{name}"), input);
+fn check<M: Method<Event: Serialize>>(name: &str, input: M::Input) {
+    event_log::check::<M>(&format!("polygon/{name}"), input);
 }
 
 /// A triangle whose crossings are decimals that terminate.

@@ -2,26 +2,14 @@
 
 use std::{fs, path::PathBuf};
 
-use clipscope::trace::{
-    Algorithm, Counts, Trace,
-    told::{Method, Recording},
-};
+use clipscope::trace::{Method, Recording};
 use serde::Serialize;
 
 /// Holds a run's events and its cost to `tests/snapshots/<name>.ndjson`; `UPDATE_SNAPSHOTS=1` writes what they
 /// now are.
-pub fn check<A: Algorithm<Event: Serialize>>(name: &str, input: A::Input) {
-    let trace = Trace::<A>::record(input);
-    compare(name, trace.events(), trace.counts_at(usize::MAX));
-}
-
-/// The same of a method that is told by a table.
-pub fn told<M: Method<Event: Serialize>>(name: &str, input: M::Input) {
+pub fn check<M: Method<Event: Serialize>>(name: &str, input: M::Input) {
     let run = Recording::<M>::new(input);
-    compare(name, run.events(), run.counts_at(usize::MAX));
-}
-
-fn compare(name: &str, events: &[impl Serialize], counts: Counts) {
+    let (events, counts) = (run.events(), run.counts_at(usize::MAX));
     let mut log = String::new();
     for event in events {
         log += &serde_json::to_string(event).expect("an event is JSON");

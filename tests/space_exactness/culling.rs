@@ -8,7 +8,7 @@ use clipscope::{
         SphereCull, SphereCullInput, Viewer,
     },
     geom::{AlignedBox, Plane, Sphere},
-    trace::told::{check, silent},
+    trace::{laws, silent},
 };
 use proptest::prelude::*;
 
@@ -84,9 +84,9 @@ proptest! {
         prop_assert_eq!(output.class, expected);
         let asked_all = output.distances.len() == planes_in.len();
         prop_assert!(asked_all || output.class == Containment::Outside);
-        check::<SphereCull>(&input);
+        laws::check::<SphereCull>(&input);
         let point = PointPlanesInput { planes: input.planes.clone(), point: sphere.center() };
-        check::<PointPlanes>(&point);
+        laws::check::<PointPlanes>(&point);
         let answer = silent::<PointPlanes>(&point);
         prop_assert_eq!(answer.inside, planes_in.iter().all(|&plane| sum(plane, center) >= 0));
     }
@@ -123,7 +123,7 @@ proptest! {
         }
         let meets = have_a_common_point(rows);
         prop_assert_eq!(output.false_positive, output.class != Containment::Outside && !meets);
-        check::<BoxCull>(&input);
+        laws::check::<BoxCull>(&input);
     }
 
     #[test]
@@ -137,7 +137,7 @@ proptest! {
         let scaled = |p: [i64; 3]| numbers(p).map(|x| x * scale);
         let triangle = corners.map(scaled);
         let input = BackFaceInput { triangle, viewer: Viewer::Eye(scaled(eye)) };
-        check::<BackFace>(&input);
+        laws::check::<BackFace>(&input);
         let away = eye.map(|x| -x);
         let looking = BackFaceInput { triangle, viewer: Viewer::Direction(scaled(away)) };
         if scale == 1.0 {

@@ -9,7 +9,7 @@ use clipscope::{
         surface::{Cull, MeshRef, Viewport, assemble, draw_rows},
     },
     geom::{Camera, Matrix, Mesh, Solid, ViewVolume},
-    trace::told::{check, silent},
+    trace::{laws, silent},
 };
 use proptest::prelude::*;
 
@@ -66,12 +66,12 @@ proptest! {
             FunnelObject::new(&solid.mesh(), world_from_model).expect("finite")
         });
         let input = FunnelInput { camera, objects: objects.collect() };
-        check::<Funnel>(&input);
-        check::<Funnel<OneAngle>>(&input);
-        check::<Funnel<ConstantView>>(&input);
-        check::<Funnel<TurnsSign>>(&input);
-        check::<Funnel<AroundOrigin>>(&input);
-        check::<Funnel<Clockwise>>(&input);
+        laws::check::<Funnel>(&input);
+        laws::check::<Funnel<OneAngle>>(&input);
+        laws::check::<Funnel<ConstantView>>(&input);
+        laws::check::<Funnel<TurnsSign>>(&input);
+        laws::check::<Funnel<AroundOrigin>>(&input);
+        laws::check::<Funnel<Clockwise>>(&input);
         let levels = silent::<Funnel>(&input);
         prop_assert!(levels.scene.triangles >= levels.spheres.triangles);
         prop_assert!(levels.spheres.triangles >= levels.vertices.triangles);

@@ -9,10 +9,7 @@ use clipscope::{
         surface::Viewport,
     },
     geom::{Camera, ViewVolume},
-    trace::{
-        Counted, Counts,
-        told::{self, Recording, held_after, silent},
-    },
+    trace::{Counted, Counts, Recording, held_after, laws, silent},
 };
 use proptest::prelude::*;
 
@@ -48,7 +45,7 @@ fn check(from: [i64; 2], to: [i64; 2]) {
     let mut back = pixels(to, from);
     back.reverse();
     assert_eq!(found, back, "{from:?} to {to:?} and back");
-    told::check::<Bresenham>(&input(from, to));
+    laws::check::<Bresenham>(&input(from, to));
 }
 
 #[test]
@@ -121,7 +118,7 @@ const MOST_OFF: f64 = 1.06;
 /// Every pixel is on the picture, and the line's image passes near its middle.
 fn check_drawn(ends: [[f64; 3]; 2], size: [u32; 2]) {
     let input = drawn(ends, size);
-    told::check::<LineToPixels>(&input);
+    laws::check::<LineToPixels>(&input);
     let found = silent::<LineToPixels>(&input);
     let recording = Recording::<LineToPixels>::new(input);
     let screen = recording.events().iter().find_map(|event| match *event {
@@ -179,6 +176,6 @@ fn an_end_in_the_corner_of_its_pixel() {
 #[test]
 fn a_segment_behind_the_eye_has_no_pixels() {
     let behind = drawn([[0.0, 2.0, 8.0], [3.0, 2.0, 9.0]], [24, 16]);
-    told::check::<LineToPixels>(&behind);
+    laws::check::<LineToPixels>(&behind);
     assert!(silent::<LineToPixels>(&behind).is_empty());
 }

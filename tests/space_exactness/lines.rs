@@ -121,7 +121,7 @@ fn bits<const N: usize>(visible: VisibleLine<N>) -> Option<[[u64; N]; 2]> {
 /// The answer for a segment, and for the same walked the other way: swapped, bit for bit.
 fn from_both_ends<const N: usize, B>(bounds: &B, [p1, p2]: [[f64; N]; 2]) -> VisibleLine<N>
 where
-    B: Bounds<N>,
+    B: Bounds<N, Input = LineInput<N, B>, Output = VisibleLine<N>>,
 {
     let clip = |ends| {
         let bounds = bounds.clone();

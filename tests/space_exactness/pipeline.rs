@@ -6,7 +6,7 @@ use clipscope::{
         surface::Viewport,
     },
     geom::{Camera, Matrix, ViewVolume},
-    trace::told::{check, silent},
+    trace::{laws, silent},
 };
 use proptest::prelude::*;
 
@@ -18,7 +18,7 @@ fn viewport(size: [u32; 2]) -> Viewport {
 }
 
 fn through(input: &ViewingPipelineInput) -> ViewingPipelineOutput {
-    check::<ViewingPipeline>(input);
+    laws::check::<ViewingPipeline>(input);
     silent::<ViewingPipeline>(input)
 }
 

@@ -10,7 +10,7 @@ use clipscope::{
         weighted_sum,
     },
     geom::{Plane, ViewVolume},
-    trace::{Algorithm, laws, silent},
+    trace::{Method, laws, silent},
 };
 use proptest::prelude::*;
 
@@ -331,7 +331,7 @@ fn on_first_edge(left: &CutTriangles) -> Vec<[u64; 3]> {
 
 fn ring<A>(of: &[[i64; 4]], corners: [[f64; 3]; 3]) -> Vec<[[f64; 3]; 3]>
 where
-    A: Algorithm<Input = TrianglePlanes, Output = CutTriangles>,
+    A: Method<Input = TrianglePlanes, Output = CutTriangles>,
 {
     let input = TrianglePlanes {
         planes: planes(of),

@@ -12,7 +12,7 @@ use clipscope::{
         },
     },
     geom::{Camera, Plane, Sphere, ViewVolume},
-    trace::{silent, told},
+    trace::silent,
 };
 use glam::{DQuat, DVec3};
 use proptest::prelude::*;
@@ -23,7 +23,7 @@ fn moved(input: &SphereCullInput, plane_idx: usize, by: f64) -> bool {
         std::array::from_fn(|i| input.sphere.center()[i] + by * plane.normal()[i] / plane.length());
     let sphere = Sphere::new([x, y, z, input.sphere.radius()]).expect("finite");
     let planes = input.planes.clone();
-    told::silent::<SphereCull>(&SphereCullInput { planes, sphere }).class == Containment::Outside
+    silent::<SphereCull>(&SphereCullInput { planes, sphere }).class == Containment::Outside
 }
 
 proptest! {
@@ -103,7 +103,7 @@ proptest! {
         is_parallel in any::<bool>(),
     ) {
         let viewer = if is_parallel { Viewer::Direction(eye) } else { Viewer::Eye(eye) };
-        let is_front = |triangle| told::silent::<BackFace>(&BackFaceInput { triangle, viewer }).front;
+        let is_front = |triangle| silent::<BackFace>(&BackFaceInput { triangle, viewer }).front;
         let turn = face_turn(&BackFaceInput { triangle, viewer });
         prop_assume!(turn.is_some());
         let FaceTurn { axis, degrees } = turn.expect("it has a normal");

@@ -6,7 +6,7 @@ use clipscope::{
         PainterAnswer, Surfaces,
     },
     geom::Solid,
-    trace::told::{Recording, check, silent},
+    trace::{Recording, laws, silent},
 };
 use proptest::prelude::*;
 
@@ -78,7 +78,7 @@ proptest! {
 
     #[test]
     fn the_laws(triangles in soup(6), choice in choices()) {
-        check::<Bsp>(&input(surfaces(&triangles, false), choice));
+        laws::check::<Bsp>(&input(surfaces(&triangles, false), choice));
     }
 }
 

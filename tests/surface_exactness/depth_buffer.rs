@@ -11,7 +11,7 @@ use clipscope::{
         pixel_story,
     },
     geom::ViewVolume,
-    trace::told::{Recording, check, silent},
+    trace::{Recording, laws, silent},
 };
 use proptest::prelude::*;
 
@@ -94,11 +94,11 @@ proptest! {
             input.steps = steps;
             for pixel in [None, Some([column, 2])] {
                 input.pixel = pixel;
-                check::<DepthBuffer>(&input);
-                check::<FaultyDepthBuffer<ClearsToNear>>(&input);
-                check::<FaultyDepthBuffer<TurnsComparison>>(&input);
-                check::<FaultyDepthBuffer<WritesAlways>>(&input);
-                check::<FaultyDepthBuffer<StraightDistance>>(&input);
+                laws::check::<DepthBuffer>(&input);
+                laws::check::<FaultyDepthBuffer<ClearsToNear>>(&input);
+                laws::check::<FaultyDepthBuffer<TurnsComparison>>(&input);
+                laws::check::<FaultyDepthBuffer<WritesAlways>>(&input);
+                laws::check::<FaultyDepthBuffer<StraightDistance>>(&input);
             }
         }
     }

@@ -4,7 +4,7 @@ use clipscope::{
     algo::surface::{
         DepthBuffer, DepthBufferInput, Occlusion, OcclusionInput, OcclusionObject, Surfaces,
     },
-    trace::told::{Recording, check, silent},
+    trace::{Recording, laws, silent},
 };
 use proptest::prelude::*;
 
@@ -34,7 +34,7 @@ proptest! {
         let output = silent::<Occlusion>(&input);
         let all = silent::<DepthBuffer>(&DepthBufferInput::new(input.surfaces));
         prop_assert_eq!(output.depth, all.depth);
-        prop_assert_eq!(output.n_drawn + output.n_skipped, input.objects.len());
+        prop_assert_eq!(output.drawn.len() + output.skipped.len(), input.objects.len());
     }
 }
 
@@ -43,7 +43,7 @@ proptest! {
 
     #[test]
     fn the_laws(triangles in soup(10), n_occluders in 0..3_usize) {
-        check::<Occlusion>(&in_pairs(surfaces(&triangles, false), n_occluders));
+        laws::check::<Occlusion>(&in_pairs(surfaces(&triangles, false), n_occluders));
     }
 }
 

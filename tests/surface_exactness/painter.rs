@@ -6,7 +6,7 @@ use clipscope::{
         faulty::{FaultyPainter, KeysOnly, NearestKeys},
     },
     geom::Solid,
-    trace::told::{Recording, check, silent},
+    trace::{Recording, laws, silent},
 };
 use proptest::prelude::*;
 
@@ -99,9 +99,9 @@ proptest! {
     #[test]
     fn the_laws(triangles in soup(6), culls in any::<bool>()) {
         let surfaces = surfaces(&triangles, culls);
-        check::<Painter>(&surfaces);
-        check::<FaultyPainter<KeysOnly>>(&surfaces);
-        check::<FaultyPainter<NearestKeys>>(&surfaces);
+        laws::check::<Painter>(&surfaces);
+        laws::check::<FaultyPainter<KeysOnly>>(&surfaces);
+        laws::check::<FaultyPainter<NearestKeys>>(&surfaces);
     }
 }
 

@@ -6,7 +6,7 @@ use clipscope::{
         RayCastingInput, Rays, Surfaces,
     },
     geom::{Solid, ViewVolume},
-    trace::told::{Recording, check, silent},
+    trace::{Recording, laws, silent},
 };
 use proptest::prelude::*;
 
@@ -107,8 +107,8 @@ proptest! {
     #[test]
     fn the_laws(triangles in soup(5), column in 0..5_u32) {
         let surfaces = Surfaces::new([5, 4], volume(), placed(&triangles), true).expect("finite");
-        check::<RayCasting>(&all(surfaces.clone()));
-        check::<RayCasting>(&RayCastingInput { surfaces, pixel: Some([column, 3]) });
+        laws::check::<RayCasting>(&all(surfaces.clone()));
+        laws::check::<RayCasting>(&RayCastingInput { surfaces, pixel: Some([column, 3]) });
     }
 }
 

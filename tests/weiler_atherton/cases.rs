@@ -6,7 +6,7 @@ use clipscope::{
         WeilerAthertonInput,
     },
     geom::Region,
-    trace::told::{self, Recording},
+    trace::{Recording, laws},
 };
 
 use super::{clip, rings, shapes};
@@ -54,7 +54,7 @@ fn check(case: &Case<'_>) {
     assert_eq!(answer.relation, *relation, "{name}");
     let expected: Vec<Vec<[f64; 2]>> = expected.iter().map(|ring| ring.to_vec()).collect();
     assert_eq!(rings(&answer), expected, "{name}");
-    told::check::<WeilerAtherton>(&WeilerAthertonInput {
+    laws::check::<WeilerAtherton>(&WeilerAthertonInput {
         subject: region.clone(),
         clip: clipper.clone(),
     });

@@ -5,7 +5,7 @@ use clipscope::{
         WeilerAtherton, WeilerAthertonEvent as Event, WeilerAthertonInput, WeilerAthertonOutput,
     },
     geom::{Point, Region, SimplePolygon},
-    trace::told::{self, Recording, silent},
+    trace::{Recording, laws, silent},
 };
 use proptest::prelude::*;
 
@@ -80,7 +80,7 @@ proptest! {
             simple(&turned)
         };
         prop_assert_eq!(rings(&answer), rings(&clip(&turned(&a).into(), &turned(&b))));
-        told::check::<WeilerAtherton>(&WeilerAthertonInput { subject: simple(&a).into(), clip: simple(&b) });
+        laws::check::<WeilerAtherton>(&WeilerAthertonInput { subject: simple(&a).into(), clip: simple(&b) });
     }
 
     #[test]

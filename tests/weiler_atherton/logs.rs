@@ -14,7 +14,7 @@ fn check(name: &str, subject: Outline, holes: &[Outline], clip: Outline) {
         subject: shapes::region(subject, &holes).expect("a region"),
         clip: shapes::simple(clip).expect("simple"),
     };
-    event_log::told::<WeilerAtherton>(&format!("weiler_atherton/{name}"), input);
+    event_log::check::<WeilerAtherton>(&format!("weiler_atherton/{name}"), input);
 }
 
 #[test]

@@ -19,7 +19,7 @@ mod shapes;
 use clipscope::{
     algo::polygon::weiler_atherton::{WeilerAtherton, WeilerAthertonInput, WeilerAthertonOutput},
     geom::{Point, Region, SimplePolygon},
-    trace::told::silent,
+    trace::silent,
 };
 
 fn clip(subject: &Region, clip: &SimplePolygon) -> WeilerAthertonOutput {

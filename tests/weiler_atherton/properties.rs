@@ -3,7 +3,7 @@
 use clipscope::{
     algo::polygon::weiler_atherton::{Relation, WeilerAtherton, WeilerAthertonInput},
     geom::{Location, Point, Region, SimplePolygon, locate},
-    trace::told,
+    trace::laws,
 };
 use i_overlay::{
     core::{fill_rule::FillRule, overlay_rule::OverlayRule},
@@ -20,7 +20,7 @@ fn check(region: &Region, clipper: &SimplePolygon, subject: &oracle::Grid, other
         subject: region.clone(),
         clip: clipper.clone(),
     };
-    told::check::<WeilerAtherton>(&input);
+    laws::check::<WeilerAtherton>(&input);
     let clipped = clip(region, clipper);
     let what = || format!("{subject:?} against {other:?}: {clipped:?}");
 

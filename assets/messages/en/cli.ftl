@@ -61,6 +61,7 @@ case-too-many = The list has { $found } entries: a report of every step takes at
 case-too-many-pairs = { $found } pairs of an edge and a clip edge: a report of every step takes at most { $max }. With --events false any number is taken, and the answer given alone.
 case-uv-length = Expected one [u, v] for each of the { $expected } vertices, found { $found }.
 object-triangles = triangles
+object-object = object
 object-culled = left out
 case-backs = what shows its back
 case-too-many-raster-pixels = { $found } pixels: a report of every step takes at most { $max }. With --events false any number is taken, and the answer given alone.
@@ -99,6 +100,7 @@ case-surfaces-seen = { $seen } of { $pixels } pixels show a surface.
 case-painted = Painted in this order: { $ids }.
 case-painter-cycle = No order is right: each of { $ids } must be painted before the next, and the last before the first.
 case-bsp-pieces = The tree holds { $pieces } pieces; { $seen } of { $pixels } pixels show a surface.
+case-occlusion = { $seen } of { $pixels } pixels show an object; objects skipped: { $skipped } of { $objects }.
 case-bsp-too-large = The planes would cut these triangles into more than { $pieces } pieces, or sort pieces more than { $questions } times: no tree is built of so many.
 case-triangles =
     { $n ->

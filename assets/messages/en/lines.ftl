@@ -25,6 +25,9 @@ bf-intersect = Meet the line of the { $edge }.
 bf-keep = Nothing lies beyond the { $edge }: this crossing was not needed.
 bf-keep-parallel = Nothing lies beyond the { $edge }: this side changes nothing.
 bf-cut = { $end } lies beyond { $border }: it moves to { $to }.
+bf-option-none = Nothing lies beyond the { $edge }.
+bf-option-one = One end lies beyond the { $edge }.
+bf-option-both = Both ends lie beyond the { $edge }.
 bf-note-tests = A point is inside if it passes all four.
 bf-in-vain = in vain
 code-bf-each = for each side, not parallel to P₁P₂
@@ -48,6 +51,10 @@ cs-and-open = AND = { $bits }: no side has both ends beyond it. The codes do not
 cs-choose = The lowest bit set is the { $edge }’s: { $end } lies beyond it.
 cs-cut = Cut { $end } at { $border }.
 cs-reject = Reject: both ends are { $region }; AND = { $and }.
+cs-option-inside = Both ends are inside.
+cs-option-not-inside = Not everything is inside.
+cs-option-undecided = No side has both ends beyond it.
+cs-option-beyond = Both ends lie beyond one side.
 cs-note-code = A 1 for each side that the point lies beyond.
 cs-note-order = In the order top, bottom, right, left it is { $other }.
 cs-note-or = OR sets a bit where either code has it.

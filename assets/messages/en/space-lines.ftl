@@ -40,6 +40,7 @@ space-line-delta = P(u) = P₁ + u (P₂ − P₁): along the segment x, y and z
 space-line-before = Both ends have w ≥ 0: neither is behind the eye.
 space-line-behind = { $end } has w < 0: it is behind the eye. It must not be divided.
 space-line-all-behind = Both ends have w < 0: all of the segment is behind the eye.
+space-line-option-behind = One end has w < 0.
 space-line-divided = Both ends are divided by w, and clipped afterwards.
 space-line-row = The { $plane } plane: { $direction }.
 space-line-parallel-inside = Parallel to the { $plane } plane and inside it: it alone decides nothing.

@@ -88,6 +88,10 @@ pat-two = { $triangle }: { $inside } corners inside the { $plane } plane. A quad
 pat-one = { $triangle }: { $inside } corner inside the { $plane } plane. One triangle is left.
 pat-on = { $triangle }: { $inside } of 3 corners inside the { $plane } plane, { $on } of them on it.
 pat-none = { $triangle }: { $inside } corners inside the { $plane } plane. Dropped.
+pat-option-three = All three corners of { $triangle } are inside.
+pat-option-two = Two corners of { $triangle } are inside.
+pat-option-one = One corner of { $triangle } is inside.
+pat-option-none = No corner of { $triangle } is inside.
 pat-piece = Piece { $n } of the list out: { $corners }.
 pat-pass =
     { $after ->

@@ -61,6 +61,7 @@ case-too-many = La lista tiene { $found } entradas: un informe de todos los paso
 case-too-many-pairs = { $found } pares de arista y arista de recorte: un informe de todos los pasos admite { $max } como máximo. Con --events false se admite cualquier cantidad y se da solo la respuesta.
 case-uv-length = Se esperaba un [u, v] para cada uno de los { $expected } vértices; hay { $found }.
 object-triangles = triángulos
+object-object = objeto
 object-culled = se descarta
 case-backs = lo que muestra su cara trasera
 case-too-many-raster-pixels = { $found } píxeles: un informe de cada paso admite como máximo { $max }. Con --events false se admite cualquier número y se da solo la respuesta.
@@ -99,6 +100,7 @@ case-surfaces-seen = { $seen } de { $pixels } píxeles muestran una superficie.
 case-painted = Se pintan en este orden: { $ids }.
 case-painter-cycle = Ningún orden es correcto: cada uno de { $ids } debe pintarse antes que el siguiente, y el último antes que el primero.
 case-bsp-pieces = El árbol contiene { $pieces } piezas; { $seen } de { $pixels } píxeles muestran una superficie.
+case-occlusion = { $seen } de { $pixels } píxeles muestran un objeto; objetos saltados: { $skipped } de { $objects }.
 case-bsp-too-large = Los planos cortarían estos triángulos en más de { $pieces } trozos, o clasificarían trozos más de { $questions } veces: de tantos no se construye un árbol.
 case-triangles =
     { $n ->

@@ -25,6 +25,9 @@ bf-intersect = Intersección con la recta del { $edge }.
 bf-keep = Nada queda más allá del { $edge }: esta intersección no hacía falta.
 bf-keep-parallel = Nada queda más allá del { $edge }: este lado no cambia nada.
 bf-cut = { $end } está más allá de { $border }: pasa a { $to }.
+bf-option-none = Nada queda más allá del { $edge }.
+bf-option-one = Un extremo está más allá del { $edge }.
+bf-option-both = Los dos extremos están más allá del { $edge }.
 bf-note-tests = Un punto está dentro si cumple las cuatro condiciones.
 bf-in-vain = en vano
 code-bf-each = para cada borde no paralelo a P₁P₂
@@ -48,6 +51,10 @@ cs-and-open = AND = { $bits }: ningún borde deja fuera los dos extremos. Los c�
 cs-choose = El último 1 es el del { $edge }: { $end } está más allá.
 cs-cut = { $end } se recorta en { $border }.
 cs-reject = Se rechaza: los dos extremos están { $region }; AND = { $and }.
+cs-option-inside = Los dos extremos están dentro.
+cs-option-not-inside = No todo está dentro.
+cs-option-undecided = Ningún lado deja fuera los dos extremos.
+cs-option-beyond = Los dos extremos están más allá de un mismo lado.
 cs-note-code = Un 1 por cada borde más allá del cual está el punto.
 cs-note-order = En el orden superior, inferior, derecho, izquierdo es { $other }.
 cs-note-or = OR pone un 1 donde lo tiene alguno de los dos.

@@ -40,6 +40,7 @@ space-line-delta = P(u) = P₁ + u (P₂ − P₁): a lo largo del segmento, x, 
 space-line-before = Los dos extremos tienen w ≥ 0: ninguno está detrás del ojo.
 space-line-behind = { $end } tiene w < 0: está detrás del ojo. No debe dividirse.
 space-line-all-behind = Los dos extremos tienen w < 0: todo el segmento está detrás del ojo.
+space-line-option-behind = Un extremo tiene w < 0.
 space-line-divided = Los dos extremos se dividen entre w y se recortan después.
 space-line-row = Plano { $plane }: { $direction }.
 space-line-parallel-inside = Paralelo al plano { $plane } y por dentro: por sí solo no decide nada.

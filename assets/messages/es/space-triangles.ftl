@@ -91,6 +91,10 @@ pat-two = { $triangle }: { $inside } vértices dentro del plano { $plane }. Qued
 pat-one = { $triangle }: { $inside } vértice dentro del plano { $plane }. Queda un triángulo.
 pat-on = { $triangle }: { $inside } de 3 vértices dentro del plano { $plane }, { $on } de ellos sobre él.
 pat-none = { $triangle }: { $inside } vértices dentro del plano { $plane }. Se descarta.
+pat-option-three = Los tres vértices de { $triangle } están dentro.
+pat-option-two = Dos vértices de { $triangle } están dentro.
+pat-option-one = Un vértice de { $triangle } está dentro.
+pat-option-none = Ningún vértice de { $triangle } está dentro.
 pat-piece = Pieza { $n } de la lista de salida: { $corners }.
 pat-pass =
     { $after ->

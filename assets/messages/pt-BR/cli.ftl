@@ -61,6 +61,7 @@ case-too-many = A lista tem { $found } itens: um relatório de todos os passos a
 case-too-many-pairs = { $found } pares de aresta e aresta de recorte: um relatório de todos os passos aceita no máximo { $max }. Com --events false qualquer quantidade é aceita, e só a resposta é dada.
 case-uv-length = Era esperado um [u, v] para cada um dos { $expected } vértices; há { $found }.
 object-triangles = triângulos
+object-object = objeto
 object-culled = descartado
 case-backs = o que mostra sua face traseira
 case-too-many-raster-pixels = { $found } pixels: um relatório de cada passo aceita no máximo { $max }. Com --events false qualquer número é aceito, e só a resposta é dada.
@@ -99,6 +100,7 @@ case-surfaces-seen = { $seen } de { $pixels } pixels mostram uma superfície.
 case-painted = Pintados nesta ordem: { $ids }.
 case-painter-cycle = Nenhuma ordem está certa: cada um de { $ids } deve ser pintado antes do seguinte, e o último antes do primeiro.
 case-bsp-pieces = A árvore contém { $pieces } peças; { $seen } de { $pixels } pixels mostram uma superfície.
+case-occlusion = { $seen } de { $pixels } pixels mostram um objeto; objetos pulados: { $skipped } de { $objects }.
 case-bsp-too-large = Os planos cortariam estes triângulos em mais de { $pieces } pedaços, ou classificariam pedaços mais de { $questions } vezes: não se constrói uma árvore de tantos.
 case-triangles =
     { $n ->

@@ -25,6 +25,9 @@ bf-intersect = Interseção com a reta da { $edge }.
 bf-keep = Nada está além da { $edge }: esta interseção não era necessária.
 bf-keep-parallel = Nada está além da { $edge }: este lado não muda nada.
 bf-cut = { $end } está além de { $border }: passa para { $to }.
+bf-option-none = Nada está além da { $edge }.
+bf-option-one = Um extremo está além da { $edge }.
+bf-option-both = Os dois extremos estão além da { $edge }.
 bf-note-tests = Um ponto está dentro se cumpre as quatro condições.
 bf-in-vain = em vão
 code-bf-each = para cada lado não paralelo a P₁P₂
@@ -48,6 +51,10 @@ cs-and-open = AND = { $bits }: nenhum lado deixa os dois extremos de fora. Os c�
 cs-choose = O último bit 1 é o da { $edge }: { $end } está além dela.
 cs-cut = { $end } é cortado em { $border }.
 cs-reject = Rejeitado: os dois extremos estão { $region }; AND = { $and }.
+cs-option-inside = Os dois extremos estão dentro.
+cs-option-not-inside = Nem tudo está dentro.
+cs-option-undecided = Nenhum lado deixa os dois extremos de fora.
+cs-option-beyond = Os dois extremos estão além de um mesmo lado.
 cs-note-code = Um 1 para cada lado além do qual o ponto está.
 cs-note-order = Na ordem superior, inferior, direita, esquerda é { $other }.
 cs-note-or = OR põe um 1 onde algum dos dois códigos o tem.

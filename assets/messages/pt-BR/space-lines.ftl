@@ -40,6 +40,7 @@ space-line-delta = P(u) = P₁ + u (P₂ − P₁): ao longo do segmento, x, y e
 space-line-before = Os dois extremos têm w ≥ 0: nenhum está atrás do olho.
 space-line-behind = { $end } tem w < 0: está atrás do olho. Não se deve dividi-lo.
 space-line-all-behind = Os dois extremos têm w < 0: todo o segmento está atrás do olho.
+space-line-option-behind = Um extremo tem w < 0.
 space-line-divided = Os dois extremos são divididos por w e recortados depois.
 space-line-row = Plano { $plane }: { $direction }.
 space-line-parallel-inside = Paralelo ao plano { $plane }, do lado de dentro: sozinho, ele não decide nada.

@@ -91,6 +91,10 @@ pat-two = { $triangle }: { $inside } vértices dentro do plano { $plane }. Sobra
 pat-one = { $triangle }: { $inside } vértice dentro do plano { $plane }. Sobra um triângulo.
 pat-on = { $triangle }: { $inside } de 3 vértices dentro do plano { $plane }, { $on } deles sobre ele.
 pat-none = { $triangle }: { $inside } vértices dentro do plano { $plane }. É descartado.
+pat-option-three = Os três vértices de { $triangle } estão dentro.
+pat-option-two = Dois vértices de { $triangle } estão dentro.
+pat-option-one = Um vértice de { $triangle } está dentro.
+pat-option-none = Nenhum vértice de { $triangle } está dentro.
 pat-piece = Peça { $n } da lista de saída: { $corners }.
 pat-pass =
     { $after ->

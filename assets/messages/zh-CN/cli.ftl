@@ -45,6 +45,7 @@ case-too-many = 该列表有 { $found } 项：输出每一步的报告最多接�
 case-too-many-pairs = 边与裁剪边共有 { $found } 对：逐步报告最多 { $max } 对。加上 --events false 则数目不限，只给出答案。
 case-uv-length = 应为 { $expected } 个顶点各给出一个 [u, v]，这里有 { $found } 个。
 object-triangles = 三角形
+object-object = 物体
 object-culled = 剔除
 case-backs = 背面朝向视点的三角形
 case-too-many-raster-pixels = 共 { $found } 个像素：逐步报告最多 { $max } 个。加上 --events false 则不限数量，只给出答案。
@@ -79,6 +80,7 @@ case-surfaces-seen = { $pixels } 个像素中有 { $seen } 个显示出表面。
 case-painted = 绘制顺序：{ $ids }。
 case-painter-cycle = 没有正确的顺序：{ $ids } 中每一个都必须先于下一个绘制，最后一个又必须先于第一个。
 case-bsp-pieces = 树中共有 { $pieces } 块；{ $pixels } 个像素中有 { $seen } 个显示出表面。
+case-occlusion = { $pixels } 个像素中有 { $seen } 个显示出物体；{ $objects } 个物体中跳过了 { $skipped } 个。
 case-bsp-too-large = 这些三角形会被平面切成 { $pieces } 块以上，或者需要判断 { $questions } 次以上：不为这么多三角形建树。
 case-triangles = { $n } 个三角形：{ $triangles }
 

@@ -25,6 +25,9 @@ bf-intersect = 求与{ $edge }所在直线的交点。
 bf-keep = { $edge }外侧没有线段的任何部分：这个交点没有用上。
 bf-keep-parallel = { $edge }外侧没有线段的任何部分：不变。
 bf-cut = { $end } 在 { $border } 外侧：移到 { $to }。
+bf-option-none = { $edge }外侧没有线段的任何部分。
+bf-option-one = 一个端点在{ $edge }外侧。
+bf-option-both = 两端点都在{ $edge }外侧。
 bf-note-tests = 四个不等式都成立，点就在窗口内。
 bf-in-vain = 未用上
 code-bf-each = 对每条不与 P₁P₂ 平行的边界：
@@ -48,6 +51,10 @@ cs-and-open = AND = { $bits }：两端点不在任何一条边界的同一外侧
 cs-choose = 最低位的 1 对应{ $edge }：{ $end } 在其外侧。
 cs-cut = 在 { $border } 处截断：{ $end } 移到交点。
 cs-reject = 舍弃：两端点都在{ $region }；AND = { $and }。
+cs-option-inside = 两端点都在裁剪区域内。
+cs-option-not-inside = 并非全在裁剪区域内。
+cs-option-undecided = 没有哪一侧的外侧同时有两端点。
+cs-option-beyond = 两端点都在同一侧的外侧。
 cs-note-code = 点在哪条边界外侧，哪一位就是 1。
 cs-note-order = 按上、下、右、左的顺序，则写作 { $other }。
 cs-note-or = OR：任一区域码该位为 1，结果就是 1。

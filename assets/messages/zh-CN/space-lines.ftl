@@ -36,6 +36,7 @@ space-line-delta = P(u) = P₁ + u (P₂ − P₁)：沿线段从头到尾，x�
 space-line-before = 两端点都有 w ≥ 0：都不在视点后方。
 space-line-behind = { $end } 的 w < 0：它在视点后方，不能拿去除。
 space-line-all-behind = 两端点都有 w < 0：整条线段在视点后方。
+space-line-option-behind = 一个端点的 w < 0。
 space-line-divided = 两端点先除以 w，然后再裁剪。
 space-line-row = { $plane }平面：{ $direction }。
 space-line-parallel-inside = 与{ $plane }平面平行且在其内侧：单凭它还不能判定。

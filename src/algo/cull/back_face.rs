@@ -24,7 +24,7 @@
 //! ```
 //! use clipscope::{
 //!     algo::cull::{BackFace, BackFaceInput, Viewer},
-//!     trace::told::silent,
+//!     trace::silent,
 //! };
 //! let triangle = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 //! let seen_from = |eye| silent::<BackFace>(&BackFaceInput { triangle, viewer: Viewer::Eye(eye) });
@@ -39,10 +39,7 @@ use serde::Serialize;
 use crate::{
     algo::ring::Right,
     geom::sign_of_four,
-    trace::{
-        Real,
-        told::{Method, Tell, Told},
-    },
+    trace::{Method, Real, Tell, Told},
 };
 
 use super::CullRules;

@@ -72,7 +72,7 @@ mod tests {
             volume::signed_distance,
         },
         geom::{Camera, ViewVolume},
-        trace::told::silent,
+        trace::silent,
     };
 
     #[test]

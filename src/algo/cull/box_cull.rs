@@ -22,7 +22,7 @@
 //! use clipscope::{
 //!     algo::cull::{BoxCull, BoxCullInput, Containment},
 //!     geom::{AlignedBox, ViewVolume},
-//!     trace::told::silent,
+//!     trace::silent,
 //! };
 //! let planes = ViewVolume::perspective(90.0, 1.0, 1.0, 10.0)?.planes().to_vec();
 //! let bounds = AlignedBox::new([10.5, -1.0, -11.0, 40.0, 1.0, 20.0])?;
@@ -36,10 +36,7 @@ use serde::Serialize;
 use crate::{
     algo::volume::weighted_sum,
     geom::{AlignedBox, Plane, meets},
-    trace::{
-        Real,
-        told::{Method, Tell, Told},
-    },
+    trace::{Method, Real, Tell, Told},
 };
 
 use super::Containment;

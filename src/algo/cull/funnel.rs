@@ -26,7 +26,7 @@
 //! use clipscope::{
 //!     algo::cull::{Funnel, FunnelInput, FunnelObject},
 //!     geom::{Camera, Matrix, Solid, ViewVolume},
-//!     trace::told::silent,
+//!     trace::silent,
 //! };
 //! let volume = ViewVolume::perspective(60.0, 1.0, 1.0, 20.0)?;
 //! let camera = Camera::new([0.0, 0.0, 5.0], [0.0; 3], [0.0, 1.0, 0.0], volume)?;
@@ -46,10 +46,7 @@ use crate::{
         volume::{ClipVertex, HomogeneousTriangle, SideCode},
     },
     geom::{Matrix, Plane, VolumeSide},
-    trace::{
-        Real, silent,
-        told::{Method, Tell, Told, held_after},
-    },
+    trace::{Method, Real, Tell, Told, held_after, silent},
 };
 
 use super::{

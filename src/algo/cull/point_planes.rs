@@ -20,7 +20,7 @@
 //! use clipscope::{
 //!     algo::cull::{PointPlanes, PointPlanesInput},
 //!     geom::ViewVolume,
-//!     trace::told::silent,
+//!     trace::silent,
 //! };
 //! let planes = ViewVolume::perspective(90.0, 1.0, 1.0, 10.0)?.planes().to_vec();
 //! let at = |point| silent::<PointPlanes>(&PointPlanesInput { planes: planes.clone(), point });
@@ -34,10 +34,7 @@ use serde::Serialize;
 use crate::{
     algo::volume::{PlaneSide, signed_distance},
     geom::Plane,
-    trace::{
-        Real,
-        told::{Method, Tell, Told},
-    },
+    trace::{Method, Real, Tell, Told},
 };
 
 /// The algorithm; see the module.

@@ -21,7 +21,7 @@
 //! use clipscope::{
 //!     algo::cull::{Containment, SphereCull, SphereCullInput},
 //!     geom::{Sphere, ViewVolume},
-//!     trace::told::silent,
+//!     trace::silent,
 //! };
 //! let planes = ViewVolume::perspective(90.0, 1.0, 1.0, 10.0)?.planes().to_vec();
 //! let sphere = Sphere::new([0.0, 0.0, -11.5, 1.0])?;
@@ -37,10 +37,7 @@ use serde::Serialize;
 use crate::{
     algo::{ring::Right, volume::signed_distance},
     geom::{Plane, Sphere},
-    trace::{
-        Real,
-        told::{Method, Tell, Told},
-    },
+    trace::{Method, Real, Tell, Told},
 };
 
 use super::{Containment, CullRules};

@@ -18,7 +18,7 @@ use glam::DVec3;
 use crate::{
     algo::{parameter::moves_allowed, volume::signed_distance},
     geom::Plane,
-    trace::told::Recording,
+    trace::Recording,
 };
 
 use super::{BackFace, BackFaceEvent, BackFaceInput};

@@ -11,7 +11,7 @@
 //! for which s it does not reject; what all of them allow is an interval, and its end that is nearer to 0 is the answer. Where there
 //! is none, no move along this normal turns the verdict.
 
-use crate::{algo::volume::signed_distance, trace::told::silent};
+use crate::{algo::volume::signed_distance, trace::silent};
 
 use super::{Containment, SphereCull, SphereCullInput, triangle_turn::move_along};
 

@@ -32,7 +32,7 @@ use serde::Serialize;
 
 use crate::{
     geom::{Edge, Point, Segment, Window},
-    trace::{Algorithm, Real},
+    trace::{Method, Real, Tell, Told},
 };
 
 use super::{
@@ -92,52 +92,45 @@ pub enum BruteForceEvent {
     },
 }
 
-/// What a crossing was good for.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum CrossingFate {
-    /// There is none.
-    Parallel,
-    /// It was not needed, or not in the end.
-    InVain,
-    /// This end stands on it.
-    Replaces(End),
-}
-
-/// What the picture of a step needs.
+/// What brute force works in.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct BruteForceState {
+pub struct BruteForceHeld {
     /// The ends of what is left.
     pub ends: [Point; 2],
-    /// The side in hand.
-    pub edge: Option<Edge>,
-    /// The crossings so far, by side, with the parameter.
-    pub crossings: [Option<(Point, Ratio)>; 4],
-    /// What became of the crossings, by side, once it is decided.
-    pub fates: [Option<CrossingFate>; 4],
-    /// The answer, once known.
-    pub verdict: Option<Visible>,
+    /// The answer, once something is found visible.
+    pub visible: Visible,
 }
 
-impl Algorithm for BruteForce {
+impl Method for BruteForce {
     type Input = WindowInput;
+    type Held = BruteForceHeld;
     type Output = Visible;
     type Event = BruteForceEvent;
-    type State = BruteForceState;
 
-    fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Visible {
+    #[inline]
+    fn begin(input: &WindowInput) -> BruteForceHeld {
+        BruteForceHeld {
+            ends: [input.segment.p1, input.segment.p2],
+            visible: None,
+        }
+    }
+
+    #[inline]
+    fn run<R: Real, T: Tell<Self>>(
+        input: &WindowInput,
+        held: &mut BruteForceHeld,
+        tell: &mut T,
+    ) -> Told<T::Stop> {
         use BruteForceEvent as Event;
         let WindowInput { window, segment } = input;
-        let mut ends = [segment.p1, segment.p2];
         for edge in Edge::ALL {
-            let crossing = intersect::<R>(segment, window, edge, &mut emit);
-            let beyond = ends.map(|p| is_beyond::<R>(p, window, edge));
+            let crossing = intersect::<R>(segment, window, edge);
+            tell.tell(held, crossing_event(window, edge, crossing.as_ref()))?;
+            let beyond = held.ends.map(|p| is_beyond::<R>(p, window, edge));
             let end = match beyond {
-                [true, true] => {
-                    emit(Event::Reject { edge });
-                    return None;
-                }
+                [true, true] => return tell.tell(held, Event::Reject { edge }),
                 [false, false] => {
-                    emit(Event::Keep { edge });
+                    tell.tell(held, Event::Keep { edge })?;
                     continue;
                 }
                 [true, false] => End::P1,
@@ -145,99 +138,62 @@ impl Algorithm for BruteForce {
             };
             // One end beyond and one not: not parallel.
             let Some(crossing) = crossing else { continue };
-            let [[_, free1], [_, free2]] = ends.map(|p| split::<R>(p, edge.axis()));
+            let [[_, free1], [_, free2]] = held.ends.map(|p| split::<R>(p, edge.axis()));
             let free = clamp_between(crossing.free, free1, free2);
             let to = join(edge.axis(), R::new(window.border(edge)), free);
-            let from = std::mem::replace(&mut ends[end.idx()], to);
-            emit(Event::Cut {
+            let from = std::mem::replace(&mut held.ends[end.idx()], to);
+            let cut = Event::Cut {
                 end,
                 edge,
                 from,
                 to,
-            });
+            };
+            tell.tell(held, cut)?;
         }
-        let segment = segment_between(ends);
-        emit(Event::Accept { segment });
-        Some(segment)
+        let segment = segment_between(held.ends);
+        held.visible = Some(segment);
+        tell.tell(held, Event::Accept { segment })
     }
 
-    fn start(input: &Self::Input) -> Self::State {
-        BruteForceState {
-            ends: [input.segment.p1, input.segment.p2],
-            edge: None,
-            crossings: [None; 4],
-            fates: [None; 4],
-            verdict: None,
-        }
-    }
-
-    fn apply(state: &mut Self::State, event: Self::Event) {
-        use BruteForceEvent as Event;
-        match event {
-            Event::Intersect { edge, u, at } => {
-                state.edge = Some(edge);
-                state.crossings[edge as usize] = Some((at, u));
-            }
-            Event::Parallel { edge } => {
-                state.edge = Some(edge);
-                state.fates[edge as usize] = Some(CrossingFate::Parallel);
-            }
-            Event::Keep { edge } => {
-                state.edge = Some(edge);
-                state.fates[edge as usize].get_or_insert(CrossingFate::InVain);
-            }
-            Event::Cut { end, edge, to, .. } => {
-                state.ends[end.idx()] = to;
-                // The crossing that this end stood on until now is of no use after all.
-                for fate in state.fates.iter_mut().flatten() {
-                    if *fate == CrossingFate::Replaces(end) {
-                        *fate = CrossingFate::InVain;
-                    }
-                }
-                state.fates[edge as usize] = Some(CrossingFate::Replaces(end));
-            }
-            Event::Accept { segment } => state.verdict = Some(Some(segment)),
-            Event::Reject { .. } => state.verdict = Some(None),
-        }
-    }
-
-    fn finish(state: &Self::State) -> Visible {
-        state.verdict.flatten()
+    #[inline]
+    fn output(held: BruteForceHeld) -> Visible {
+        held.visible
     }
 
     /// Two for each side, and a verdict.
-    fn max_events(_: &Self::Input) -> usize {
+    fn max_events(_: &WindowInput) -> usize {
         4 * 2 + 1
     }
 }
 
 /// The crossing with a side's line, needed or not; `None` where the two are parallel.
-fn intersect<R: Real>(
-    segment: &Segment,
-    window: &Window,
-    edge: Edge,
-    emit: &mut impl FnMut(BruteForceEvent),
-) -> Option<Crossing<R>> {
+#[inline]
+fn intersect<R: Real>(segment: &Segment, window: &Window, edge: Edge) -> Option<Crossing<R>> {
     let [a1, _] = split::<R>(segment.p1, edge.axis());
     let [a2, _] = split::<R>(segment.p2, edge.axis());
-    if a1 == a2 {
-        emit(BruteForceEvent::Parallel { edge });
-        return None;
-    }
-    let crossing = crossing::<R>(segment, window, edge);
-    let [num, den] = crossing.ratio.map(R::get);
-    emit(BruteForceEvent::Intersect {
-        edge,
-        u: Ratio { num, den },
-        at: join(
-            edge.axis(),
-            R::new(window.border(edge)),
-            R::new(crossing.free.get().clamp(f64::MIN, f64::MAX)),
-        ),
-    });
-    Some(crossing)
+    let is_parallel = a1 == a2;
+    (!is_parallel).then(|| crossing::<R>(segment, window, edge))
 }
 
+#[inline]
+fn crossing_event<R: Real>(
+    window: &Window,
+    edge: Edge,
+    crossing: Option<&Crossing<R>>,
+) -> BruteForceEvent {
+    let Some(crossing) = crossing else {
+        return BruteForceEvent::Parallel { edge };
+    };
+    let [num, den] = crossing.ratio.map(R::get);
+    let free = R::new(crossing.free.get().clamp(f64::MIN, f64::MAX));
+    BruteForceEvent::Intersect {
+        edge,
+        u: Ratio { num, den },
+        at: join(edge.axis(), R::new(window.border(edge)), free),
+    }
+}
+
+#[inline]
 fn is_beyond<R: Real>(point: Point, window: &Window, edge: Edge) -> bool {
     let [a, _] = split::<R>(point, edge.axis());
     let c = R::new(window.border(edge));

@@ -31,11 +31,6 @@ pub struct ConvexBorder {
 }
 
 impl ConvexBorder {
-    /// Is x constant along it?
-    pub fn is_vertical(&self) -> bool {
-        self.plane.normal()[1] == 0.0
-    }
-
     /// Where the segment crosses it: within the boxes of the segment and of the edge, whatever rounding
     /// does.
     pub fn crossing<R: Real>(&self, segment: &Segment, clip: &ConvexPolygon) -> Point {

@@ -32,17 +32,13 @@ mod segment_turn;
 
 use crate::geom::{Point, Segment, Window};
 
-pub use brute_force::{BruteForce, BruteForceEvent, BruteForceState, CrossingFate};
-pub use cohen_sutherland::{
-    CohenSutherland, CohenSutherlandEvent, CohenSutherlandInput, CohenSutherlandState,
-};
+pub use brute_force::{BruteForce, BruteForceEvent};
+pub use cohen_sutherland::{CohenSutherland, CohenSutherlandEvent, CohenSutherlandInput};
 pub use corner_line::{CornerLine, Turn};
 pub(crate) use crossing::corner_between;
-pub use cyrus_beck::{CyrusBeck, CyrusBeckEvent, CyrusBeckInput, CyrusBeckRow, CyrusBeckState};
-pub use liang_barsky::{LiangBarsky, LiangBarskyEvent, LiangBarskyState, Row};
-pub use nicholl_lee_nicholl::{
-    NichollLeeNicholl, NichollLeeNichollEvent, NichollLeeNichollState, Question, WindowRegion,
-};
+pub use cyrus_beck::{CyrusBeck, CyrusBeckEvent, CyrusBeckInput, CyrusBeckRow};
+pub use liang_barsky::{LiangBarsky, LiangBarskyEvent, WindowRow};
+pub use nicholl_lee_nicholl::{NichollLeeNicholl, NichollLeeNichollEvent, Question, WindowRegion};
 pub use outcode::{BitOrder, Outcode};
 pub use segment_turn::{SegmentTurn, least_move_in, least_move_out};
 
@@ -74,4 +70,16 @@ pub struct WindowInput {
 /// The segment between two ends that have been put inside.
 fn segment_between([p1, p2]: [Point; 2]) -> Segment {
     Segment { p1, p2 }
+}
+
+/// The same by their coordinates.
+#[inline]
+fn segment_of(ends: [[f64; 2]; 2]) -> Segment {
+    segment_between(ends.map(|[x, y]| Point::from_finite(x, y)))
+}
+
+/// Both ends by their coordinates.
+#[inline]
+fn ends_of(segment: &Segment) -> [[f64; 2]; 2] {
+    [segment.p1, segment.p2].map(Point::to_array)
 }

@@ -53,7 +53,7 @@ use serde::Serialize;
 
 use crate::{
     geom::{Axis, Edge, Point, Segment, Window},
-    trace::{Algorithm, Real},
+    trace::{Method, Real, Tell, Told},
 };
 
 use super::{
@@ -178,91 +178,81 @@ pub enum Question {
     Leaves,
 }
 
-/// What the picture of a step needs.
+/// What Nicholl–Lee–Nicholl works in.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct NichollLeeNichollState {
+pub struct NichollLeeNichollHeld {
     /// The regions of both ends, once known.
     pub regions: [Option<WindowRegion>; 2],
-    /// The corner lines looked at so far, in order.
-    pub lines: [Option<(Question, CornerLine)>; 3],
-    /// Where it comes in and goes out, once known; see [`NichollLeeNichollEvent::Sector`].
-    pub sector: Option<[Option<Edge>; 2]>,
     /// The ends, cut ones at their crossings.
     pub ends: [Point; 2],
-    /// Crossings computed so far; each is an end of the answer.
-    pub n_cuts: usize,
-    /// The answer, once known.
-    pub verdict: Option<Visible>,
+    /// The answer, once something is found visible.
+    pub visible: Visible,
 }
 
-impl Algorithm for NichollLeeNicholl {
+impl Method for NichollLeeNicholl {
     type Input = WindowInput;
+    type Held = NichollLeeNichollHeld;
     type Output = Visible;
     type Event = NichollLeeNichollEvent;
-    type State = NichollLeeNichollState;
 
-    fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Visible {
+    #[inline]
+    fn begin(input: &WindowInput) -> NichollLeeNichollHeld {
+        NichollLeeNichollHeld {
+            regions: [None; 2],
+            ends: [input.segment.p1, input.segment.p2],
+            visible: None,
+        }
+    }
+
+    #[inline]
+    fn run<R: Real, T: Tell<Self>>(
+        input: &WindowInput,
+        held: &mut NichollLeeNichollHeld,
+        tell: &mut T,
+    ) -> Told<T::Stop> {
         use NichollLeeNichollEvent as Event;
         let WindowInput { window, segment } = input;
-        let regions = End::BOTH.map(|end| {
+        let mut regions = [WindowRegion { x: None, y: None }; 2];
+        for end in End::BOTH {
             let region = WindowRegion::of(end.of(segment).to_array().map(R::new), window);
-            emit(Event::Region { end, region });
-            region
-        });
-        let sector = match find_sector::<R>(input, regions, &mut emit) {
+            regions[end.idx()] = region;
+            held.regions[end.idx()] = Some(region);
+            tell.tell(held, Event::Region { end, region })?;
+        }
+        let sector = match find_sector::<R, T>(input, regions, held, tell)? {
             Ok(sector) => sector,
             Err(Miss { edge, corner }) => {
-                emit(Event::Reject { edge, corner });
-                return None;
+                return tell.tell(held, Event::Reject { edge, corner });
             }
         };
         let [enters, leaves] = sector.edges;
-        emit(Event::Sector { enters, leaves });
-        let ends = End::BOTH.map(|end| match sector.edges[end.idx()] {
-            None => end.of(segment),
-            Some(edge) => cut::<R>(end, edge, sector.touch, input, &mut emit),
-        });
-        let segment = segment_between(ends);
-        emit(Event::Accept { segment });
-        Some(segment)
-    }
-
-    fn start(input: &Self::Input) -> Self::State {
-        NichollLeeNichollState {
-            regions: [None; 2],
-            lines: [None; 3],
-            sector: None,
-            ends: [input.segment.p1, input.segment.p2],
-            n_cuts: 0,
-            verdict: None,
-        }
-    }
-
-    fn apply(state: &mut Self::State, event: Self::Event) {
-        use NichollLeeNichollEvent as Event;
-        match event {
-            Event::Region { end, region } => state.regions[end.idx()] = Some(region),
-            Event::Side { question, line } => {
-                if let Some(free) = state.lines.iter_mut().find(|line| line.is_none()) {
-                    *free = Some((question, line));
-                }
+        tell.tell(held, Event::Sector { enters, leaves })?;
+        for end in End::BOTH {
+            if let Some(edge) = sector.edges[end.idx()] {
+                let (u, to) = cut::<R>(edge, sector.touch, input);
+                let from = std::mem::replace(&mut held.ends[end.idx()], to);
+                let cut = Event::Cut {
+                    end,
+                    edge,
+                    u,
+                    from,
+                    to,
+                };
+                tell.tell(held, cut)?;
             }
-            Event::Sector { enters, leaves } => state.sector = Some([enters, leaves]),
-            Event::Cut { end, to, .. } => {
-                state.ends[end.idx()] = to;
-                state.n_cuts += 1;
-            }
-            Event::Accept { segment } => state.verdict = Some(Some(segment)),
-            Event::Reject { .. } => state.verdict = Some(None),
         }
+        let segment = segment_between(held.ends);
+        held.visible = Some(segment);
+        tell.tell(held, Event::Accept { segment })
     }
 
-    fn finish(state: &Self::State) -> Visible {
-        state.verdict.flatten()
+    #[inline]
+    fn output(held: NichollLeeNichollHeld) -> Visible {
+        held.visible
     }
 
     /// Two regions, three corners, a sector, two cuts, a verdict.
-    fn max_events(_: &Self::Input) -> usize {
+    fn max_events(_: &WindowInput) -> usize {
         2 + 3 + 1 + 2 + 1
     }
 }
@@ -281,22 +271,24 @@ struct Miss {
 }
 
 /// Steps 1 to 4.
-fn find_sector<R: Real>(
+#[inline]
+fn find_sector<R: Real, T: Tell<NichollLeeNicholl>>(
     input: &WindowInput,
     [region1, region2]: [WindowRegion; 2],
-    emit: &mut impl FnMut(NichollLeeNichollEvent),
-) -> Result<Sector, Miss> {
+    held: &NichollLeeNichollHeld,
+    tell: &mut T,
+) -> Told<T::Stop, Result<Sector, Miss>> {
     if let Some(edge) = region1.shared(region2) {
-        return Err(Miss { edge, corner: None });
+        return Told::Continue(Err(Miss { edge, corner: None }));
     }
     let mut ask = |question, edges| {
         let line = CornerLine::beside::<R>(edges, &input.window, &input.segment);
-        emit(NichollLeeNichollEvent::Side { question, line });
-        line
+        tell.tell(held, NichollLeeNichollEvent::Side { question, line })?;
+        Told::Continue(line)
     };
     let enters = match region1.corner() {
         // P₁ has both sides to cross, and comes in by the second of them.
-        Some([x, y]) => match ask(Question::Enters, [x, y]).first {
+        Some([x, y]) => match ask(Question::Enters, [x, y])?.first {
             Some(first) if first == x => Some(y),
             _ => Some(x),
         },
@@ -306,24 +298,24 @@ fn find_sector<R: Real>(
     if let Some(enters) = enters
         && let Some(next) = region2.edges().find(|e| e.axis() != enters.axis())
     {
-        let line = ask(Question::Meets, in_order([enters, next]));
+        let line = ask(Question::Meets, in_order([enters, next]))?;
         match line.first {
             Some(first) if first == next => {
                 let (edge, corner) = (next, Some(line.corner));
-                return Err(Miss { edge, corner });
+                return Told::Continue(Err(Miss { edge, corner }));
             }
             Some(_) => {}
             None => touch = Some((next, line.corner)),
         }
     }
     let leaves = match region2.corner() {
-        Some([x, y]) => ask(Question::Leaves, [x, y]).first.or(Some(x)),
+        Some([x, y]) => ask(Question::Leaves, [x, y])?.first.or(Some(x)),
         None => region2.edges().next(),
     };
     // Through the corner and out by the other side is more than a touch.
     let touch = touch.and_then(|(next, corner)| (leaves == Some(next)).then_some(corner));
     let edges = [enters, leaves];
-    Ok(Sector { edges, touch })
+    Told::Continue(Ok(Sector { edges, touch }))
 }
 
 /// Two sides that meet at a corner: the vertical one first.
@@ -331,22 +323,14 @@ fn in_order([e, f]: [Edge; 2]) -> [Edge; 2] {
     if e.axis() == Axis::X { [e, f] } else { [f, e] }
 }
 
-/// Step 5: an end moves to its crossing.
+/// Step 5: the crossing that an end moves to.
+#[inline]
 fn cut<R: Real>(
-    end: End,
     edge: Edge,
     touch: Option<Point>,
     WindowInput { window, segment }: &WindowInput,
-    emit: &mut impl FnMut(NichollLeeNichollEvent),
-) -> Point {
+) -> (Ratio, Point) {
     let to = touch.unwrap_or_else(|| on_border::<R>(segment, window, edge));
     let [num, den] = crossing::<f64>(segment, window, edge).ratio;
-    emit(NichollLeeNichollEvent::Cut {
-        end,
-        edge,
-        u: Ratio { num, den },
-        from: end.of(segment),
-        to,
-    });
-    to
+    (Ratio { num, den }, to)
 }

@@ -1,5 +1,7 @@
 //! Outcodes: one bit for each side of the window that a point lies beyond.
 
+use std::ops::{BitAnd, BitOr};
+
 use serde::{Deserialize, Serialize, Serializer};
 
 use crate::{
@@ -132,6 +134,24 @@ impl Outcode {
             .written()
             .into_iter()
             .filter(move |&edge| self.has(edge, order))
+    }
+}
+
+impl BitOr for Outcode {
+    type Output = Self;
+
+    #[inline]
+    fn bitor(self, other: Self) -> Self {
+        self.or(other)
+    }
+}
+
+impl BitAnd for Outcode {
+    type Output = Self;
+
+    #[inline]
+    fn bitand(self, other: Self) -> Self {
+        self.and(other)
     }
 }
 

@@ -28,7 +28,7 @@
 //! ```
 //! use clipscope::{
 //!     algo::pipeline::{Bresenham, BresenhamInput},
-//!     trace::told::silent,
+//!     trace::silent,
 //! };
 //! let pixels = |from, to| silent::<Bresenham>(&BresenhamInput::new(from, to).expect("few pixels"));
 //! assert_eq!(pixels([0, 0], [4, 2]), [[0, 0], [1, 0], [2, 1], [3, 1], [4, 2]]);
@@ -39,10 +39,7 @@
 
 use serde::Serialize;
 
-use crate::trace::{
-    Real,
-    told::{Method, Tell, Told},
-};
+use crate::trace::{Method, Real, Tell, Told};
 
 /// The algorithm; see the module.
 #[derive(Clone, Copy, Debug)]

@@ -27,7 +27,7 @@
 //!         surface::Viewport,
 //!     },
 //!     geom::{Camera, ViewVolume},
-//!     trace::told::silent,
+//!     trace::silent,
 //! };
 //! let volume = ViewVolume::perspective(90.0, 1.0, 1.0, 9.0)?;
 //! let drawn = DrawnSegment {
@@ -49,10 +49,7 @@ use crate::{
         volume::{ClipSpace, HomogeneousLine, LineInput},
     },
     geom::Camera,
-    trace::{
-        Algorithm, Real,
-        told::{Listening, Method, Tell, Told},
-    },
+    trace::{Listening, Method, Real, Tell, Told, held_after},
 };
 
 use super::{Bresenham, BresenhamEvent, BresenhamInput, row_times};
@@ -164,7 +161,7 @@ impl DrawnSegment {
             bounds: ClipSpace,
             ends: projected,
         };
-        let left = HomogeneousLine::run::<R>(&input, |_| {});
+        let left = held_after::<HomogeneousLine, R>(&input);
         // What is inside of all sides has w > 0: but for the eye itself, and for rounding.
         let left = left.filter(|ends| ends.iter().all(|end| R::new(end[3]) > R::new(0.0)));
         let Some(ends) = left else {

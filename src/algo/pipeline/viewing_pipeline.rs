@@ -32,7 +32,7 @@
 //!         surface::Viewport,
 //!     },
 //!     geom::{Camera, Matrix, ViewVolume},
-//!     trace::told::silent,
+//!     trace::silent,
 //! };
 //! let volume = ViewVolume::perspective(90.0, 1.0, 1.0, 3.0)?;
 //! let camera = Camera::new([0.0, 0.0, 4.0], [0.0; 3], [0.0, 1.0, 0.0], volume)?;
@@ -58,10 +58,7 @@ use serde::Serialize;
 use crate::{
     algo::surface::Viewport,
     geom::{Camera, Matrix},
-    trace::{
-        Real,
-        told::{Method, Tell, Told},
-    },
+    trace::{Method, Real, Tell, Told},
 };
 
 /// The algorithm; see the module.

@@ -35,7 +35,7 @@ use super::{
 
 /// A clip edge: the line that it runs along, and its inside.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct Border {
+pub struct Border {
     edge_idx: usize,
     /// As the region has it.
     plane: HalfPlane,
@@ -43,7 +43,7 @@ pub(super) struct Border {
 }
 
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) enum BorderLine {
+pub enum BorderLine {
     /// Along an axis: inside is where the `axis` coordinate is at least `c`, or at most `c` if `is_max`.
     Upright { axis: Axis, c: f64, is_max: bool },
     /// Any other: inside is where `normal·(p − origin) ≥ 0`. The normal is of moderate length.
@@ -244,7 +244,7 @@ fn moderate(mut normal: [f64; 2]) -> [f64; 2] {
 
 /// All borders of a region, in the order in which they clip.
 #[derive(Clone, Debug)]
-pub(super) struct Borders {
+pub struct Borders {
     all: Vec<Border>,
     /// Index of the first oblique one; that of the end where there is none.
     first_oblique: usize,
@@ -355,14 +355,14 @@ fn middle(borders: &[Border]) -> Point {
 
 /// Border `idx` of some, as what a clipper works against.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct NthBorder<'a> {
+pub struct NthBorder<'a> {
     pub borders: &'a Borders,
     pub idx: usize,
 }
 
 impl NthBorder<'_> {
     #[inline]
-    fn border(&self) -> &Border {
+    pub fn border(&self) -> &Border {
         &self.borders.all[self.idx]
     }
 }

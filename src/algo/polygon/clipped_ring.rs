@@ -30,21 +30,22 @@ pub struct ClippedRing<V> {
     pub vertices: Vec<V>,
 }
 
-impl<V: Vertex> ClippedRing<V> {
+impl RingOutcome {
     /// What is left of `polygon`, once clipped to `vertices`.
-    pub(super) fn of(polygon: &[V], vertices: Vec<V>) -> Self {
-        let outcome = if vertices.is_empty() {
-            RingOutcome::Empty
-        } else if !has_area(&vertices) {
-            RingOutcome::Degenerate
+    pub(super) fn of<V: Vertex>(polygon: &[V], vertices: &[V]) -> Self {
+        if vertices.is_empty() {
+            Self::Empty
+        } else if !has_area(vertices) {
+            Self::Degenerate
         } else if vertices == polygon {
-            RingOutcome::Whole
+            Self::Whole
         } else {
-            RingOutcome::Cut
-        };
-        Self { outcome, vertices }
+            Self::Cut
+        }
     }
+}
 
+impl<V: Vertex> ClippedRing<V> {
     /// The ring as a polygon; `None` where there is nothing to fill.
     #[must_use]
     pub fn polygon(&self) -> Option<Polygon> {

@@ -32,12 +32,15 @@
 //! # Ok::<(), clipscope::geom::GeomError>(())
 //! ```
 
-use crate::geom::{Axis, Point};
+use crate::{
+    geom::{Axis, Point},
+    trace::Told,
+};
 
 #[cfg(doc)]
 use super::SutherlandHodgman;
 use super::{
-    super::ring::{Clip, Happening, Right},
+    super::ring::{Clip, Right, put_in},
     ClipRegion, Vertex,
     border::{Border, BorderLine, Borders, NthBorder},
     clipped_ring,
@@ -156,30 +159,23 @@ fn pass<V: Vertex>(borders: &Borders, idx: usize, input: &[V], output: &mut Vec<
         return;
     };
     output.clear();
-    let mut clip =
-        Clip::<_, V, f64>::begin::<Right>(NthBorder { borders, idx }, first, &mut put_in(output));
+    let limit = NthBorder { borders, idx };
+    let mut clip = Clip::begin::<Right, f64>(&limit, first);
+    let Told::Continue(()) = clip.tell_first(&limit, &mut put_in(output));
     loop {
         let is_inside = clip.is_inside();
-        let (run, behind) = following.split_at(clip.run(following));
+        let (run, behind) = following.split_at(clip.run(&limit, following));
         if is_inside {
             output.extend_from_slice(run);
         }
         let Some((&vertex, rest)) = behind.split_first() else {
             break;
         };
-        clip.vertex::<Right>(vertex, &mut put_in(output));
+        let vertex = ([0; 2], vertex);
+        let Told::Continue(()) = clip.vertex::<Right, f64, _>(&limit, vertex, &mut put_in(output));
         following = rest;
     }
-    clip.close::<Right>(&mut put_in(output));
-}
-
-#[inline]
-fn put_in<V>(output: &mut Vec<V>) -> impl FnMut(Happening<V>) {
-    |happening| {
-        if let Happening::Output(vertex) = happening {
-            output.push(vertex);
-        }
-    }
+    let Told::Continue(()) = clip.close::<Right, f64, _>(&limit, [0; 2], &mut put_in(output));
 }
 
 /// Where all of a polygon lies.

@@ -45,7 +45,7 @@
 //! prune-and-search", Pattern Recognition Letters 14(9), 1993, pp. 719–722, doi:10.1016/0167-8655(93)90141-Y.
 //!
 //! ```
-//! use clipscope::{algo::polygon::EarClipping, geom::SimplePolygon, trace::told::silent};
+//! use clipscope::{algo::polygon::EarClipping, geom::SimplePolygon, trace::silent};
 //! let arrowhead = SimplePolygon::new(&[[0.0, 0.0], [2.0, 1.0], [4.0, 0.0], [2.0, 4.0]])?;
 //! assert_eq!(silent::<EarClipping>(&arrowhead).triangles(), [[3, 0, 1], [1, 2, 3]]);
 //! # Ok::<(), clipscope::geom::GeomError>(())
@@ -62,18 +62,15 @@ use serde::Serialize;
 
 use crate::{
     geom::{Point, SimplePolygon},
-    trace::{
-        Real,
-        told::{Includes, Method, Tell, Told},
-    },
+    trace::{Includes, Method, Real, Tell, Told},
 };
 
 use self::{
     corner::double_area,
     rivals::{Rival, Rivals},
+    triangulation::order_of,
 };
 
-pub(super) use self::triangulation::order_of;
 pub use self::{
     corner::Corner,
     ring::Ring,

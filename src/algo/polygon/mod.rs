@@ -17,15 +17,14 @@ pub use clipper::{Clipped, Clipper};
 pub use ear_clipping::{
     Corner, EarClipping, EarClippingEvent, EarClippingHeld, Ring, Triangle, Triangulation,
 };
-pub use pipeline::{Pipeline, PipelineEvent, PipelineStage, PipelineState};
+pub use pipeline::{Pipeline, PipelineEvent, PipelineHeld, PipelineStage};
 pub use region::ClipRegion;
 pub use sutherland_hodgman::{
-    EdgeTest, SutherlandHodgman, SutherlandHodgmanEvent, SutherlandHodgmanInput,
-    SutherlandHodgmanState,
+    SutherlandHodgman, SutherlandHodgmanEvent, SutherlandHodgmanHeld, SutherlandHodgmanInput,
 };
 pub use triangulate_and_clip::{
-    EachTriangleEvent, EarsSoFar, Pieces, TriangulateAndClip, TriangulateAndClipEvent,
-    TriangulateAndClipInput, TriangulateAndClipState,
+    EachTriangleEvent, Pieces, TriangulateAndClip, TriangulateAndClipEvent, TriangulateAndClipHeld,
+    TriangulateAndClipInput,
 };
 pub use vertex::{Textured, Vertex};
 

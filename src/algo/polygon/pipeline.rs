@@ -37,14 +37,14 @@ use serde::Serialize;
 
 use crate::{
     geom::Point,
-    trace::{Algorithm, Real},
+    trace::{Method, Real, Tell, Told},
 };
 
 #[cfg(doc)]
 use super::SutherlandHodgman;
 use super::{
     super::line::Ratio,
-    super::ring::{Clip, Crossing, Happening, Right},
+    super::ring::{Clip, Crossing, Happening, Right, RingEvent},
     ClippedRing, RingOutcome, Rule, SutherlandHodgmanInput, Vertex,
     border::{Borders, NthBorder},
 };
@@ -114,95 +114,122 @@ pub enum PipelineEvent<V> {
     },
 }
 
+impl<V: Copy> RingEvent<V> for PipelineEvent<V> {
+    fn happening(&self) -> Option<Happening<V>> {
+        let idx = [0; 2];
+        match *self {
+            Self::First {
+                at,
+                distance,
+                inside,
+                ..
+            } => Some(Happening::First {
+                at,
+                distance,
+                inside,
+            }),
+            Self::Test {
+                ends,
+                distances,
+                rule,
+                ..
+            } => Some(Happening::Test {
+                idx,
+                ends,
+                distances,
+                rule,
+            }),
+            Self::Cross { at, t, .. } => Some(Happening::Cross(Crossing { at, t })),
+            Self::Enter { .. } | Self::Output { .. } | Self::Close { .. } | Self::Done { .. } => {
+                None
+            }
+        }
+    }
+}
+
 /// A clipper's memory.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct PipelineStage<V> {
-    /// F, once it has come.
-    pub first: Option<V>,
-    /// The last vertex that came: S of the next edge.
-    pub previous: Option<V>,
+    /// None where no vertex has come yet.
+    clip: Option<Clip<V>>,
     /// Has it closed its ring?
     pub is_closed: bool,
 }
 
-/// What the picture of a step needs.
-#[derive(Clone, PartialEq, Debug)]
-pub struct PipelineState<V> {
-    /// One a clip edge.
-    pub stages: Vec<PipelineStage<V>>,
-    /// How far the polygon has been read: the vertex that entered last.
-    pub vertex_idx: Option<usize>,
-    /// The clipper at work.
-    pub stage_idx: Option<usize>,
-    /// The vertex that entered it, or left the last one; none while it closes.
-    pub moving: Option<V>,
-    /// The edge that the clipper looks at: ends, distances, rule.
-    pub test: Option<([V; 2], [f64; 2], Rule)>,
-    /// Where that edge crosses.
-    pub crossing: Option<(V, Ratio)>,
-    /// What has come out.
-    pub output: Vec<V>,
-    /// The answer's kind, once known.
-    pub outcome: Option<RingOutcome>,
+impl<V: Copy> PipelineStage<V> {
+    /// F, once it has come.
+    #[must_use]
+    pub fn first(&self) -> Option<V> {
+        self.clip.as_ref().map(Clip::first)
+    }
+
+    /// The last vertex that came: S of the next edge.
+    #[must_use]
+    pub fn previous(&self) -> Option<V> {
+        self.clip.as_ref().map(Clip::previous)
+    }
 }
 
-impl<V: Vertex> Algorithm for Pipeline<V> {
+/// What it works in.
+#[derive(Clone, PartialEq, Debug)]
+pub struct PipelineHeld<V> {
+    /// One a clip edge.
+    pub stages: Vec<PipelineStage<V>>,
+    /// What has come out.
+    pub output: Vec<V>,
+    /// In the end what that amounts to.
+    outcome: RingOutcome,
+}
+
+impl<V: Vertex> Method for Pipeline<V> {
     type Input = SutherlandHodgmanInput<V>;
+    type Held = PipelineHeld<V>;
     type Output = ClippedRing<V>;
     type Event = PipelineEvent<V>;
-    type State = PipelineState<V>;
 
-    fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Self::Output {
-        use PipelineEvent as Event;
-        let borders = Borders::by::<Right>(&input.region);
-        let n_stages = borders.all().len();
-        let mut line = AssemblyLine::<V, R> {
-            borders: &borders,
-            stages: (0..n_stages).map(|_| None).collect(),
-            waiting: Vec::new(),
-            output: Vec::new(),
-        };
-        for (idx, &vertex) in input.vertices.iter().enumerate() {
-            line.enter(0, Some(idx), vertex, &mut emit);
-            line.flow(&mut emit);
-        }
-        for stage_idx in 0..n_stages {
-            emit(Event::Close { stage_idx });
-            line.close(stage_idx, &mut emit);
-            line.flow(&mut emit);
-        }
-        let ring = ClippedRing::of(&input.vertices, line.output);
-        let outcome = ring.outcome;
-        emit(Event::Done { outcome });
-        ring
-    }
-
-    fn start(input: &Self::Input) -> Self::State {
+    #[inline]
+    fn begin(input: &Self::Input) -> Self::Held {
         let empty = PipelineStage {
-            first: None,
-            previous: None,
+            clip: None,
             is_closed: false,
         };
-        PipelineState {
+        PipelineHeld {
             stages: vec![empty; input.region.n_edges()],
-            vertex_idx: None,
-            stage_idx: None,
-            moving: None,
-            test: None,
-            crossing: None,
             output: Vec::new(),
-            outcome: None,
+            outcome: RingOutcome::Empty,
         }
     }
 
-    fn apply(state: &mut Self::State, event: Self::Event) {
-        state.apply(event);
+    #[inline]
+    fn run<R: Real, T: Tell<Self>>(
+        input: &Self::Input,
+        held: &mut Self::Held,
+        tell: &mut T,
+    ) -> Told<T::Stop> {
+        let mut line = AssemblyLine {
+            borders: &Borders::by::<Right>(&input.region),
+            waiting: Vec::new(),
+            held,
+            tell,
+        };
+        for (idx, &vertex) in input.vertices.iter().enumerate() {
+            line.enter::<R>(0, Some(idx), vertex)?;
+            line.flow::<R>()?;
+        }
+        for stage_idx in 0..line.held.stages.len() {
+            line.close::<R>(stage_idx)?;
+            line.flow::<R>()?;
+        }
+        let outcome = RingOutcome::of(&input.vertices, &held.output);
+        held.outcome = outcome;
+        tell.tell(held, PipelineEvent::Done { outcome })
     }
 
-    fn finish(state: &Self::State) -> Self::Output {
+    #[inline]
+    fn output(held: Self::Held) -> Self::Output {
         ClippedRing {
-            outcome: state.outcome.unwrap_or(RingOutcome::Empty),
-            vertices: state.output.clone(),
+            outcome: held.outcome,
+            vertices: held.output,
         }
     }
 
@@ -218,148 +245,113 @@ impl<V: Vertex> Algorithm for Pipeline<V> {
     }
 }
 
-/// The clippers, and what has left one but not yet entered the next.
-struct AssemblyLine<'a, V, R> {
+/// The clippers at work.
+struct AssemblyLine<'a, V, T> {
     borders: &'a Borders,
-    /// None where no vertex has come yet.
-    stages: Vec<Option<Clip<NthBorder<'a>, V, R>>>,
-    /// Vertices with the clipper they go to. The last one is the next to move: a clipper's crossing flows
-    /// through to the end before the vertex behind it does.
+    /// Vertices with the clipper they go to: they have left one, and not yet entered the next. The last one is the next to
+    /// move: a clipper's crossing flows through to the end before the vertex behind it does.
     waiting: Vec<(usize, V)>,
-    output: Vec<V>,
+    held: &'a mut PipelineHeld<V>,
+    tell: &'a mut T,
 }
 
-impl<V: Vertex, R: Real> AssemblyLine<'_, V, R> {
-    fn enter(
+impl<V: Vertex, T: Tell<Pipeline<V>>> AssemblyLine<'_, V, T> {
+    #[inline]
+    fn enter<R: Real>(
         &mut self,
         stage_idx: usize,
         vertex_idx: Option<usize>,
         at: V,
-        emit: &mut impl FnMut(PipelineEvent<V>),
-    ) {
-        emit(PipelineEvent::Enter {
+    ) -> Told<T::Stop> {
+        let limit = self.border(stage_idx);
+        let n_waiting = self.waiting.len();
+        let entered = PipelineEvent::Enter {
             stage_idx,
             vertex_idx,
             at,
-        });
-        let n_waiting = self.waiting.len();
-        let mut tell = |happening| tell(stage_idx, happening, &mut self.waiting, emit);
-        match &mut self.stages[stage_idx] {
-            Some(stage) => stage.vertex::<Right>(at, &mut tell),
-            empty => {
-                *empty = Some(Clip::begin::<Right>(
-                    NthBorder {
-                        borders: self.borders,
-                        idx: stage_idx,
-                    },
-                    at,
-                    &mut tell,
-                ));
-            }
+        };
+        self.tell.tell(self.held, entered)?;
+        if let Some(mut clip) = self.held.stages[stage_idx].clip {
+            let vertex = ([0; 2], at);
+            clip.vertex::<Right, R, _>(&limit, vertex, &mut |it| self.note(stage_idx, it))?;
+            self.held.stages[stage_idx].clip = Some(clip);
+        } else {
+            let clip = Clip::begin::<Right, R>(&limit, at);
+            self.held.stages[stage_idx].clip = Some(clip);
+            clip.tell_first(&limit, &mut |it| self.note(stage_idx, it))?;
         }
         self.waiting[n_waiting..].reverse();
+        Told::Continue(())
     }
 
-    fn close(&mut self, stage_idx: usize, emit: &mut impl FnMut(PipelineEvent<V>)) {
-        if let Some(stage) = &self.stages[stage_idx] {
-            stage.close::<Right>(&mut |happening| {
-                tell(stage_idx, happening, &mut self.waiting, emit);
-            });
+    #[inline]
+    fn close<R: Real>(&mut self, stage_idx: usize) -> Told<T::Stop> {
+        self.held.stages[stage_idx].is_closed = true;
+        self.tell
+            .tell(self.held, PipelineEvent::Close { stage_idx })?;
+        if let Some(mut clip) = self.held.stages[stage_idx].clip {
+            let limit = self.border(stage_idx);
+            clip.close::<Right, R, _>(&limit, [0; 2], &mut |it| self.note(stage_idx, it))?;
+            self.held.stages[stage_idx].clip = Some(clip);
         }
+        Told::Continue(())
     }
 
     /// Lets everything that waits flow on as far as it goes.
-    fn flow(&mut self, emit: &mut impl FnMut(PipelineEvent<V>)) {
+    #[inline]
+    fn flow<R: Real>(&mut self) -> Told<T::Stop> {
         while let Some((stage_idx, at)) = self.waiting.pop() {
-            if stage_idx < self.stages.len() {
-                self.enter(stage_idx, None, at, emit);
+            if stage_idx < self.held.stages.len() {
+                self.enter::<R>(stage_idx, None, at)?;
             } else {
-                self.output.push(at);
-                emit(PipelineEvent::Output { at });
+                self.held.output.push(at);
+                self.tell.tell(self.held, PipelineEvent::Output { at })?;
             }
         }
+        Told::Continue(())
     }
-}
 
-/// What a clipper does, as an event; what it puts out is to go to the next.
-fn tell<V>(
-    stage_idx: usize,
-    happening: Happening<V>,
-    waiting: &mut Vec<(usize, V)>,
-    emit: &mut impl FnMut(PipelineEvent<V>),
-) {
-    use PipelineEvent as Event;
-    match happening {
-        Happening::First {
-            at,
-            distance,
-            inside,
-        } => emit(Event::First {
-            stage_idx,
-            at,
-            distance,
-            inside,
-        }),
-        Happening::Test {
-            ends,
-            distances,
-            rule,
-        } => emit(Event::Test {
-            stage_idx,
-            ends,
-            distances,
-            rule,
-        }),
-        Happening::Cross(Crossing { at, t }) => emit(Event::Cross { stage_idx, at, t }),
-        Happening::Output(at) => waiting.push((stage_idx + 1, at)),
-    }
-}
-
-impl<V: Vertex> PipelineState<V> {
-    fn apply(&mut self, event: PipelineEvent<V>) {
-        use PipelineEvent as Event;
-        match event {
-            Event::Enter {
-                stage_idx,
-                vertex_idx,
+    /// What a clipper does; what it puts out is to go to the next.
+    #[inline]
+    fn note(&mut self, stage_idx: usize, happening: Happening<V>) -> Told<T::Stop> {
+        let event = match happening {
+            Happening::First {
                 at,
-            } => {
-                self.at_work(stage_idx, Some(at));
-                self.vertex_idx = vertex_idx.or(self.vertex_idx);
-            }
-            Event::First { stage_idx, at, .. } => {
-                let stage = &mut self.stages[stage_idx];
-                (stage.first, stage.previous) = (Some(at), Some(at));
-            }
-            Event::Test {
+                distance,
+                inside,
+            } => PipelineEvent::First {
+                stage_idx,
+                at,
+                distance,
+                inside,
+            },
+            Happening::Test {
+                ends,
+                distances,
+                rule,
+                ..
+            } => PipelineEvent::Test {
                 stage_idx,
                 ends,
                 distances,
                 rule,
-            } => {
-                self.stages[stage_idx].previous = Some(ends[1]);
-                self.test = Some((ends, distances, rule));
+            },
+            Happening::Cross(Crossing { at, t }) => PipelineEvent::Cross { stage_idx, at, t },
+            Happening::Output(at) => {
+                self.waiting.push((stage_idx + 1, at));
+                return Told::Continue(());
             }
-            Event::Cross { at, t, .. } => self.crossing = Some((at, t)),
-            Event::Output { at } => {
-                (self.stage_idx, self.moving) = (None, Some(at));
-                (self.test, self.crossing) = (None, None);
-                self.output.push(at);
-            }
-            Event::Close { stage_idx } => {
-                self.at_work(stage_idx, None);
-                self.stages[stage_idx].is_closed = true;
-            }
-            Event::Done { outcome } => {
-                (self.stage_idx, self.moving) = (None, None);
-                (self.test, self.crossing) = (None, None);
-                self.outcome = Some(outcome);
-            }
-        }
+        };
+        self.tell.tell(self.held, event)
     }
+}
 
-    fn at_work(&mut self, stage_idx: usize, moving: Option<V>) {
-        (self.stage_idx, self.moving) = (Some(stage_idx), moving);
-        (self.test, self.crossing) = (None, None);
+impl<'a, V, T> AssemblyLine<'a, V, T> {
+    #[inline]
+    const fn border(&self, idx: usize) -> NthBorder<'a> {
+        NthBorder {
+            borders: self.borders,
+            idx,
+        }
     }
 }

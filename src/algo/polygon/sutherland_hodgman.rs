@@ -50,12 +50,12 @@ use serde::Serialize;
 
 use crate::{
     geom::{Point, Polygon},
-    trace::{Algorithm, Real},
+    trace::{Method, Real, Tell, Told},
 };
 
 use super::{
     super::line::Ratio,
-    super::ring::{Clip, Crossing, Happening, Right, Rules},
+    super::ring::{Lists, Right, RingClipper, Rules, ring_events},
     ClipRegion, ClippedRing, RingOutcome, Rule, Vertex,
     border::{Borders, NthBorder},
 };
@@ -141,97 +141,48 @@ pub enum SutherlandHodgmanEvent<V> {
     },
 }
 
-/// What the picture of a step needs.
+/// What it works in.
 #[derive(Clone, PartialEq, Debug)]
-pub struct SutherlandHodgmanState<V> {
-    /// The list that is clipped; after the end, the answer.
-    pub input: Vec<V>,
-    /// The list that grows.
-    pub output: Vec<V>,
-    /// After a pass, until the next clip edge's turn: the list that was clipped.
-    pub passed: Vec<V>,
-    /// The clip edge whose turn it is.
-    pub edge_idx: Option<usize>,
-    /// How far inside the clip edge the vertices lie that have been looked at, and whether that counts as inside.
-    pub sides: Vec<(f64, bool)>,
-    /// The edge that is looked at.
-    pub test: Option<EdgeTest>,
-    /// Where that edge crosses.
-    pub crossing: Option<(V, Ratio)>,
-    /// Every crossing with this clip edge, and between which two vertices it lies.
-    pub crossings: Vec<([usize; 2], V)>,
-    /// The answer's kind, once known.
-    pub outcome: Option<RingOutcome>,
+pub struct SutherlandHodgmanHeld<V> {
+    /// The list that is clipped, and the one that grows.
+    pub lists: Lists<Vec<V>>,
+    /// In the end what the former amounts to.
+    outcome: RingOutcome,
 }
 
-/// An edge of the polygon against a clip edge.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct EdgeTest {
-    /// Where S and P stand in the input list.
-    pub idx: [usize; 2],
-    /// Their signed distances from the clip edge.
-    pub distances: [f64; 2],
-    /// What follows.
-    pub rule: Rule,
-}
-
-impl<V: Vertex, L: Rules> Algorithm for SutherlandHodgman<V, L> {
+impl<V: Vertex, L: Rules> Method for SutherlandHodgman<V, L> {
     type Input = SutherlandHodgmanInput<V>;
+    type Held = SutherlandHodgmanHeld<V>;
     type Output = ClippedRing<V>;
     type Event = SutherlandHodgmanEvent<V>;
-    type State = SutherlandHodgmanState<V>;
 
-    fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Self::Output {
-        use SutherlandHodgmanEvent as Event;
-        let borders = Borders::by::<L>(&input.region);
-        let (mut list, mut output) = (input.vertices.clone(), Vec::new());
-        for (idx, border) in borders.all().iter().enumerate() {
-            if list.is_empty() {
-                break;
-            }
-            let edge_idx = border.edge_idx();
-            emit(Event::Edge {
-                edge_idx,
-                normal: border.normal(),
-                origin: border.origin(),
-            });
-            clip_edge::<L, V, R>(&borders, idx, &list, &mut output, &mut emit);
-            std::mem::swap(&mut list, &mut output);
-            output.clear();
-            let n_vertices = list.len();
-            emit(Event::Pass {
-                edge_idx,
-                n_vertices,
-            });
-        }
-        let ring = ClippedRing::of(&input.vertices, list);
-        let outcome = ring.outcome;
-        emit(Event::Done { outcome });
-        ring
-    }
-
-    fn start(input: &Self::Input) -> Self::State {
-        SutherlandHodgmanState {
-            input: input.vertices.clone(),
-            output: Vec::new(),
-            passed: Vec::new(),
-            edge_idx: None,
-            sides: Vec::new(),
-            test: None,
-            crossing: None,
-            crossings: Vec::new(),
-            outcome: None,
+    #[inline]
+    fn begin(input: &Self::Input) -> Self::Held {
+        SutherlandHodgmanHeld {
+            lists: Lists::new([input.vertices.clone(), Vec::new()]),
+            outcome: RingOutcome::Empty,
         }
     }
 
-    fn apply(state: &mut Self::State, event: Self::Event) {
-        state.apply(event);
+    #[inline]
+    fn run<R: Real, T: Tell<Self>>(
+        input: &Self::Input,
+        held: &mut Self::Held,
+        tell: &mut T,
+    ) -> Told<T::Stop> {
+        let borders = &Borders::by::<L>(&input.region);
+        let limits = (0..borders.all().len()).map(|idx| NthBorder { borders, idx });
+        Self::clip_by_all::<R, T>(held, limits, tell)?;
+        let outcome = RingOutcome::of(&input.vertices, held.lists.list());
+        held.outcome = outcome;
+        tell.tell(held, SutherlandHodgmanEvent::Done { outcome })
     }
 
-    fn finish(state: &Self::State) -> Self::Output {
+    #[inline]
+    fn output(held: Self::Held) -> Self::Output {
         ClippedRing {
-            outcome: state.outcome.unwrap_or(RingOutcome::Empty),
-            vertices: state.input.clone(),
+            outcome: held.outcome,
+            vertices: held.lists.into_list(),
         }
     }
 
@@ -252,100 +203,38 @@ impl<V: Vertex, L: Rules> Algorithm for SutherlandHodgman<V, L> {
     }
 }
 
-/// Clips `input` against one edge and appends what is left to `output`.
-fn clip_edge<L: Rules, V: Vertex, R: Real>(
-    borders: &Borders,
-    idx: usize,
-    input: &[V],
-    output: &mut Vec<V>,
-    emit: &mut impl FnMut(SutherlandHodgmanEvent<V>),
-) {
-    use SutherlandHodgmanEvent as Event;
-    let Some((&first, following)) = input.split_first() else {
-        return;
-    };
-    let mut tell = |idx: [usize; 2], happening| match happening {
-        Happening::First {
-            at,
-            distance,
-            inside,
-        } => emit(Event::First {
-            at,
-            distance,
-            inside,
-        }),
-        Happening::Test {
-            ends,
-            distances,
-            rule,
-        } => emit(Event::Test {
-            idx,
-            ends,
-            distances,
-            rule,
-        }),
-        Happening::Cross(Crossing { at, t }) => emit(Event::Cross { at, t }),
-        Happening::Output(at) => {
-            output.push(at);
-            emit(Event::Output { at });
-        }
-    };
-    let mut clip =
-        Clip::<_, V, R>::begin::<L>(NthBorder { borders, idx }, first, &mut |happening| {
-            tell([0, 0], happening);
-        });
-    for (i, &vertex) in following.iter().enumerate() {
-        clip.vertex::<L>(vertex, &mut |happening| tell([i, i + 1], happening));
+impl<V: Vertex, L: Rules> RingClipper for SutherlandHodgman<V, L> {
+    type Ring = Vec<V>;
+    type Rules = L;
+    type Limit<'a> = NthBorder<'a>;
+
+    #[inline]
+    fn lists(held: &Self::Held) -> &Lists<Vec<V>> {
+        &held.lists
     }
-    let idx = [input.len() - 1, 0];
-    clip.close::<L>(&mut |happening| tell(idx, happening));
+
+    #[inline]
+    fn lists_mut(held: &mut Self::Held) -> &mut Lists<Vec<V>> {
+        &mut held.lists
+    }
+
+    #[inline]
+    fn turn(limit: &NthBorder<'_>) -> Self::Event {
+        let border = limit.border();
+        SutherlandHodgmanEvent::Edge {
+            edge_idx: border.edge_idx(),
+            normal: border.normal(),
+            origin: border.origin(),
+        }
+    }
+
+    #[inline]
+    fn passed(limit: &NthBorder<'_>, n_vertices: usize) -> Self::Event {
+        SutherlandHodgmanEvent::Pass {
+            edge_idx: limit.border().edge_idx(),
+            n_vertices,
+        }
+    }
 }
 
-impl<V: Vertex> SutherlandHodgmanState<V> {
-    fn apply(&mut self, event: SutherlandHodgmanEvent<V>) {
-        use SutherlandHodgmanEvent as Event;
-        match event {
-            Event::Edge { edge_idx, .. } => {
-                self.edge_idx = Some(edge_idx);
-                self.passed.clear();
-                self.sides.clear();
-                self.crossings.clear();
-            }
-            Event::First {
-                distance, inside, ..
-            } => self.sides.push((distance, inside)),
-            Event::Test {
-                idx,
-                distances,
-                rule,
-                ..
-            } => {
-                self.test = Some(EdgeTest {
-                    idx,
-                    distances,
-                    rule,
-                });
-                // The edge that closes the ring ends where it began.
-                if idx[1] == self.sides.len() {
-                    self.sides.push((distances[1], rule.ends_inside()));
-                }
-                self.crossing = None;
-            }
-            Event::Cross { at, t } => {
-                self.crossing = Some((at, t));
-                let between = self.test.map(|test| (test.idx, at));
-                self.crossings.extend(between);
-            }
-            Event::Output { at } => self.output.push(at),
-            Event::Pass { .. } => {
-                let put_out = std::mem::take(&mut self.output);
-                self.passed = std::mem::replace(&mut self.input, put_out);
-                (self.test, self.crossing) = (None, None);
-            }
-            Event::Done { outcome } => {
-                self.edge_idx = None;
-                self.outcome = Some(outcome);
-            }
-        }
-    }
-}
+ring_events!([V: Copy] SutherlandHodgmanEvent<V>, V, between: Edge | Pass | Done);

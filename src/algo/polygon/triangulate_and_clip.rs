@@ -41,25 +41,21 @@
 //! # Ok::<(), clipscope::geom::GeomError>(())
 //! ```
 
-use std::{
-    collections::{HashMap, HashSet},
-    convert::Infallible,
-};
+use std::collections::{HashMap, HashSet};
 
 use serde::Serialize;
 
 use crate::{
     geom::{Point, Segment, SimplePolygon},
-    trace::{
-        Algorithm, Real,
-        told::{Listening, Method, Told},
-    },
+    trace::{Includes, Method, Real, Tell, Told},
 };
 
 use super::{
-    ClipRegion, ClippedRing, EarClipping, EarClippingEvent, RingOutcome, SutherlandHodgman,
-    SutherlandHodgmanEvent, SutherlandHodgmanInput, SutherlandHodgmanState, Triangle,
-    Triangulation, ear_clipping::order_of,
+    super::ring::{Happening, Lists, Right, RingClipper, RingEvent},
+    ClipRegion, EarClipping, EarClippingEvent, EarClippingHeld, RingOutcome, SutherlandHodgman,
+    SutherlandHodgmanEvent, SutherlandHodgmanHeld, SutherlandHodgmanInput, Triangle,
+    border::{Borders, NthBorder},
+    ear_clipping::cut_all,
 };
 
 /// The algorithm; see the module.
@@ -122,128 +118,85 @@ pub struct Pieces {
     triangles: Vec<usize>,
 }
 
-/// What the picture of a step needs.
+/// What it works in.
 #[derive(Clone, PartialEq, Debug)]
-pub struct TriangulateAndClipState {
-    /// The triangulation, as far as it has come.
-    pub ears: EarsSoFar,
-    /// Each triangle is clipped against this.
-    pub region: ClipRegion,
-    /// The triangle that is clipped, or was clipped last.
-    pub triangle_idx: Option<usize>,
-    /// How far that has come.
-    pub clip: Option<SutherlandHodgmanState<Point>>,
-    /// Those of the triangles before.
+pub struct TriangulateAndClipHeld {
+    /// The triangulation.
+    pub ears: EarClippingHeld,
+    /// How many triangles are done: the number of the one whose turn it is.
+    pub triangle_idx: usize,
+    /// That triangle, and what it is clipped against.
+    pub problem: SutherlandHodgmanInput,
+    /// What is left of it.
+    pub clip: SutherlandHodgmanHeld<Point>,
+    /// What is left of those before.
     pub pieces: Pieces,
-    /// Are all triangles done?
-    pub is_done: bool,
 }
 
-/// A polygon that is cut into triangles, and how far that has come.
-#[derive(Clone, PartialEq, Debug)]
-pub struct EarsSoFar {
-    /// The polygon.
-    pub polygon: SimplePolygon,
-    /// How many events that is.
-    pub n_steps: usize,
-    /// What has been cut off.
-    pub cut_off: Triangulation,
-}
-
-impl Algorithm for TriangulateAndClip {
+impl Method for TriangulateAndClip {
     type Input = TriangulateAndClipInput;
+    type Held = TriangulateAndClipHeld;
     type Output = Pieces;
     type Event = TriangulateAndClipEvent;
-    type State = TriangulateAndClipState;
 
-    fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Pieces {
+    fn begin(input: &Self::Input) -> Self::Held {
+        let problem = SutherlandHodgmanInput {
+            region: input.region.clone(),
+            vertices: Vec::new(),
+        };
+        TriangulateAndClipHeld {
+            ears: EarClipping::begin(&input.polygon),
+            triangle_idx: 0,
+            clip: <SutherlandHodgman>::begin(&problem),
+            problem,
+            pieces: Pieces::default(),
+        }
+    }
+
+    fn run<R: Real, T: Tell<Self>>(
+        input: &Self::Input,
+        held: &mut Self::Held,
+        tell: &mut T,
+    ) -> Told<T::Stop> {
         use EachTriangleEvent::{Finish, Piece, Triangle};
         use TriangulateAndClipEvent as Event;
-        let mut ears = EarClipping::begin(&input.polygon);
-        let mut telling = Listening(|_: &_, event| {
-            emit(Event::Triangulate(event));
-            Told::<Infallible>::Continue(())
-        });
-        let Told::Continue(()) = EarClipping::run::<R, _>(&input.polygon, &mut ears, &mut telling);
-        let whole = EarClipping::output(ears);
-        let mut pieces = Pieces::default();
-        for (triangle_idx, &triangle) in whole.triangles().iter().enumerate() {
-            let corners = whole.corners(triangle);
-            emit(Event::Each(Triangle {
+        if held.ears.cut_off.triangles().len() < input.polygon.vertices().len() - 2 {
+            cut_all::<Self, R, T>(held, tell)?;
+        }
+        let borders = &Borders::by::<Right>(&input.region);
+        while let Some(&triangle) = held.ears.cut_off.triangles().get(held.triangle_idx) {
+            let triangle_idx = held.triangle_idx;
+            if triangle_idx % TRIANGLES_PER_REST == TRIANGLES_PER_REST - 1 {
+                tell.rest(held);
+            }
+            let corners = held.ears.cut_off.corners(triangle);
+            held.problem.vertices = corners.to_vec();
+            held.clip = <SutherlandHodgman>::begin(&held.problem);
+            let turn = Triangle {
                 triangle_idx,
                 triangle,
                 corners,
-            }));
-            let problem = one_triangle(&input.region, corners);
-            let ring = <SutherlandHodgman>::run::<R>(&problem, |e| emit(Event::Clip(e)));
-            let outcome = ring.outcome;
-            pieces.push(triangle_idx, &ring);
-            emit(Event::Each(Piece {
+            };
+            tell.tell(held, Event::Each(turn))?;
+            let limits = (0..borders.all().len()).map(|idx| NthBorder { borders, idx });
+            Self::clip_by_all::<R, T>(held, limits, tell)?;
+            let outcome = RingOutcome::of(&corners, held.clip.lists.list());
+            tell.tell(held, Event::Clip(SutherlandHodgmanEvent::Done { outcome }))?;
+            held.pieces
+                .push(triangle_idx, held.clip.lists.list(), outcome);
+            let piece = Piece {
                 triangle_idx,
                 outcome,
-            }));
+            };
+            tell.tell(held, Event::Each(piece))?;
+            held.triangle_idx += 1;
         }
-        let n_pieces = pieces.len();
-        emit(Event::Each(Finish { n_pieces }));
-        pieces
+        let n_pieces = held.pieces.len();
+        tell.tell(held, Event::Each(Finish { n_pieces }))
     }
 
-    fn start(input: &Self::Input) -> Self::State {
-        TriangulateAndClipState {
-            ears: EarsSoFar {
-                polygon: input.polygon.clone(),
-                n_steps: 0,
-                cut_off: Triangulation::new(&input.polygon, &order_of(&input.polygon)),
-            },
-            region: input.region.clone(),
-            triangle_idx: None,
-            clip: None,
-            pieces: Pieces::default(),
-            is_done: false,
-        }
-    }
-
-    fn apply(state: &mut Self::State, event: Self::Event) {
-        use EachTriangleEvent::{Finish, Piece, Triangle};
-        use TriangulateAndClipEvent as Event;
-        match event {
-            Event::Triangulate(event) => {
-                state.ears.n_steps += 1;
-                if let EarClippingEvent::Cut { triangle, .. }
-                | EarClippingEvent::Last { triangle } = event
-                {
-                    state.ears.cut_off.push(triangle);
-                }
-            }
-            Event::Clip(event) => {
-                if let Some(clip) = &mut state.clip {
-                    <SutherlandHodgman>::apply(clip, event);
-                }
-            }
-            Event::Each(Triangle {
-                triangle_idx,
-                corners,
-                ..
-            }) => {
-                let problem = one_triangle(&state.region, corners);
-                state.triangle_idx = Some(triangle_idx);
-                state.clip = Some(<SutherlandHodgman>::start(&problem));
-            }
-            Event::Each(Piece { triangle_idx, .. }) => {
-                if let Some(clip) = &state.clip {
-                    let ring = <SutherlandHodgman>::finish(clip);
-                    state.pieces.push(triangle_idx, &ring);
-                }
-            }
-            Event::Each(Finish { .. }) => {
-                (state.triangle_idx, state.clip) = (None, None);
-                state.is_done = true;
-            }
-        }
-    }
-
-    fn finish(state: &Self::State) -> Pieces {
-        state.pieces.clone()
+    fn output(held: Self::Held) -> Pieces {
+        held.pieces
     }
 
     /// Those of the triangulation; for each triangle its turn, its clipping and its piece; the end.
@@ -258,6 +211,68 @@ impl Algorithm for TriangulateAndClip {
     }
 }
 
+/// Short runs need no copies.
+const TRIANGLES_PER_REST: usize = 64;
+
+impl Includes<EarClipping> for TriangulateAndClip {
+    #[inline]
+    fn part(held: &Self::Held) -> &EarClippingHeld {
+        &held.ears
+    }
+
+    #[inline]
+    fn part_mut(held: &mut Self::Held) -> &mut EarClippingHeld {
+        &mut held.ears
+    }
+
+    #[inline]
+    fn as_own(event: EarClippingEvent) -> Self::Event {
+        TriangulateAndClipEvent::Triangulate(event)
+    }
+}
+
+impl RingClipper for TriangulateAndClip {
+    type Ring = Vec<Point>;
+    type Rules = Right;
+    type Limit<'a> = NthBorder<'a>;
+
+    #[inline]
+    fn lists(held: &Self::Held) -> &Lists<Vec<Point>> {
+        &held.clip.lists
+    }
+
+    #[inline]
+    fn lists_mut(held: &mut Self::Held) -> &mut Lists<Vec<Point>> {
+        &mut held.clip.lists
+    }
+
+    #[inline]
+    fn turn(limit: &NthBorder<'_>) -> Self::Event {
+        TriangulateAndClipEvent::Clip(<SutherlandHodgman>::turn(limit))
+    }
+
+    #[inline]
+    fn passed(limit: &NthBorder<'_>, n_vertices: usize) -> Self::Event {
+        TriangulateAndClipEvent::Clip(<SutherlandHodgman>::passed(limit, n_vertices))
+    }
+}
+
+impl From<Happening<Point>> for TriangulateAndClipEvent {
+    #[inline]
+    fn from(happening: Happening<Point>) -> Self {
+        Self::Clip(happening.into())
+    }
+}
+
+impl RingEvent<Point> for TriangulateAndClipEvent {
+    fn happening(&self) -> Option<Happening<Point>> {
+        match self {
+            Self::Clip(event) => event.happening(),
+            Self::Triangulate(_) | Self::Each(_) => None,
+        }
+    }
+}
+
 fn one_triangle(region: &ClipRegion, corners: [Point; 3]) -> SutherlandHodgmanInput {
     SutherlandHodgmanInput {
         region: region.clone(),
@@ -266,9 +281,9 @@ fn one_triangle(region: &ClipRegion, corners: [Point; 3]) -> SutherlandHodgmanIn
 }
 
 impl Pieces {
-    fn push(&mut self, triangle_idx: usize, ring: &ClippedRing<Point>) {
-        if matches!(ring.outcome, RingOutcome::Whole | RingOutcome::Cut) {
-            self.vertices.extend(&ring.vertices);
+    fn push(&mut self, triangle_idx: usize, ring: &[Point], outcome: RingOutcome) {
+        if matches!(outcome, RingOutcome::Whole | RingOutcome::Cut) {
+            self.vertices.extend(ring);
             self.ends.push(self.vertices.len());
             self.triangles.push(triangle_idx);
         }

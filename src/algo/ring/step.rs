@@ -18,7 +18,10 @@
 
 use serde::Serialize;
 
-use crate::{algo::parameter::Ratio, trace::Real};
+use crate::{
+    algo::parameter::Ratio,
+    trace::{Real, Told},
+};
 
 use super::rules::{Right, Rules};
 
@@ -30,6 +33,12 @@ pub trait Limit<V>: Copy {
     /// Where the edge from `ends[0]` to `ends[1]`, one of them strictly inside and the other outside, crosses; `None` where
     /// rounding puts the crossing on the inside end itself.
     fn crossing<R: Real>(&self, ends: [&V; 2], distances: [R; 2]) -> Option<Crossing<V>>;
+
+    /// A distance as an event tells it.
+    #[inline]
+    fn told(&self, distance: f64) -> f64 {
+        distance
+    }
 
     /// How many vertices from the first are inside, if `inside`; else how many are not.
     fn run(&self, vertices: &[V], inside: bool) -> usize {
@@ -82,6 +91,12 @@ impl Rule {
         matches!(self, Self::InIn | Self::OutIn)
     }
 
+    /// Does the edge begin inside?
+    #[must_use]
+    pub const fn starts_inside(self) -> bool {
+        matches!(self, Self::InIn | Self::InOut)
+    }
+
     /// Has the edge one end on either side?
     #[must_use]
     pub const fn changes_side(self) -> bool {
@@ -90,33 +105,45 @@ impl Rule {
 }
 
 /// What a clipper does, in order.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Happening<V> {
+    /// The first vertex is looked at.
     First {
+        /// F
         at: V,
+        /// Its signed distance.
         distance: f64,
+        /// Is it inside?
         inside: bool,
     },
+    /// The edge from S to P is looked at.
     Test {
+        /// Where S and P stand in the list.
+        idx: [usize; 2],
+        /// S and P.
         ends: [V; 2],
+        /// Their signed distances.
         distances: [f64; 2],
+        /// What follows.
         rule: Rule,
     },
+    /// The edge crosses the limit.
     Cross(Crossing<V>),
+    /// A vertex is put out.
     Output(V),
 }
 
 /// A vertex whose distance from the border has been found.
-#[derive(Clone, Copy, Debug)]
-struct Known<V, R> {
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct Known<V> {
     vertex: V,
-    distance: R,
+    distance: f64,
     inside: bool,
 }
 
-impl<V: Copy, R: Real> Known<V, R> {
+impl<V: Copy> Known<V> {
     #[inline]
-    fn find<L: Rules>(limit: &impl Limit<V>, vertex: V) -> Self {
+    fn find<L: Rules, R: Real>(limit: &impl Limit<V>, vertex: V) -> Self {
         let distance = limit.distance::<R>(&vertex);
         let zero = R::new(0.0);
         let inside = if L::BORDER_IS_INSIDE {
@@ -126,65 +153,91 @@ impl<V: Copy, R: Real> Known<V, R> {
         };
         Self {
             vertex,
-            distance,
+            distance: distance.get(),
             inside,
         }
     }
 }
 
-/// A clipper against one limit, with what it remembers.
-#[derive(Clone, Copy, Debug)]
-pub struct Clip<B, V, R> {
-    limit: B,
-    first: Known<V, R>,
-    previous: Known<V, R>,
+/// What a clipper remembers: the first vertex, and the one before the next.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Clip<V> {
+    first: Known<V>,
+    previous: Known<V>,
 }
 
-impl<B: Limit<V>, V: Copy, R: Real> Clip<B, V, R> {
+impl<V: Copy> Clip<V> {
     /// Takes the first vertex.
     #[inline]
-    pub fn begin<L: Rules>(limit: B, vertex: V, tell: &mut impl FnMut(Happening<V>)) -> Self {
-        let first = Known::<V, R>::find::<L>(&limit, vertex);
-        tell(Happening::First {
-            at: vertex,
-            distance: first.distance.get(),
-            inside: first.inside,
-        });
-        if first.inside {
-            tell(Happening::Output(vertex));
-        }
+    pub fn begin<L: Rules, R: Real>(limit: &impl Limit<V>, vertex: V) -> Self {
+        let first = Known::find::<L, R>(limit, vertex);
         Self {
-            limit,
             first,
             previous: first,
         }
     }
 
-    /// Takes the next vertex.
+    /// Tells what becomes of the first vertex.
     #[inline]
-    pub fn vertex<L: Rules>(&mut self, vertex: V, tell: &mut impl FnMut(Happening<V>)) {
-        let p = Known::find::<L>(&self.limit, vertex);
-        let (rule, crossing) = self.edge([self.previous, p], tell);
+    pub fn tell_first<S>(
+        &self,
+        limit: &impl Limit<V>,
+        tell: &mut impl FnMut(Happening<V>) -> Told<S>,
+    ) -> Told<S> {
+        let Known {
+            vertex: at,
+            distance,
+            inside,
+        } = self.first;
+        tell(Happening::First {
+            at,
+            distance: limit.told(distance),
+            inside,
+        })?;
+        put_out(inside.then_some(at), 1, tell)
+    }
+
+    /// Takes the next vertex, which stands at `idx[1]` of the list, after the one at `idx[0]`.
+    #[inline]
+    pub fn vertex<L: Rules, R: Real, S>(
+        &mut self,
+        limit: &impl Limit<V>,
+        (idx, vertex): ([usize; 2], V),
+        tell: &mut impl FnMut(Happening<V>) -> Told<S>,
+    ) -> Told<S> {
+        let p = Known::find::<L, R>(limit, vertex);
+        let (rule, crossing) = edge::<V, R, S>(limit, idx, [self.previous, p], tell)?;
         let end = rule.ends_inside().then_some(vertex);
         if L::END_FIRST {
-            put_out(end, 1, tell);
-            put_out(crossing, L::COPIES, tell);
+            put_out(end, 1, tell)?;
+            put_out(crossing, L::COPIES, tell)?;
         } else {
-            put_out(crossing, L::COPIES, tell);
-            put_out(end, 1, tell);
+            put_out(crossing, L::COPIES, tell)?;
+            put_out(end, 1, tell)?;
         }
         self.previous = p;
+        Told::Continue(())
     }
 
     /// Takes all vertices up to the first on the other side, and returns how many: to a clipper they are all the
     /// same rule, in → in or out → out. By the right rules only.
     #[inline]
-    pub fn run(&mut self, vertices: &[V]) -> usize {
-        let n = self.limit.run(vertices, self.previous.inside);
+    pub fn run(&mut self, limit: &impl Limit<V>, vertices: &[V]) -> usize {
+        let n = limit.run(vertices, self.previous.inside);
         if let Some(i) = n.checked_sub(1) {
-            self.previous = Known::find::<Right>(&self.limit, vertices[i]);
+            self.previous = Known::find::<Right, f64>(limit, vertices[i]);
         }
         n
+    }
+
+    /// The first vertex.
+    pub const fn first(&self) -> V {
+        self.first.vertex
+    }
+
+    /// The vertex before the next one.
+    pub const fn previous(&self) -> V {
+        self.previous.vertex
     }
 
     /// Is the vertex before the next one inside?
@@ -195,38 +248,47 @@ impl<B: Limit<V>, V: Copy, R: Real> Clip<B, V, R> {
 
     /// Closes the ring.
     #[inline]
-    pub fn close<L: Rules>(&self, tell: &mut impl FnMut(Happening<V>)) {
+    pub fn close<L: Rules, R: Real, S>(
+        &mut self,
+        limit: &impl Limit<V>,
+        idx: [usize; 2],
+        tell: &mut impl FnMut(Happening<V>) -> Told<S>,
+    ) -> Told<S> {
         if L::CLOSES {
-            let (_, crossing) = self.edge([self.previous, self.first], tell);
-            put_out(crossing, L::COPIES, tell);
+            let (_, crossing) = edge::<V, R, S>(limit, idx, [self.previous, self.first], tell)?;
+            put_out(crossing, L::COPIES, tell)?;
+            self.previous = self.first;
         }
+        Told::Continue(())
     }
+}
 
-    /// Which rule the edge from S to P falls under, and where it crosses.
-    #[inline]
-    fn edge(
-        &self,
-        [s, p]: [Known<V, R>; 2],
-        tell: &mut impl FnMut(Happening<V>),
-    ) -> (Rule, Option<V>) {
-        let rule = Rule::of(s.inside, p.inside);
-        let distances = [s.distance, p.distance];
-        tell(Happening::Test {
-            ends: [s.vertex, p.vertex],
-            distances: distances.map(R::get),
-            rule,
-        });
-        let crossing = if rule.changes_side() && crosses(distances) {
-            let ends = [&s.vertex, &p.vertex];
-            self.limit.crossing(ends, distances)
-        } else {
-            None
-        };
-        if let Some(crossing) = crossing {
-            tell(Happening::Cross(crossing));
-        }
-        (rule, crossing.map(|crossing| crossing.at))
+/// Which rule the edge from S to P falls under, and where it crosses.
+#[inline]
+fn edge<V: Copy, R: Real, S>(
+    limit: &impl Limit<V>,
+    idx: [usize; 2],
+    [s, p]: [Known<V>; 2],
+    tell: &mut impl FnMut(Happening<V>) -> Told<S>,
+) -> Told<S, (Rule, Option<V>)> {
+    let rule = Rule::of(s.inside, p.inside);
+    let distances = [s.distance, p.distance];
+    tell(Happening::Test {
+        idx,
+        ends: [s.vertex, p.vertex],
+        distances: distances.map(|d| limit.told(d)),
+        rule,
+    })?;
+    let distances = distances.map(R::new);
+    let crossing = if rule.changes_side() && crosses(distances) {
+        limit.crossing([&s.vertex, &p.vertex], distances)
+    } else {
+        None
+    };
+    if let Some(crossing) = crossing {
+        tell(Happening::Cross(crossing))?;
     }
+    Told::Continue((rule, crossing.map(|crossing| crossing.at)))
 }
 
 /// Has it an end strictly on either side? One of the ends is outside.
@@ -241,10 +303,15 @@ fn crosses<R: Real>([d1, d2]: [R; 2]) -> bool {
 }
 
 #[inline]
-fn put_out<V: Copy>(vertex: Option<V>, copies: usize, tell: &mut impl FnMut(Happening<V>)) {
+fn put_out<V: Copy, S>(
+    vertex: Option<V>,
+    copies: usize,
+    tell: &mut impl FnMut(Happening<V>) -> Told<S>,
+) -> Told<S> {
     if let Some(vertex) = vertex {
         for _ in 0..copies {
-            tell(Happening::Output(vertex));
+            tell(Happening::Output(vertex))?;
         }
     }
+    Told::Continue(())
 }

@@ -29,7 +29,7 @@
 //! use clipscope::{
 //!     algo::surface::{Bsp, BspChoice, BspInput, Surfaces},
 //!     geom::ViewVolume,
-//!     trace::told::silent,
+//!     trace::silent,
 //! };
 //! let volume = ViewVolume::perspective(90.0, 1.0, 1.0, 10.0)?;
 //! // Two that pierce each other: no order of whole triangles is right.
@@ -45,15 +45,17 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use crate::trace::{
-    Real,
-    told::{Listening, Method, Tell, Told},
-};
+use crate::trace::{Listening, Method, Real, Tell, Told};
 
 use super::{
     BspChoice, BspNode, BspPiece, BspSide, BspTooLarge, Picture, Surfaces,
     bsp_tree::{attach, chosen, eye_side, sorted, whole_pieces},
 };
+
+/// A run can go on from where so many pieces have been asked since it last could: that is less than a millisecond.
+const REST_EVERY: usize = 4096;
+/// To paint a piece takes as long as to ask so many.
+const PAINTING: usize = 16;
 
 /// The algorithm; see the module.
 #[derive(Clone, Copy, Debug)]
@@ -229,10 +231,16 @@ impl Method for Bsp {
         held: &mut Self::Held,
         tell: &mut T,
     ) -> Told<T::Stop> {
+        let mut n_worked = 0;
         while let Some(&parent) = held.open.last() {
-            tell.rest(held);
+            if n_worked >= REST_EVERY {
+                n_worked = 0;
+                tell.rest(held);
+            }
             held.open.pop();
             build::<R, T>(input, held, parent, tell)?;
+            let node = held.nodes.last();
+            n_worked += node.map_or(0, |node| node.before.len() + node.behind.len());
         }
         if held.walk.is_none() {
             let root = (!held.nodes.is_empty()).then_some(Next::Visit(0));
@@ -241,9 +249,13 @@ impl Method for Bsp {
             tell.tell(held, BspEvent::Built { n_pieces })?;
         }
         while let Some(&next) = held.walk.as_deref().and_then(<[Next]>::last) {
-            tell.rest(held);
+            if n_worked >= REST_EVERY {
+                n_worked = 0;
+                tell.rest(held);
+            }
             held.walk.as_mut().and_then(Vec::pop);
             walk(input, held, next, tell)?;
+            n_worked += PAINTING;
         }
         tell.tell(held, BspEvent::Done)
     }

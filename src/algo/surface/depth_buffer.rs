@@ -25,7 +25,7 @@
 //! use clipscope::{
 //!     algo::surface::{DepthBuffer, DepthBufferInput, Surfaces},
 //!     geom::ViewVolume,
-//!     trace::told::silent,
+//!     trace::silent,
 //! };
 //! let volume = ViewVolume::perspective(90.0, 1.0, 1.0, 10.0)?;
 //! let wall = |z: f64| [[-20.0, -20.0, z], [20.0, -20.0, z], [0.0, 40.0, z]];
@@ -44,10 +44,7 @@ use serde::Serialize;
 
 use crate::{
     algo::ring::Right,
-    trace::{
-        Real,
-        told::{Listening, Method, Tell, Told},
-    },
+    trace::{Listening, Method, Real, Tell, Told},
 };
 
 use super::{

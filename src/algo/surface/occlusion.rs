@@ -23,7 +23,7 @@
 //! use clipscope::{
 //!     algo::surface::{Occlusion, OcclusionInput, OcclusionObject, Surfaces},
 //!     geom::ViewVolume,
-//!     trace::told::silent,
+//!     trace::silent,
 //! };
 //! let volume = ViewVolume::perspective(90.0, 1.0, 1.0, 10.0)?;
 //! let wall = [[-9.0, -9.0, -3.0], [9.0, -9.0, -3.0], [0.0, 18.0, -3.0]];
@@ -40,10 +40,7 @@ use serde::Serialize;
 
 use crate::{
     algo::ring::Right,
-    trace::{
-        Real,
-        told::{Method, Silent, Tell, Told},
-    },
+    trace::{Method, Real, Silent, Tell, Told},
 };
 
 use super::{
@@ -124,10 +121,10 @@ pub struct OcclusionOutput {
     pub picture: Picture,
     /// What is stored of each pixel.
     pub depth: Vec<f64>,
-    /// As many objects as were drawn, the occluders among them.
-    pub n_drawn: usize,
-    /// As many as were skipped.
-    pub n_skipped: usize,
+    /// The objects that were drawn, the occluders first.
+    pub drawn: Vec<usize>,
+    /// The objects that were skipped, in the order in which they were asked.
+    pub skipped: Vec<usize>,
 }
 
 /// What it works in.
@@ -204,8 +201,8 @@ impl Method for Occlusion {
         OcclusionOutput {
             picture: drawing.picture,
             depth: drawing.depth,
-            n_drawn: held.drawn.len(),
-            n_skipped: held.skipped.len(),
+            drawn: held.drawn,
+            skipped: held.skipped,
         }
     }
 

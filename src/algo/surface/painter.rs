@@ -25,7 +25,7 @@
 //! use clipscope::{
 //!     algo::surface::{Painter, PainterAnswer, Surfaces},
 //!     geom::ViewVolume,
-//!     trace::told::silent,
+//!     trace::silent,
 //! };
 //! let volume = ViewVolume::perspective(90.0, 1.0, 1.0, 10.0)?;
 //! let wall = |z: f64| [[-20.0, -20.0, z], [20.0, -20.0, z], [0.0, 40.0, z]];
@@ -42,10 +42,7 @@ use std::{cmp::Ordering, marker::PhantomData};
 
 use crate::{
     algo::ring::Right,
-    trace::{
-        Real,
-        told::{Method, Tell, Told},
-    },
+    trace::{Method, Real, Tell, Told},
 };
 
 use super::{

@@ -24,7 +24,7 @@
 //! use clipscope::{
 //!     algo::surface::{RayCasting, RayCastingInput, Surfaces},
 //!     geom::ViewVolume,
-//!     trace::told::silent,
+//!     trace::silent,
 //! };
 //! let volume = ViewVolume::perspective(90.0, 1.0, 1.0, 10.0)?;
 //! let wall = |z: f64| [[-20.0, -20.0, z], [20.0, -20.0, z], [0.0, 40.0, z]];
@@ -37,10 +37,7 @@
 
 use serde::Serialize;
 
-use crate::trace::{
-    Real,
-    told::{Method, Tell, Told},
-};
+use crate::trace::{Method, Real, Tell, Told};
 
 use super::{Meeting, Picture, PlaneHit, Ray, Rays, Surfaces, ray_plane::RayTriangle};
 

@@ -22,12 +22,9 @@
 //! assert_eq!(left[0], inside);
 //! ```
 
-use crate::algo::ring::Right;
+use crate::trace::{Method, Silent, Told};
 
-use super::{
-    Attributes, ClipVertex, SideCode, clip_polygon::ClipPolygon,
-    homogeneous_triangle::clip_by_sides, space_vertex::independent,
-};
+use super::{Attributes, ClipVertex, HomogeneousTriangle, SideCode, space_vertex::independent};
 
 /// Appends what is left of each triangle, in order.
 pub fn clip_triangles<A: Attributes>(
@@ -35,7 +32,7 @@ pub fn clip_triangles<A: Attributes>(
     left: &mut Vec<[ClipVertex<A>; 3]>,
 ) {
     let Some(first) = given.first() else { return };
-    let [mut one, mut other] = [ClipPolygon::of(first); 2];
+    let mut held = HomogeneousTriangle::<A>::begin(first);
     for triangle in given {
         let [a, b, c] = triangle;
         let [code_a, code_b, code_c] = [SideCode::of(a.at), SideCode::of(b.at), SideCode::of(c.at)];
@@ -48,11 +45,10 @@ pub fn clip_triangles<A: Attributes>(
                 left.push(*triangle);
             }
         } else {
-            one.begin(triangle);
-            other.begin(triangle);
-            let polygons = [&mut one, &mut other];
-            let polygon = clip_by_sides::<A, Right, f64>(or, polygons, &mut |_| {});
-            left.extend(polygon.triangles());
+            held.list_mut().begin(triangle);
+            let Told::Continue(()) =
+                HomogeneousTriangle::<A>::clip_by_sides::<f64, _>(or, &mut held, &mut Silent);
+            left.extend(held.list().triangles());
         }
     }
 }

@@ -1,5 +1,7 @@
 //! What is left of a triangle in the clip volume: a convex polygon without a heap.
 
+use crate::algo::ring::Ring;
+
 use super::{clip_vertex::ClipVertex, space_vertex::independent};
 
 /// At most nine vertices in clip space: three, and one more for each of six sides.
@@ -47,22 +49,6 @@ impl<A: Copy> ClipPolygon<A> {
         self
     }
 
-    /// Takes all vertices away.
-    #[inline]
-    pub(super) const fn clear(&mut self) {
-        self.len = 0;
-    }
-
-    /// Appends a vertex. A tenth, which only rounding could make of a polygon as thin as rounding, or a clipper that is
-    /// wrong on purpose, is left out.
-    #[inline]
-    pub(super) fn push(&mut self, vertex: ClipVertex<A>) {
-        if let Some(place) = self.vertices.get_mut(self.len) {
-            *place = vertex;
-            self.len += 1;
-        }
-    }
-
     /// In order.
     #[inline]
     #[must_use]
@@ -92,5 +78,29 @@ impl<A: Copy> ClipPolygon<A> {
             let [a, b, c] = [&vertices[0], &vertices[i - 1], &vertices[i]];
             independent([a.at, b.at, c.at])
         })
+    }
+}
+
+impl<A: Copy> Ring for ClipPolygon<A> {
+    type Vertex = ClipVertex<A>;
+
+    #[inline]
+    fn vertices(&self) -> &[ClipVertex<A>] {
+        self.vertices()
+    }
+
+    /// A tenth, which only rounding could make of a polygon as thin as rounding, or a clipper that is wrong on purpose, is left
+    /// out.
+    #[inline]
+    fn push(&mut self, vertex: ClipVertex<A>) {
+        if let Some(place) = self.vertices.get_mut(self.len) {
+            *place = vertex;
+            self.len += 1;
+        }
+    }
+
+    #[inline]
+    fn clear(&mut self) {
+        self.len = 0;
     }
 }

@@ -28,9 +28,18 @@
 //! assert_eq!(visible, Some([[1.0, 0.0, 0.0, 2.0], [1.25, 0.0, 0.0, 1.25]]));
 //! ```
 
-use crate::{algo::parameter::clamp_between, geom::VolumeSide, trace::Real};
+use crate::{
+    algo::{
+        parameter::clamp_between,
+        segment::{
+            Bounds, EventOf, LineClip, LineEvent, LineInput, LineRules, PlaneRow, VisibleLine,
+        },
+    },
+    geom::VolumeSide,
+    trace::Real,
+};
 
-use super::{Bounds, LineClip, LineEvent, LineRules, clip_vertex::distance};
+use super::clip_vertex::distance;
 
 /// The algorithm; see the module.
 pub type HomogeneousLine = LineClip<4, ClipSpace>;
@@ -66,7 +75,14 @@ fn divided<R: Real>([x, y, z, w]: [f64; 4]) -> [f64; 4] {
 
 impl Bounds<4> for ClipSpace {
     type Plane = VolumeSide;
+    type Row = PlaneRow;
     type Once<R: Real> = ();
+    type Input = LineInput<4, Self>;
+    type Output = VisibleLine<4>;
+
+    fn answer(visible: VisibleLine<4>) -> VisibleLine<4> {
+        visible
+    }
 
     fn planes(&self) -> impl Iterator<Item = VolumeSide> {
         VolumeSide::ALL.into_iter()
@@ -75,20 +91,25 @@ impl Bounds<4> for ClipSpace {
     fn begin<R: Real, L: LineRules>(
         &self,
         ends: &mut [[f64; 4]; 2],
-        emit: &mut impl FnMut(LineEvent<VolumeSide, 4>),
-    ) -> Option<()> {
+    ) -> (Option<EventOf<4, Self>>, Option<()>) {
         if L::DIVIDES_FIRST {
             *ends = ends.map(divided::<R>);
         }
         let behind = ends.map(|at| R::new(at[3]) < R::new(0.0));
         let ends = *ends;
-        emit(LineEvent::Depths { ends, behind });
-        (behind != [true; 2]).then_some(())
+        let depths = LineEvent::Depths { ends, behind };
+        (Some(depths), (behind != [true; 2]).then_some(()))
     }
 
-    fn inequality<R: Real>(&self, side: VolumeSide, ends: &[[f64; 4]; 2], (): &()) -> [R; 2] {
+    fn inequality<R: Real>(
+        &self,
+        side: VolumeSide,
+        ends: &[[f64; 4]; 2],
+        (): &(),
+    ) -> ([R; 2], PlaneRow) {
         let [d1, d2] = side_distances::<R>(side, ends);
-        [d1 - d2, d1]
+        let p_and_q = [d1 - d2, d1];
+        (p_and_q, PlaneRow::of(p_and_q))
     }
 
     fn quotient<R: Real>(&self, _: VolumeSide, _: &[[f64; 4]; 2], [p, q]: [R; 2]) -> R {

@@ -30,17 +30,17 @@
 //! assert!(polygon.vertices().iter().all(|v| v.at[3] > 0.0));
 //! ```
 
-use std::{marker::PhantomData, mem};
+use std::marker::PhantomData;
 
 use serde::Serialize;
 
 use crate::{
     algo::{
         parameter::Ratio,
-        ring::{Clip, Crossing, Happening, Right, Rule},
+        ring::{Lists, Right, Ring, RingClipper, Rule, ring_events},
     },
     geom::VolumeSide,
-    trace::{Algorithm, Real},
+    trace::{Method, Real, Tell, Told},
 };
 
 use super::{
@@ -123,32 +123,24 @@ pub enum HomogeneousTriangleEvent<A> {
     },
 }
 
-/// What the picture of a step needs.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct HomogeneousTriangleState<A> {
-    /// The list that is clipped; after the end, the answer.
-    pub input: ClipPolygon<A>,
-    /// The list that grows.
-    pub output: ClipPolygon<A>,
-    /// The three codes, their OR and AND, once known.
-    pub codes: Option<([SideCode; 3], SideCode, SideCode)>,
-    /// The side whose turn it is.
-    pub side: Option<VolumeSide>,
-    /// Where S and P stand, their distances, and what follows.
-    pub test: Option<([usize; 2], [f64; 2], Rule)>,
-    /// Where that edge crosses.
-    pub crossing: Option<(ClipVertex<A>, Ratio)>,
-    /// Is there nothing left to do?
-    pub is_done: bool,
-}
-
-impl<A: Attributes, L: VolumeRules> Algorithm for HomogeneousTriangle<A, L> {
+impl<A: Attributes, L: VolumeRules> Method for HomogeneousTriangle<A, L> {
     type Input = [ClipVertex<A>; 3];
+    type Held = Lists<ClipPolygon<A>>;
     type Output = ClipPolygon<A>;
     type Event = HomogeneousTriangleEvent<A>;
-    type State = HomogeneousTriangleState<A>;
 
-    fn run<R: Real>(triangle: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Self::Output {
+    #[inline]
+    fn begin(triangle: &Self::Input) -> Self::Held {
+        let polygon = ClipPolygon::of(triangle);
+        Lists::new([polygon, polygon.emptied()])
+    }
+
+    #[inline]
+    fn run<R: Real, T: Tell<Self>>(
+        triangle: &Self::Input,
+        held: &mut Self::Held,
+        tell: &mut T,
+    ) -> Told<T::Stop> {
         use HomogeneousTriangleEvent as Event;
         let by_mistake;
         let triangle = if L::DIVIDES_FIRST {
@@ -156,9 +148,9 @@ impl<A: Attributes, L: VolumeRules> Algorithm for HomogeneousTriangle<A, L> {
                 at: divided::<R>(v.at),
                 ..v
             });
-            emit(Event::Divide {
-                triangle: by_mistake,
-            });
+            *held = Self::begin(&by_mistake);
+            let triangle = by_mistake;
+            tell.tell(held, Event::Divide { triangle })?;
             &by_mistake
         } else {
             triangle
@@ -166,61 +158,19 @@ impl<A: Attributes, L: VolumeRules> Algorithm for HomogeneousTriangle<A, L> {
         let codes = triangle.each_ref().map(|v| SideCode::of(v.at.map(R::new)));
         let [a, b, c] = codes;
         let (or, and) = (a.or(b).or(c), a.and(b).and(c));
-        emit(Event::Codes { codes, or, and });
-        let [mut one, mut other] = [ClipPolygon::of(triangle); 2];
+        tell.tell(held, Event::Codes { codes, or, and })?;
         if L::ASKS_CODES && !and.is_inside() {
-            one.clear();
+            held.list_mut().clear();
+        } else {
+            Self::clip_by_sides::<R, T>(or, held, tell)?;
         }
-        *clip_by_sides::<A, L, R>(or, [&mut one, &mut other], &mut emit)
+        let n_vertices = held.list().vertices().len();
+        tell.tell(held, Event::Done { n_vertices })
     }
 
-    fn start(triangle: &Self::Input) -> Self::State {
-        let input = ClipPolygon::of(triangle);
-        HomogeneousTriangleState {
-            input,
-            output: input.emptied(),
-            codes: None,
-            side: None,
-            test: None,
-            crossing: None,
-            is_done: false,
-        }
-    }
-
-    fn apply(state: &mut Self::State, event: Self::Event) {
-        use HomogeneousTriangleEvent as Event;
-        match event {
-            Event::Divide { triangle } => {
-                state.input = ClipPolygon::of(&triangle);
-                state.output = state.input.emptied();
-            }
-            Event::Codes { codes, or, and } => state.codes = Some((codes, or, and)),
-            Event::Side { side } => state.side = Some(side),
-            Event::First { .. } => {}
-            Event::Test {
-                idx,
-                distances,
-                rule,
-                ..
-            } => (state.test, state.crossing) = (Some((idx, distances, rule)), None),
-            Event::Cross { at, t } => state.crossing = Some((at, t)),
-            Event::Output { at } => state.output.push(at),
-            Event::Pass { .. } => {
-                (state.input, state.output) = (state.output, state.output.emptied());
-                (state.test, state.crossing) = (None, None);
-            }
-            Event::Done { n_vertices } => {
-                state.side = None;
-                state.is_done = true;
-                if n_vertices == 0 {
-                    state.input = state.input.emptied();
-                }
-            }
-        }
-    }
-
-    fn finish(state: &Self::State) -> Self::Output {
-        state.input
+    #[inline]
+    fn output(held: Self::Held) -> Self::Output {
+        held.into_list()
     }
 
     /// A division by mistake, codes and end; for each of six sides its turn, the first vertex with its output, three events and as many copies of
@@ -230,76 +180,44 @@ impl<A: Attributes, L: VolumeRules> Algorithm for HomogeneousTriangle<A, L> {
     }
 }
 
-/// By one side after the other of those that are named: from one polygon into the other, whose vertices are forgotten, and back. What is left is
-/// in one of them.
-#[inline]
-pub(super) fn clip_by_sides<'a, A: Attributes, L: VolumeRules, R: Real>(
-    named: SideCode,
-    [mut list, mut next]: [&'a mut ClipPolygon<A>; 2],
-    emit: &mut impl FnMut(HomogeneousTriangleEvent<A>),
-) -> &'a ClipPolygon<A> {
-    use HomogeneousTriangleEvent as Event;
-    let is_named = |side: &VolumeSide| !L::ASKS_CODES || named.has(*side);
-    for side in VolumeSide::ALL.into_iter().filter(is_named) {
-        if list.vertices().is_empty() {
-            break;
-        }
-        emit(Event::Side { side });
-        clip_by::<A, L, R>(side, list, next, emit);
-        mem::swap(&mut list, &mut next);
-        let n_vertices = list.vertices().len();
-        emit(Event::Pass { side, n_vertices });
+impl<A: Attributes, L: VolumeRules> HomogeneousTriangle<A, L> {
+    /// By one side after the other of those that are named.
+    #[inline]
+    pub(super) fn clip_by_sides<R: Real, T: Tell<Self>>(
+        named: SideCode,
+        held: &mut Lists<ClipPolygon<A>>,
+        tell: &mut T,
+    ) -> Told<T::Stop> {
+        let is_named = |side: &VolumeSide| !L::ASKS_CODES || named.has(*side);
+        let sides = VolumeSide::ALL.into_iter().filter(is_named);
+        Self::clip_by_all::<R, T>(held, sides, tell)
     }
-    let n_vertices = list.vertices().len();
-    emit(Event::Done { n_vertices });
-    list
 }
 
-/// What is left of a polygon on the inner side of one side: into another one, whose vertices so far are forgotten.
-#[inline]
-fn clip_by<A: Attributes, L: VolumeRules, R: Real>(
-    side: VolumeSide,
-    input: &ClipPolygon<A>,
-    output: &mut ClipPolygon<A>,
-    emit: &mut impl FnMut(HomogeneousTriangleEvent<A>),
-) {
-    use HomogeneousTriangleEvent as Event;
-    output.clear();
-    let Some((&first, following)) = input.vertices().split_first() else {
-        return;
-    };
-    let mut tell = |idx: [usize; 2], happening| match happening {
-        Happening::First {
-            at,
-            distance,
-            inside,
-        } => emit(Event::First {
-            at,
-            distance,
-            inside,
-        }),
-        Happening::Test {
-            ends,
-            distances,
-            rule,
-        } => emit(Event::Test {
-            idx,
-            ends,
-            distances,
-            rule,
-        }),
-        Happening::Cross(Crossing { at, t }) => emit(Event::Cross { at, t }),
-        Happening::Output(at) => {
-            output.push(at);
-            emit(Event::Output { at });
-        }
-    };
-    let mut clip = Clip::<_, ClipVertex<A>, R>::begin::<L>(side, first, &mut |happening| {
-        tell([0, 0], happening);
-    });
-    for (i, &vertex) in following.iter().enumerate() {
-        clip.vertex::<L>(vertex, &mut |happening| tell([i, i + 1], happening));
+impl<A: Attributes, L: VolumeRules> RingClipper for HomogeneousTriangle<A, L> {
+    type Ring = ClipPolygon<A>;
+    type Rules = L;
+    type Limit<'a> = VolumeSide;
+
+    #[inline]
+    fn lists(held: &Self::Held) -> &Lists<ClipPolygon<A>> {
+        held
     }
-    let idx = [following.len(), 0];
-    clip.close::<L>(&mut |happening| tell(idx, happening));
+
+    #[inline]
+    fn lists_mut(held: &mut Self::Held) -> &mut Lists<ClipPolygon<A>> {
+        held
+    }
+
+    #[inline]
+    fn turn(&side: &VolumeSide) -> Self::Event {
+        HomogeneousTriangleEvent::Side { side }
+    }
+
+    #[inline]
+    fn passed(&side: &VolumeSide, n_vertices: usize) -> Self::Event {
+        HomogeneousTriangleEvent::Pass { side, n_vertices }
+    }
 }
+
+ring_events!([A: Copy] HomogeneousTriangleEvent<A>, ClipVertex<A>, between: Divide | Codes | Side | Pass | Done);

@@ -46,9 +46,9 @@ use serde::Serialize;
 use crate::{
     algo::{
         parameter::Ratio,
-        ring::{Clip, Crossing, Happening, Right, Rule},
+        ring::{Lists, Right, RingClipper, Rule, clip_ring, ring_events},
     },
-    trace::{Algorithm, Real},
+    trace::{Method, Real, Tell, Told},
 };
 
 use super::{
@@ -120,33 +120,15 @@ pub enum IntersectionPolygonEvent {
     },
 }
 
-/// What the picture of a step needs.
-#[derive(Clone, PartialEq, Debug, Default)]
-pub struct IntersectionPolygonState {
-    /// The list that is clipped; after the last plane, the polygon.
-    pub input: Vec<SpaceVertex>,
-    /// The list that grows.
-    pub output: Vec<SpaceVertex>,
-    /// After a pass, until the next plane's turn: the list that was clipped.
-    pub passed: Vec<SpaceVertex>,
-    /// The plane whose turn it is.
-    pub plane_idx: Option<usize>,
-    /// How far inside the plane the vertices lie that have been looked at, and whether that counts as inside.
-    pub sides: Vec<(f64, bool)>,
-    /// Where S and P stand, their distances, and what follows.
-    pub test: Option<([usize; 2], [f64; 2], Rule)>,
-    /// Where that edge crosses.
-    pub crossing: Option<(SpaceVertex, Ratio)>,
-    /// Every crossing with this plane, and between which two vertices it lies.
-    pub crossings: Vec<([usize; 2], SpaceVertex, Ratio)>,
-    /// Crossings with all planes so far.
-    pub n_crossings: usize,
-    /// The fan as far as it goes.
-    pub triangles: Vec<[SpaceVertex; 3]>,
-    /// Have vertices places in a texture?
-    pub has_uv: bool,
-    /// Is there nothing left to do?
-    pub is_done: bool,
+/// What it works in.
+#[derive(Clone, PartialEq, Debug)]
+pub struct IntersectionPolygonHeld {
+    /// The list that is clipped, after the last plane the polygon; and the list that grows.
+    pub lists: Lists<Vec<SpaceVertex>>,
+    /// How many of the list belong together: one ring, or by a mistake three edges.
+    paths: Vec<usize>,
+    /// The fan as far as it goes, and what all has cost so far.
+    pub left: CutTriangles,
 }
 
 /// The vertices that a list begins with, and how many of them belong together: one ring, or by a mistake three edges.
@@ -158,69 +140,52 @@ fn paths<L: VolumeRules>([a, b, c]: [SpaceVertex; 3]) -> (Vec<SpaceVertex>, Vec<
     }
 }
 
-impl<L: VolumeRules> Algorithm for IntersectionPolygon<L> {
+impl<L: VolumeRules> Method for IntersectionPolygon<L> {
     type Input = TrianglePlanes;
+    type Held = IntersectionPolygonHeld;
     type Output = CutTriangles;
     type Event = IntersectionPolygonEvent;
-    type State = IntersectionPolygonState;
 
-    fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Self::Output {
+    #[inline]
+    fn begin(input: &Self::Input) -> Self::Held {
+        let (list, paths) = paths::<L>(input.triangle);
+        IntersectionPolygonHeld {
+            lists: Lists::new([list, Vec::new()]),
+            paths,
+            left: CutTriangles {
+                has_uv: input.has_uv(),
+                ..CutTriangles::default()
+            },
+        }
+    }
+
+    #[inline]
+    fn run<R: Real, T: Tell<Self>>(
+        input: &Self::Input,
+        held: &mut Self::Held,
+        tell: &mut T,
+    ) -> Told<T::Stop> {
         use IntersectionPolygonEvent as Event;
-        let (mut list, mut paths) = paths::<L>(input.triangle);
-        let mut n_crossings = 0;
-        let has_area = has_area(&input.triangle);
-        for plane_idx in 0..input.planes.len() {
-            let Some(plane) = LastPlane::<L>::new(&input.planes, plane_idx) else {
-                break;
-            };
-            if list.len() < 3 || !has_area {
-                break;
-            }
-            emit(Event::Plane { plane_idx });
-            list = clip_by::<L, R>(plane, &list, &mut paths, &mut |event| {
-                n_crossings += usize::from(matches!(event, Event::Cross { .. }));
-                emit(event);
-            });
-            let n_vertices = list.len();
-            emit(Event::Pass {
-                plane_idx,
-                n_vertices,
-            });
+        if has_area(&input.triangle) {
+            Self::clip_by_all::<R, T>(held, LastPlane::all(&input.planes), tell)?;
         }
-        if L::EDGE_BY_EDGE {
-            join(&mut list);
-        }
-        let triangles = fan(&list);
-        for &triangle in &triangles {
-            emit(Event::Fan { triangle });
-        }
+        let triangles = if L::EDGE_BY_EDGE {
+            fan(&joined(held.lists.list()))
+        } else {
+            fan(held.lists.list())
+        };
         let n_triangles = triangles.len();
-        emit(Event::Done { n_triangles });
-        CutTriangles {
-            triangles,
-            n_crossings,
-            has_uv: input.has_uv(),
+        held.left.triangles.reserve(n_triangles);
+        for triangle in triangles {
+            held.left.triangles.push(triangle);
+            tell.tell(held, Event::Fan { triangle })?;
         }
+        tell.tell(held, Event::Done { n_triangles })
     }
 
-    fn start(input: &Self::Input) -> Self::State {
-        IntersectionPolygonState {
-            input: paths::<L>(input.triangle).0,
-            has_uv: input.has_uv(),
-            ..IntersectionPolygonState::default()
-        }
-    }
-
-    fn apply(state: &mut Self::State, event: Self::Event) {
-        state.apply(event);
-    }
-
-    fn finish(state: &Self::State) -> Self::Output {
-        CutTriangles {
-            triangles: state.triangles.clone(),
-            n_crossings: state.n_crossings,
-            has_uv: state.has_uv,
-        }
+    #[inline]
+    fn output(held: Self::Held) -> Self::Output {
+        held.left
     }
 
     /// For each plane its turn; for each path, of which there are three at most, its first vertex, perhaps put out; for each edge
@@ -237,127 +202,68 @@ impl<L: VolumeRules> Algorithm for IntersectionPolygon<L> {
     }
 }
 
-/// What is left of each path on the inner side of the last plane.
-fn clip_by<L: VolumeRules, R: Real>(
-    plane: LastPlane<'_, L>,
-    list: &[SpaceVertex],
-    paths: &mut [usize],
-    emit: &mut impl FnMut(IntersectionPolygonEvent),
-) -> Vec<SpaceVertex> {
-    let mut output = Vec::with_capacity(list.len() + 1);
-    let mut start = 0;
-    for path in paths {
-        let end = start + *path;
-        let n_before = output.len();
-        let mut tell = |idx: [usize; 2], happening| {
-            let idx = idx.map(|i| start + i);
-            let event = told(&plane, idx, happening);
-            if let IntersectionPolygonEvent::Output { at } = event {
-                output.push(at);
-            }
-            emit(event);
-        };
-        if let Some((&first, following)) = list[start..end].split_first() {
-            let mut clip = Clip::<_, SpaceVertex, R>::begin::<L>(plane, first, &mut |happening| {
-                tell([0, 0], happening);
-            });
-            for (i, &vertex) in following.iter().enumerate() {
-                clip.vertex::<L>(vertex, &mut |happening| tell([i, i + 1], happening));
-            }
-            let idx = [following.len(), 0];
-            clip.close::<L>(&mut |happening| tell(idx, happening));
-        }
-        *path = output.len() - n_before;
-        start = end;
+impl<L: VolumeRules> RingClipper for IntersectionPolygon<L> {
+    type Ring = Vec<SpaceVertex>;
+    type Rules = L;
+    type Limit<'a> = LastPlane<'a, L>;
+    const FEWEST: usize = 3;
+
+    #[inline]
+    fn lists(held: &Self::Held) -> &Lists<Vec<SpaceVertex>> {
+        &held.lists
     }
-    output
+
+    #[inline]
+    fn lists_mut(held: &mut Self::Held) -> &mut Lists<Vec<SpaceVertex>> {
+        &mut held.lists
+    }
+
+    #[inline]
+    fn crossed(held: &mut Self::Held) {
+        held.left.n_crossings += 1;
+    }
+
+    #[inline]
+    fn turn(plane: &LastPlane<'_, L>) -> Self::Event {
+        let plane_idx = plane.idx();
+        IntersectionPolygonEvent::Plane { plane_idx }
+    }
+
+    #[inline]
+    fn passed(plane: &LastPlane<'_, L>, n_vertices: usize) -> Self::Event {
+        IntersectionPolygonEvent::Pass {
+            plane_idx: plane.idx(),
+            n_vertices,
+        }
+    }
+
+    /// Each path by itself.
+    #[inline]
+    fn clip<R: Real, T: Tell<Self>>(
+        held: &mut Self::Held,
+        plane: &LastPlane<'_, L>,
+        tell: &mut T,
+    ) -> Told<T::Stop> {
+        let mut start = 0;
+        for i in 0..held.paths.len() {
+            let end = start + held.paths[i];
+            let n_before = held.lists.other().len();
+            clip_ring::<Self, R, T>(held, start..end, plane, tell)?;
+            held.paths[i] = held.lists.other().len() - n_before;
+            start = end;
+        }
+        Told::Continue(())
+    }
 }
 
-fn told<L>(
-    plane: &LastPlane<'_, L>,
-    idx: [usize; 2],
-    happening: Happening<SpaceVertex>,
-) -> IntersectionPolygonEvent {
-    use IntersectionPolygonEvent as Event;
-    match happening {
-        Happening::First {
-            at,
-            distance,
-            inside,
-        } => Event::First {
-            at,
-            distance: plane.told(distance),
-            inside,
-        },
-        Happening::Test {
-            ends,
-            distances,
-            rule,
-        } => Event::Test {
-            idx,
-            ends,
-            distances: distances.map(|d| plane.told(d)),
-            rule,
-        },
-        Happening::Cross(Crossing { at, t }) => Event::Cross { at, t },
-        Happening::Output(at) => Event::Output { at },
-    }
-}
+ring_events!([] IntersectionPolygonEvent, SpaceVertex, between: Plane | Pass | Fan | Done);
 
 /// Takes the ends of edges that meet for one vertex.
-fn join(ring: &mut Vec<SpaceVertex>) {
+fn joined(list: &[SpaceVertex]) -> Vec<SpaceVertex> {
+    let mut ring = list.to_vec();
     ring.dedup_by_key(|vertex| vertex.at);
     while ring.len() > 1 && ring.first().map(|v| v.at) == ring.last().map(|v| v.at) {
         ring.pop();
     }
-}
-
-impl IntersectionPolygonState {
-    fn apply(&mut self, event: IntersectionPolygonEvent) {
-        use IntersectionPolygonEvent as Event;
-        match event {
-            Event::Plane { plane_idx } => {
-                self.plane_idx = Some(plane_idx);
-                self.passed.clear();
-                self.sides.clear();
-                self.crossings.clear();
-            }
-            Event::First {
-                distance, inside, ..
-            } => self.sides.push((distance, inside)),
-            Event::Test {
-                idx,
-                distances,
-                rule,
-                ..
-            } => {
-                self.test = Some((idx, distances, rule));
-                // The edge that closes the ring ends where it began.
-                if idx[1] == self.sides.len() {
-                    self.sides.push((distances[1], rule.ends_inside()));
-                }
-                self.crossing = None;
-            }
-            Event::Cross { at, t } => {
-                self.crossing = Some((at, t));
-                self.n_crossings += 1;
-                let between = self.test.map(|(idx, ..)| (idx, at, t));
-                self.crossings.extend(between);
-            }
-            Event::Output { at } => self.output.push(at),
-            Event::Pass { .. } => {
-                let put_out = std::mem::take(&mut self.output);
-                self.passed = std::mem::replace(&mut self.input, put_out);
-                (self.test, self.crossing) = (None, None);
-            }
-            Event::Fan { triangle } => {
-                self.plane_idx = None;
-                self.triangles.push(triangle);
-            }
-            Event::Done { .. } => {
-                self.plane_idx = None;
-                self.is_done = true;
-            }
-        }
-    }
+    ring
 }

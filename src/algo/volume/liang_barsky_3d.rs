@@ -26,12 +26,15 @@
 //! ```
 
 use crate::{
-    algo::parameter::{Upright, clamp_between},
+    algo::{
+        parameter::{Upright, clamp_between},
+        segment::{
+            Bounds, EventOf, LineClip, LineEvent, LineInput, LineRules, PlaneRow, VisibleLine,
+        },
+    },
     geom::{AlignedBox, VolumeSide},
     trace::Real,
 };
-
-use super::{Bounds, LineClip, LineEvent, LineRules};
 
 /// The algorithm; see the module.
 pub type LiangBarsky3d = LineClip<3, AlignedBox>;
@@ -47,8 +50,15 @@ pub fn upright(bounds: &AlignedBox, side: VolumeSide, ends: &[[f64; 3]; 2]) -> U
 
 impl Bounds<3> for AlignedBox {
     type Plane = VolumeSide;
+    type Row = PlaneRow;
     /// P₂ − P₁
     type Once<R: Real> = [R; 3];
+    type Input = LineInput<3, Self>;
+    type Output = VisibleLine<3>;
+
+    fn answer(visible: VisibleLine<3>) -> VisibleLine<3> {
+        visible
+    }
 
     fn planes(&self) -> impl Iterator<Item = VolumeSide> {
         VolumeSide::ALL.into_iter()
@@ -57,12 +67,10 @@ impl Bounds<3> for AlignedBox {
     fn begin<R: Real, L: LineRules>(
         &self,
         [p1, p2]: &mut [[f64; 3]; 2],
-        emit: &mut impl FnMut(LineEvent<VolumeSide, 3>),
-    ) -> Option<[R; 3]> {
-        let delta = std::array::from_fn(|axis| R::new(p2[axis]) - R::new(p1[axis]));
-        let shown = delta.map(R::get);
-        emit(LineEvent::Delta { delta: shown });
-        Some(delta)
+    ) -> (Option<EventOf<3, Self>>, Option<[R; 3]>) {
+        let once = std::array::from_fn(|axis| R::new(p2[axis]) - R::new(p1[axis]));
+        let delta = once.map(R::get);
+        (Some(LineEvent::Delta { delta }), Some(once))
     }
 
     fn inequality<R: Real>(
@@ -70,14 +78,15 @@ impl Bounds<3> for AlignedBox {
         side: VolumeSide,
         ends: &[[f64; 3]; 2],
         delta: &[R; 3],
-    ) -> [R; 2] {
+    ) -> ([R; 2], PlaneRow) {
         let axis = side.axis();
         let [from, border] = [ends[0][axis], self.border(side)].map(R::new);
-        if side.is_high() {
+        let p_and_q = if side.is_high() {
             [delta[axis], border - from]
         } else {
             [-delta[axis], from - border]
-        }
+        };
+        (p_and_q, PlaneRow::of(p_and_q))
     }
 
     fn quotient<R: Real>(&self, side: VolumeSide, ends: &[[f64; 3]; 2], [p, q]: [R; 2]) -> R {

@@ -39,7 +39,7 @@
 //! # Ok::<(), clipscope::geom::SpaceError>(())
 //! ```
 
-use std::marker::PhantomData;
+use std::{convert::Infallible, marker::PhantomData};
 
 use serde::Serialize;
 
@@ -48,7 +48,7 @@ use crate::{
         parameter::Ratio,
         ring::{Clip, Crossing, Happening, Right},
     },
-    trace::{Algorithm, Real},
+    trace::{Method, Real, Tell, Told},
 };
 
 use super::{
@@ -108,114 +108,86 @@ pub enum PlaneAtATimeEvent {
     },
 }
 
-/// A triangle of the list against the plane.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct AskedTriangle {
-    /// In the list.
-    pub triangle_idx: usize,
-    /// Its corners' signed distances from the plane.
-    pub distances: [f64; 3],
-    /// Are they inside?
-    pub inside: [bool; 3],
-}
-
-/// What the picture of a step needs.
-#[derive(Clone, PartialEq, Debug, Default)]
-pub struct PlaneAtATimeState {
-    /// The list that is cut; after the end, the answer.
-    pub list: Vec<[SpaceVertex; 3]>,
-    /// The list that grows.
+/// What it works in.
+#[derive(Clone, PartialEq, Debug)]
+pub struct PlaneAtATimeHeld {
+    /// The list that is cut, which is the answer after the end, and what that has cost so far.
+    pub left: CutTriangles,
+    /// The list that grows; after a pass, the one that was cut.
     pub next: Vec<[SpaceVertex; 3]>,
-    /// After a pass, until the next plane's turn: the list that was cut.
-    pub passed: Vec<[SpaceVertex; 3]>,
-    /// The plane whose turn it is.
-    pub plane_idx: Option<usize>,
-    /// Those of the list that this plane has been asked about, the last of them now.
-    pub asked: Vec<AskedTriangle>,
-    /// Which triangle of the list each of the next list comes from.
-    pub origins: Vec<usize>,
-    /// Its crossings, and between which corners they lie.
-    pub crossings: Vec<([usize; 2], SpaceVertex, Ratio)>,
-    /// Crossings with all planes so far.
-    pub n_crossings: usize,
-    /// Have corners places in a texture?
-    pub has_uv: bool,
-    /// Is there nothing left to do?
-    pub is_done: bool,
 }
 
-impl<L: VolumeRules> Algorithm for PlaneAtATime<L> {
+impl<L: VolumeRules> Method for PlaneAtATime<L> {
     type Input = TrianglePlanes;
+    type Held = PlaneAtATimeHeld;
     type Output = CutTriangles;
     type Event = PlaneAtATimeEvent;
-    type State = PlaneAtATimeState;
 
-    fn run<R: Real>(input: &Self::Input, mut emit: impl FnMut(Self::Event)) -> Self::Output {
+    /// The first list is empty where there is nothing to fill.
+    #[inline]
+    fn begin(input: &Self::Input) -> Self::Held {
+        let triangle = Some(input.triangle).filter(has_area);
+        PlaneAtATimeHeld {
+            left: CutTriangles {
+                triangles: triangle.into_iter().collect(),
+                n_crossings: 0,
+                has_uv: input.has_uv(),
+            },
+            next: Vec::new(),
+        }
+    }
+
+    #[inline]
+    fn run<R: Real, T: Tell<Self>>(
+        input: &Self::Input,
+        held: &mut Self::Held,
+        tell: &mut T,
+    ) -> Told<T::Stop> {
         use PlaneAtATimeEvent as Event;
-        let mut left = CutTriangles {
-            triangles: start(input),
-            n_crossings: 0,
-            has_uv: input.has_uv(),
-        };
-        for plane_idx in 0..input.planes.len() {
-            let Some(plane) = LastPlane::<L>::new(&input.planes, plane_idx) else {
-                break;
-            };
-            if left.triangles.is_empty() {
+        for (plane_idx, plane) in LastPlane::<L>::all(&input.planes).enumerate() {
+            let n_triangles = held.left.triangles.len();
+            if n_triangles == 0 {
                 break;
             }
-            let n_triangles = left.triangles.len();
-            emit(Event::Plane {
+            held.next.clear();
+            held.next.reserve(2 * n_triangles);
+            let turn = Event::Plane {
                 plane_idx,
                 n_triangles,
-            });
-            let mut next = Vec::with_capacity(2 * n_triangles);
-            for (triangle_idx, triangle) in left.triangles.iter().enumerate() {
-                let split = Split::of::<L, R>(plane, triangle);
-                emit(Event::Triangle {
+            };
+            tell.tell(held, turn)?;
+            for triangle_idx in 0..n_triangles {
+                let split = Split::of::<L, R>(plane, &held.left.triangles[triangle_idx]);
+                let asked = Event::Triangle {
                     triangle_idx,
                     distances: split.distances,
                     inside: split.inside,
-                });
+                };
+                tell.tell(held, asked)?;
                 for (idx, Crossing { at, t }) in split.crossings {
-                    left.n_crossings += 1;
-                    emit(Event::Cross { idx, at, t });
+                    held.left.n_crossings += 1;
+                    tell.tell(held, Event::Cross { idx, at, t })?;
                 }
                 for triangle in split.pieces {
-                    next.push(triangle);
-                    emit(Event::Piece { triangle });
+                    held.next.push(triangle);
+                    tell.tell(held, Event::Piece { triangle })?;
                 }
             }
-            left.triangles = next;
-            let n_triangles = left.triangles.len();
-            emit(Event::Pass {
+            std::mem::swap(&mut held.left.triangles, &mut held.next);
+            let n_triangles = held.left.triangles.len();
+            let pass = Event::Pass {
                 plane_idx,
                 n_triangles,
-            });
+            };
+            tell.tell(held, pass)?;
         }
-        let n_triangles = left.triangles.len();
-        emit(Event::Done { n_triangles });
-        left
+        let n_triangles = held.left.triangles.len();
+        tell.tell(held, Event::Done { n_triangles })
     }
 
-    fn start(input: &Self::Input) -> Self::State {
-        PlaneAtATimeState {
-            list: start(input),
-            has_uv: input.has_uv(),
-            ..PlaneAtATimeState::default()
-        }
-    }
-
-    fn apply(state: &mut Self::State, event: Self::Event) {
-        state.apply(event);
-    }
-
-    fn finish(state: &Self::State) -> Self::Output {
-        CutTriangles {
-            triangles: state.list.clone(),
-            n_crossings: state.n_crossings,
-            has_uv: state.has_uv,
-        }
+    #[inline]
+    fn output(held: Self::Held) -> Self::Output {
+        held.left
     }
 
     /// The end; for each plane its turn and its pass, and for each triangle of its list, of which there may be twice as many as
@@ -231,12 +203,6 @@ impl<L: VolumeRules> Algorithm for PlaneAtATime<L> {
     }
 }
 
-/// The first list: empty where there is nothing to fill.
-fn start(input: &TrianglePlanes) -> Vec<[SpaceVertex; 3]> {
-    let triangle = Some(input.triangle).filter(has_area);
-    triangle.into_iter().collect()
-}
-
 /// A triangle against a plane.
 struct Split {
     distances: [f64; 3],
@@ -250,28 +216,34 @@ impl Split {
     fn of<L: VolumeRules, R: Real>(plane: LastPlane<'_, L>, corners: &[SpaceVertex; 3]) -> Self {
         let (mut distances, mut inside) = ([0.0; 3], [false; 3]);
         let (mut crossings, mut ring) = (Vec::new(), Vec::with_capacity(4));
-        let mut tell = |idx: [usize; 2], happening: Happening<SpaceVertex>| match happening {
-            Happening::First {
-                distance: d,
-                inside: is_inside,
-                ..
-            } => (distances[0], inside[0]) = (plane.told(d), is_inside),
-            Happening::Test {
-                distances: [_, d],
-                rule,
-                ..
-            } => {
-                (distances[idx[1]], inside[idx[1]]) = (plane.told(d), rule.ends_inside());
+        let mut edge = [0; 2];
+        let mut note = |happening: Happening<SpaceVertex>| {
+            match happening {
+                Happening::First {
+                    distance: d,
+                    inside: is_inside,
+                    ..
+                } => (distances[0], inside[0]) = (d, is_inside),
+                Happening::Test {
+                    idx,
+                    distances: [_, d],
+                    rule,
+                    ..
+                } => {
+                    edge = idx;
+                    (distances[idx[1]], inside[idx[1]]) = (d, rule.ends_inside());
+                }
+                Happening::Cross(crossing) => crossings.push((edge, crossing)),
+                Happening::Output(vertex) => ring.push(vertex),
             }
-            Happening::Cross(crossing) => crossings.push((idx, crossing)),
-            Happening::Output(vertex) => ring.push(vertex),
+            Told::<Infallible>::Continue(())
         };
         let [first, second, third] = *corners;
-        let mut clip =
-            Clip::<_, _, R>::begin::<L>(plane, first, &mut |happening| tell([0, 0], happening));
-        clip.vertex::<L>(second, &mut |happening| tell([0, 1], happening));
-        clip.vertex::<L>(third, &mut |happening| tell([1, 2], happening));
-        clip.close::<L>(&mut |happening| tell([2, 0], happening));
+        let mut clip = Clip::begin::<L, R>(&plane, first);
+        let Told::Continue(()) = clip.tell_first(&plane, &mut note);
+        let Told::Continue(()) = clip.vertex::<L, R, _>(&plane, ([0, 1], second), &mut note);
+        let Told::Continue(()) = clip.vertex::<L, R, _>(&plane, ([1, 2], third), &mut note);
+        let Told::Continue(()) = clip.close::<L, R, _>(&plane, [2, 0], &mut note);
         if !L::CUTS_FROM_PLANE && distances[0] == 0.0 && distances[1].max(distances[2]) > 0.0 {
             crossings.clear();
             ring = corners.to_vec();
@@ -281,50 +253,6 @@ impl Split {
             inside,
             crossings,
             pieces: fan(&ring),
-        }
-    }
-}
-
-impl PlaneAtATimeState {
-    fn apply(&mut self, event: PlaneAtATimeEvent) {
-        use PlaneAtATimeEvent as Event;
-        match event {
-            Event::Plane { plane_idx, .. } => {
-                self.plane_idx = Some(plane_idx);
-                self.passed.clear();
-                self.asked.clear();
-                self.origins.clear();
-            }
-            Event::Triangle {
-                triangle_idx,
-                distances,
-                inside,
-            } => {
-                self.asked.push(AskedTriangle {
-                    triangle_idx,
-                    distances,
-                    inside,
-                });
-                self.crossings.clear();
-            }
-            Event::Cross { idx, at, t } => {
-                self.crossings.push((idx, at, t));
-                self.n_crossings += 1;
-            }
-            Event::Piece { triangle } => {
-                self.next.push(triangle);
-                let asked = self.asked.last();
-                self.origins.extend(asked.map(|asked| asked.triangle_idx));
-            }
-            Event::Pass { .. } => {
-                let next = std::mem::take(&mut self.next);
-                self.passed = std::mem::replace(&mut self.list, next);
-                self.crossings.clear();
-            }
-            Event::Done { .. } => {
-                self.plane_idx = None;
-                self.is_done = true;
-            }
         }
     }
 }

@@ -29,12 +29,15 @@
 //! ```
 
 use crate::{
-    algo::parameter::{Share, clamp_between},
+    algo::{
+        parameter::{Share, clamp_between},
+        segment::{Bounds, EventOf, LineClip, LineInput, LineRules, PlaneRow, VisibleLine},
+    },
     geom::Plane,
     trace::Real,
 };
 
-use super::{Bounds, LineClip, LineEvent, LineRules, weighted_sum};
+use super::weighted_sum;
 
 /// The algorithm; see the module.
 pub type PlaneLine = LineClip<3, Vec<Plane>>;
@@ -68,7 +71,14 @@ fn fixed(plane: &Plane) -> Option<(usize, f64)> {
 
 impl Bounds<3> for Vec<Plane> {
     type Plane = usize;
+    type Row = PlaneRow;
     type Once<R: Real> = ();
+    type Input = LineInput<3, Self>;
+    type Output = VisibleLine<3>;
+
+    fn answer(visible: VisibleLine<3>) -> VisibleLine<3> {
+        visible
+    }
 
     fn planes(&self) -> impl Iterator<Item = usize> {
         0..self.len()
@@ -77,14 +87,19 @@ impl Bounds<3> for Vec<Plane> {
     fn begin<R: Real, L: LineRules>(
         &self,
         _: &mut [[f64; 3]; 2],
-        _: &mut impl FnMut(LineEvent<usize, 3>),
-    ) -> Option<()> {
-        Some(())
+    ) -> (Option<EventOf<3, Self>>, Option<()>) {
+        (None, Some(()))
     }
 
-    fn inequality<R: Real>(&self, plane: usize, ends: &[[f64; 3]; 2], (): &()) -> [R; 2] {
+    fn inequality<R: Real>(
+        &self,
+        plane: usize,
+        ends: &[[f64; 3]; 2],
+        (): &(),
+    ) -> ([R; 2], PlaneRow) {
         let [d1, d2] = plane_distances::<R>(&self[plane], ends);
-        [d1 - d2, d1]
+        let p_and_q = [d1 - d2, d1];
+        (p_and_q, PlaneRow::of(p_and_q))
     }
 
     fn quotient<R: Real>(&self, _: usize, _: &[[f64; 3]; 2], [p, q]: [R; 2]) -> R {

@@ -1,5 +1,7 @@
 //! Outcodes in space: one bit for each side of the clip volume that a point lies beyond.
 
+use std::ops::{BitAnd, BitOr};
+
 use serde::{Serialize, Serializer};
 
 use crate::{
@@ -94,6 +96,24 @@ impl SideCode {
     #[must_use]
     pub const fn has(self, side: VolumeSide) -> bool {
         self.0 & Self::bit(side) != 0
+    }
+}
+
+impl BitOr for SideCode {
+    type Output = Self;
+
+    #[inline]
+    fn bitor(self, other: Self) -> Self {
+        self.or(other)
+    }
+}
+
+impl BitAnd for SideCode {
+    type Output = Self;
+
+    #[inline]
+    fn bitand(self, other: Self) -> Self {
+        self.and(other)
     }
 }
 

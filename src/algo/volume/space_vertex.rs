@@ -59,7 +59,7 @@ pub(super) fn independent([a, b, c]: [[f64; 4]; 3]) -> bool {
 
 /// The last of some planes, by which the others have clipped before, and by the rules of `L`.
 #[derive(Debug)]
-pub(super) struct LastPlane<'a, L> {
+pub struct LastPlane<'a, L> {
     planes: &'a [Plane],
     plane: &'a Plane,
     rules: PhantomData<L>,
@@ -74,20 +74,18 @@ impl<L> Clone for LastPlane<'_, L> {
 impl<L> Copy for LastPlane<'_, L> {}
 
 impl<'a, L> LastPlane<'a, L> {
-    /// Plane `idx`, and those before it; none beyond the last.
-    pub fn new(planes: &'a [Plane], idx: usize) -> Option<Self> {
-        let planes = planes.get(..=idx)?;
-        let plane = planes.last()?;
-        Some(Self {
-            planes,
+    /// Each of some planes, with those before it.
+    pub fn all(planes: &'a [Plane]) -> impl Iterator<Item = Self> {
+        planes.iter().enumerate().map(|(idx, plane)| Self {
+            planes: &planes[..=idx],
             plane,
             rules: PhantomData,
         })
     }
 
-    /// A distance as it is told: in lengths of 1, not of n.
-    pub fn told(&self, distance: f64) -> f64 {
-        distance / self.plane.length()
+    /// Which of them it is.
+    pub const fn idx(&self) -> usize {
+        self.planes.len() - 1
     }
 }
 
@@ -95,6 +93,12 @@ impl<L: VolumeRules> Limit<SpaceVertex> for LastPlane<'_, L> {
     #[inline]
     fn distance<R: Real>(&self, vertex: &SpaceVertex) -> R {
         distance(self.plane, vertex.at)
+    }
+
+    /// In lengths of 1, not of n.
+    #[inline]
+    fn told(&self, distance: f64) -> f64 {
+        distance / self.plane.length()
     }
 
     fn crossing<R: Real>(

@@ -3,9 +3,9 @@
 use std::slice;
 
 use crate::{
-    algo::ring::{Clip, Crossing, Happening, Limit, Right},
+    algo::ring::{Clip, Crossing, Limit, Right, put_in},
     geom::Plane,
-    trace::Real,
+    trace::{Real, Told},
 };
 
 use super::plane_cut::{PlaneCut, distance, plane_cut};
@@ -35,16 +35,14 @@ pub fn clipped(polygon: &[[f64; 3]], plane: &Plane) -> Vec<[f64; 3]> {
     let Some((&first, following)) = polygon.split_first() else {
         return left;
     };
-    let mut tell = |happening| {
-        if let Happening::Output(at) = happening {
-            left.push(at);
-        }
-    };
-    let mut clip = Clip::<_, _, f64>::begin::<Right>(*plane, first, &mut tell);
+    let mut clip = Clip::begin::<Right, f64>(plane, first);
+    let Told::Continue(()) = clip.tell_first(plane, &mut put_in(&mut left));
     for &vertex in following {
-        clip.vertex::<Right>(vertex, &mut tell);
+        let vertex = ([0; 2], vertex);
+        let Told::Continue(()) =
+            clip.vertex::<Right, f64, _>(plane, vertex, &mut put_in(&mut left));
     }
-    clip.close::<Right>(&mut tell);
+    let Told::Continue(()) = clip.close::<Right, f64, _>(plane, [0; 2], &mut put_in(&mut left));
     if left.len() < 3 {
         left.clear();
     }

@@ -17,24 +17,9 @@ fn an_end_is_dragged_and_one_undo_takes_the_whole_drag_back() {
     bench.settle();
     let before = bench.app.scene().clone();
     let moment = bench.app.playback.main().moment(6);
-    let p2 = before
-        .get::<lines::Scene>()
-        .unwrap()
-        .focused()
-        .p2
-        .to_array();
+    let p2 = ends(&bench)[1];
     bench.drag(bench.on_screen(p2), bench.on_screen([2.5, 1.5]));
-    assert_eq!(
-        bench
-            .app
-            .scene()
-            .get::<lines::Scene>()
-            .unwrap()
-            .focused()
-            .p2
-            .to_array(),
-        [2.5, 1.5]
-    );
+    assert_eq!(ends(&bench)[1], [2.5, 1.5]);
     let now = bench.app.playback.main();
     assert_eq!(
         now.moment(bench.app.position()),
@@ -44,43 +29,16 @@ fn an_end_is_dragged_and_one_undo_takes_the_whole_drag_back() {
     bench.press(Key::Z, ctrl());
     assert_eq!(bench.app.scene(), &before);
     bench.press(Key::Z, ctrl() | Modifiers::SHIFT);
-    assert_eq!(
-        bench
-            .app
-            .scene()
-            .get::<lines::Scene>()
-            .unwrap()
-            .focused()
-            .p2
-            .to_array(),
-        [2.5, 1.5]
-    );
+    assert_eq!(ends(&bench)[1], [2.5, 1.5]);
     assert!(!bench.app.history.can_redo());
 }
 
 #[test]
 fn a_drag_keeps_to_the_grid_and_the_background_pans() {
     let mut bench = Bench::new(ROOMY);
-    let p1 = bench
-        .app
-        .scene()
-        .get::<lines::Scene>()
-        .unwrap()
-        .focused()
-        .p1
-        .to_array();
+    let p1 = ends(&bench)[0];
     bench.drag(bench.on_screen(p1), bench.on_screen([-1.61, -0.72]));
-    assert_eq!(
-        bench
-            .app
-            .scene()
-            .get::<lines::Scene>()
-            .unwrap()
-            .focused()
-            .p1
-            .to_array(),
-        [-1.5, -0.5]
-    );
+    assert_eq!(ends(&bench)[0], [-1.5, -0.5]);
     let scene = bench.app.scene().clone();
     let fixed = [2.4, -1.3];
     let from = bench.on_screen(fixed);
@@ -97,52 +55,23 @@ fn a_handle_with_the_focus_takes_the_arrows_until_escape() {
     bench.frame(0.1, Vec::new());
     bench.key(Key::ArrowRight);
     bench.key(Key::ArrowUp);
-    assert_eq!(
-        bench
-            .app
-            .scene()
-            .get::<lines::Scene>()
-            .unwrap()
-            .focused()
-            .p1
-            .to_array(),
-        [-1.5, -0.5]
-    );
+    assert_eq!(ends(&bench)[0], [-1.5, -0.5]);
     assert_eq!(bench.app.position(), 0);
     bench.press(Key::ArrowLeft, Modifiers::ALT);
-    assert_eq!(
-        bench
-            .app
-            .scene()
-            .get::<lines::Scene>()
-            .unwrap()
-            .focused()
-            .p1
-            .to_array(),
-        [-1.55, -0.5]
-    );
+    assert_eq!(ends(&bench)[0], [-1.55, -0.5]);
     bench.key(Key::Tab);
     bench.key(Key::ArrowLeft);
-    assert_eq!(
-        bench
-            .app
-            .scene()
-            .get::<lines::Scene>()
-            .unwrap()
-            .focused()
-            .p2
-            .to_array(),
-        [1.5, 1.5],
-        "Tab goes on to the next"
-    );
+    assert_eq!(ends(&bench)[1], [1.5, 1.5], "Tab goes on to the next");
     bench.key(Key::Escape);
     bench.key(Key::ArrowRight);
     assert_eq!(bench.app.position(), 1);
 }
 
-fn p1_of(bench: &Bench) -> [f64; 2] {
+/// Both ends of the segment in focus.
+fn ends(bench: &Bench) -> [[f64; 2]; 2] {
     let scene = bench.app.scene().get::<lines::Scene>();
-    scene.expect("the first lab").focused().p1.to_array()
+    let focused = scene.expect("the first lab").focused();
+    [focused.p1, focused.p2].map(|p| p.to_array())
 }
 
 /// What is written into the field of a place.
@@ -158,7 +87,7 @@ fn type_into(bench: &mut Bench, text: &str) {
 #[test]
 fn a_place_is_typed_where_it_lies_and_a_bad_one_says_why() {
     let mut bench = Bench::new(ROOMY);
-    let before = p1_of(&bench);
+    let before = ends(&bench)[0];
     let at = bench.on_screen(before);
     for _ in 0..2 {
         bench.button(at, true);
@@ -166,21 +95,21 @@ fn a_place_is_typed_where_it_lies_and_a_bad_one_says_why() {
     }
     type_into(&mut bench, "1/4, −3/2");
     assert_eq!(
-        (p1_of(&bench), bench.app.stage.typing.is_some()),
+        (ends(&bench)[0], bench.app.stage.typing.is_some()),
         ([0.25, -1.5], false)
     );
     bench.press(Key::Z, ctrl());
-    assert_eq!(p1_of(&bench), before, "one step of undo");
+    assert_eq!(ends(&bench)[0], before, "one step of undo");
 
     bench.key(Key::Tab);
     bench.key(Key::F2);
     type_into(&mut bench, "1/4, up");
-    assert_eq!(p1_of(&bench), before);
+    assert_eq!(ends(&bench)[0], before);
     assert!(bench.app.stage.typing.is_some(), "it stays to be mended");
     bench.key(Key::Escape);
     bench.settle();
     assert_eq!(
-        (p1_of(&bench), bench.app.stage.typing.is_some()),
+        (ends(&bench)[0], bench.app.stage.typing.is_some()),
         (before, false)
     );
 }
@@ -204,13 +133,13 @@ fn click_on(bench: &mut Bench, text: &str) {
 #[test]
 fn a_place_is_typed_in_the_watch_table_and_in_a_list() {
     let mut bench = Bench::new(ROOMY);
-    let place = Catalog::of(Lang::En).value(&p1_of(&bench).into());
+    let place = Catalog::of(Lang::En).value(&ends(&bench)[0].into());
     bench.command(Command::Seek(1));
     click_on(&mut bench, &place);
     let typing = bench.app.stage.typing.as_ref().expect("the field is open");
     assert_eq!(typing.handle.kind().id, "p1");
     type_into(&mut bench, "-7/4, -1/2");
-    assert_eq!(p1_of(&bench), [-1.75, -0.5]);
+    assert_eq!(ends(&bench)[0], [-1.75, -0.5]);
 
     bench.command(Command::Lab("polygons"));
     bench.command(Command::Seek(1));
@@ -239,7 +168,7 @@ fn a_row_of_the_watch_table_and_a_handle_open_the_field_with_enter() {
     bench.key(Key::Escape);
     bench.settle();
     assert!(bench.app.stage.typing.is_none());
-    let place = Catalog::of(Lang::En).value(&p1_of(&bench).into());
+    let place = Catalog::of(Lang::En).value(&ends(&bench)[0].into());
     let texts = bench.texts();
     // The last is the inspector's.
     let shown = texts.iter().rev().find(|(text, _)| *text == place);

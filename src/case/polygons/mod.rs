@@ -1,29 +1,252 @@
 //! The polygons lab's cases: a polygon against a window or another polygon, or a polygon alone.
 
-mod reader;
-mod solve;
 mod verdict;
 
-use crate::algo::polygon::{
-    EarClipping, Pipeline, SutherlandHodgman, Textured, TriangulateAndClip,
-    weiler_atherton::WeilerAtherton,
+use crate::{
+    algo::polygon::{
+        ClipRegion, EarClipping, Pipeline, SutherlandHodgman, SutherlandHodgmanInput, Textured,
+        TriangulateAndClip, TriangulateAndClipInput,
+        weiler_atherton::{WeilerAtherton, WeilerAthertonInput, WeilerAthertonOutput},
+    },
+    geom::{Polygon, Region, SimplePolygon},
+    input::{
+        CLIP, CONVEX_CLIP, Dim, Fault, Field, Given, HOLES, MOST_VERTICES, POLYGON, Part, Shape,
+        WINDOW,
+    },
+    text::Message,
 };
 
-use super::{Fields, Refusal, Solvable, Solver, solver::read_problem};
+use super::{Code, Fields, Path, Refusal, Solvable, Solve, Solver, solver::read_problem};
+
+use verdict::{pieces, polygons, ring, triangles};
 
 /// The lab's methods, those that are wrong on purpose left out.
 pub(super) static SOLVERS: [Solver; 5] = [
     Solver::of::<SutherlandHodgman>().reading(read_sutherland_hodgman),
     Solver::of::<Pipeline>(),
-    Solver::told::<WeilerAtherton>(),
-    Solver::told::<EarClipping>(),
+    Solver::of::<WeilerAtherton>(),
+    Solver::of::<EarClipping>(),
     Solver::of::<TriangulateAndClip>(),
 ];
 
 /// With texture coordinates at the vertices where they are given.
 fn read_sutherland_hodgman(fields: &Fields<'_>) -> Result<Box<dyn Solvable>, Refusal> {
-    match fields.get("uv") {
-        None => read_problem::<SutherlandHodgman>(fields),
-        Some(_) => read_problem::<SutherlandHodgman<Textured>>(fields),
+    if fields.has(&UV) {
+        read_problem::<SutherlandHodgman<Textured>>(fields)
+    } else {
+        read_problem::<SutherlandHodgman>(fields)
+    }
+}
+
+/// A report is refused of two outlines whose numbers of edges multiply to more: each pair may become several events, of
+/// which the JSON answer holds every one. 10,000 vertices against a window are less.
+const MOST_PAIRS: usize = 1 << 16;
+
+/// A place in the texture for each vertex.
+const UV: Part<Vec<[f64; 2]>> = Part::new(
+    "uv",
+    &Shape::Numbers(&[Dim::UpTo(MOST_VERTICES), Dim::Exactly(2)]),
+    |got| Ok(got.rows().to_vec()),
+)
+.told(|got| {
+    let values = got.rows().iter().map(|&uv: &[f64; 2]| uv.into());
+    vec![Given::new("object-uv", values)]
+});
+
+const CLIPPED: [Field; 3] = [WINDOW.choice(), CONVEX_CLIP.choice(), POLYGON.required()];
+const TEXTURED: [Field; 4] = [CLIPPED[0], CLIPPED[1], CLIPPED[2], UV.optional];
+const WITH_HOLES: [Field; 4] = [CLIPPED[0], CLIP.choice(), CLIPPED[2], HOLES];
+
+const RINGS: Field = Field::required("polygons", &Shape::List(&Shape::POINTS));
+const OUTCOME: Field = Field::required(
+    "outcome",
+    &Shape::Word(&["empty", "whole", "cut", "degenerate"]),
+);
+const RING: [Field; 2] = [RINGS, OUTCOME];
+const TEXTURED_RING: [Field; 3] = [
+    RINGS,
+    OUTCOME,
+    Field::optional("uv", &Shape::List(&Shape::POINTS)),
+];
+const RELATION: Field = Field::required(
+    "relation",
+    &Shape::Word(&[
+        "disjoint",
+        "touching",
+        "subject-inside",
+        "clip-inside",
+        "equal",
+        "crossing",
+    ]),
+);
+
+/// `window`, or a convex `clip`.
+fn convex_region(fields: &Fields<'_>) -> Result<ClipRegion, Refusal> {
+    Ok(match fields.get(&WINDOW)? {
+        Some(window) => window.into(),
+        None => fields.need(&CONVEX_CLIP)?.into(),
+    })
+}
+
+/// `window`, or `clip`, which must be simple; and how many edges are given.
+fn simple_clip(fields: &Fields<'_>) -> Result<(SimplePolygon, usize), Refusal> {
+    if let Some(window) = fields.get(&WINDOW)? {
+        return Ok((window.into(), 4));
+    }
+    let clip = fields.need(&CLIP)?;
+    let simple = SimplePolygon::try_from(&clip).map_err(|error| fields.refuse(&CLIP, error))?;
+    Ok((simple, clip.vertices().len()))
+}
+
+/// `polygon`, of any shape, against a clip polygon of so many edges.
+fn polygon(fields: &Fields<'_>, n_clip_edges: usize) -> Result<Polygon, Refusal> {
+    let polygon = fields.need(&POLYGON)?;
+    check_pairs(fields, polygon.vertices().len(), n_clip_edges)
+        .map_err(|fault| fields.refuse(&POLYGON, fault))?;
+    Ok(polygon)
+}
+
+/// `polygon`, which must be simple.
+fn simple_polygon(fields: &Fields<'_>, n_clip_edges: usize) -> Result<SimplePolygon, Refusal> {
+    let polygon = polygon(fields, n_clip_edges)?;
+    SimplePolygon::try_from(&polygon).map_err(|error| fields.refuse(&POLYGON, error))
+}
+
+/// `polygon`, less `holes` where there are any.
+fn region(fields: &Fields<'_>, n_clip_edges: usize) -> Result<Region, Refusal> {
+    let outer = simple_polygon(fields, n_clip_edges)?;
+    let Some(outlines) = fields.each(HOLES.name, &POLYGON)? else {
+        return Ok(outer.into());
+    };
+    let place = Path::Field(HOLES.name);
+    let n_edges: usize = outlines.iter().map(|hole| hole.vertices().len()).sum();
+    check_pairs(fields, outer.vertices().len() + n_edges, n_clip_edges)
+        .map_err(|fault| Refusal::of(&place, fault))?;
+    let simple = |(i, hole): (usize, &Polygon)| {
+        let hole = SimplePolygon::try_from(hole);
+        hole.map_err(|error| Refusal::of(&Path::Index(&place, i), error.into()))
+    };
+    let holes = outlines.iter().enumerate().map(simple);
+    let holes = holes.collect::<Result<Vec<_>, _>>()?;
+    Region::new(outer, holes).map_err(|error| Refusal::of(&place, error.into()))
+}
+
+fn check_pairs(fields: &Fields<'_>, n_edges: usize, n_clip_edges: usize) -> Result<(), Fault> {
+    let found = n_edges.saturating_mul(n_clip_edges);
+    if found <= fields.detail().limit(MOST_PAIRS) {
+        return Ok(());
+    }
+    let problem = Message::new("case-too-many-pairs")
+        .with("found", found)
+        .with("max", MOST_PAIRS);
+    Err(Fault::new(Code::TooLarge.id(), problem))
+}
+
+fn to_clip(fields: &Fields<'_>) -> Result<SutherlandHodgmanInput, Refusal> {
+    let region = convex_region(fields)?;
+    let polygon = polygon(fields, region.n_edges())?;
+    Ok(SutherlandHodgmanInput::new(region, &polygon))
+}
+
+impl Solve for SutherlandHodgman {
+    const FIELDS: &'static [Field] = &TEXTURED;
+    const OUTPUT: &'static [Field] = &TEXTURED_RING;
+
+    fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
+        to_clip(fields)
+    }
+
+    fn verdict(output: &Self::Output) -> Message {
+        ring(output)
+    }
+}
+
+impl Solve for SutherlandHodgman<Textured> {
+    const FIELDS: &'static [Field] = &TEXTURED;
+    const OUTPUT: &'static [Field] = &TEXTURED_RING;
+
+    fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
+        let plain = to_clip(fields)?;
+        let (uvs, n_vertices) = (fields.need(&UV)?, plain.vertices.len());
+        if uvs.len() != n_vertices {
+            let problem = Message::new("case-uv-length")
+                .with("expected", n_vertices)
+                .with("found", uvs.len());
+            return Err(fields.refuse(&UV, Fault::new(Code::WrongLength.id(), problem)));
+        }
+        let vertices = plain.vertices.into_iter().zip(uvs);
+        Ok(SutherlandHodgmanInput {
+            region: plain.region,
+            vertices: vertices.map(|(at, uv)| Textured { at, uv }).collect(),
+        })
+    }
+
+    fn verdict(output: &Self::Output) -> Message {
+        ring(output)
+    }
+}
+
+impl Solve for Pipeline {
+    const FIELDS: &'static [Field] = &CLIPPED;
+    const OUTPUT: &'static [Field] = &RING;
+
+    fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
+        to_clip(fields)
+    }
+
+    fn verdict(output: &Self::Output) -> Message {
+        ring(output)
+    }
+}
+
+impl Solve for WeilerAtherton {
+    const FIELDS: &'static [Field] = &WITH_HOLES;
+    const OUTPUT: &'static [Field] = &[RINGS, RELATION];
+
+    fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
+        let (clip, n_clip_edges) = simple_clip(fields)?;
+        let subject = region(fields, n_clip_edges)?;
+        Ok(WeilerAthertonInput { subject, clip })
+    }
+
+    fn verdict(output: &WeilerAthertonOutput) -> Message {
+        pieces(output)
+    }
+}
+
+impl Solve for EarClipping {
+    const FIELDS: &'static [Field] = &[POLYGON.required()];
+    const OUTPUT: &'static [Field] = &[
+        Field::required(
+            "triangles",
+            &Shape::Numbers(&[Dim::ANY, Dim::Exactly(3), Dim::Exactly(2)]),
+        ),
+        Field::required(
+            "vertices",
+            &Shape::Wholes(&[Dim::ANY, Dim::Exactly(3)], 0, i64::MAX),
+        ),
+    ];
+
+    fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
+        simple_polygon(fields, 1)
+    }
+
+    fn verdict(output: &Self::Output) -> Message {
+        triangles(output)
+    }
+}
+
+impl Solve for TriangulateAndClip {
+    const FIELDS: &'static [Field] = &CLIPPED;
+    const OUTPUT: &'static [Field] = &[RINGS];
+
+    fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
+        let region = convex_region(fields)?;
+        let polygon = simple_polygon(fields, region.n_edges())?;
+        Ok(TriangulateAndClipInput { region, polygon })
+    }
+
+    fn verdict(output: &Self::Output) -> Message {
+        polygons(output.len(), output.rings().map(|ring| (ring, false)))
     }
 }

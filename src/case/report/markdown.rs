@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use crate::{
     case::{Case, Detail, Refused},
+    input::Given,
     text::Catalog,
 };
 
@@ -13,6 +14,7 @@ use super::{StepRow, case_name, cost_rows, given_row, step_rows};
 pub fn markdown(
     number: usize,
     case: &Result<Case, Refused>,
+    told: &[Given],
     detail: Detail,
     catalog: &Catalog,
 ) -> String {
@@ -21,7 +23,10 @@ pub fn markdown(
         paragraph(&mut page, &format!("# {}", catalog.term("report-title")));
     }
     match case {
-        Ok(case) => solved(&mut page, number, case, detail, catalog),
+        Ok(case) => {
+            let name = escaped(&case_name(number, &case.id, catalog));
+            solved(&mut page, &name, case, told, detail, catalog);
+        }
         Err(refused) => {
             let name = escaped(&case_name(number, &refused.id, catalog));
             paragraph(&mut page, &format!("## {name}"));
@@ -33,16 +38,18 @@ pub fn markdown(
     page
 }
 
-fn solved(page: &mut String, number: usize, case: &Case, detail: Detail, catalog: &Catalog) {
-    let name = escaped(&case_name(number, &case.id, catalog));
+fn solved(
+    page: &mut String,
+    name: &str,
+    case: &Case,
+    told: &[Given],
+    detail: Detail,
+    catalog: &Catalog,
+) {
     let algorithm = catalog.term(case.solver.name_key());
     paragraph(page, &format!("## {name} · {algorithm}"));
-    let mut rows: Vec<[String; 2]> = case
-        .problem
-        .given()
-        .iter()
-        .map(|given| given_row(given, catalog))
-        .collect();
+    let rows = told.iter().map(|given| given_row(given, catalog));
+    let mut rows: Vec<[String; 2]> = rows.collect();
     rows.push([
         catalog.term("report-source"),
         case.solver.source().to_owned(),

@@ -10,11 +10,12 @@ use std::ops::ControlFlow;
 
 use crate::{
     figure::{Run, WatchRow, WatchSection, mark_changes},
+    input::Given,
     text::{Catalog, Message},
     trace::Counts,
 };
 
-use super::{Given, Id, refusal::short};
+use super::{Id, refusal::short};
 
 pub(super) use markdown::markdown;
 pub use refusing::Refusing;

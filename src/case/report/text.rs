@@ -4,6 +4,7 @@ use unicode_width::UnicodeWidthStr;
 
 use crate::{
     case::{Case, Detail, Refused},
+    input::Given,
     text::Catalog,
 };
 
@@ -20,11 +21,12 @@ const WIDTH: usize = 100;
 pub fn text(
     number: usize,
     case: &Result<Case, Refused>,
+    told: &[Given],
     detail: Detail,
     catalog: &Catalog,
 ) -> String {
     let lines = match case {
-        Ok(case) => solved(number, case, detail, catalog),
+        Ok(case) => solved(number, case, told, detail, catalog),
         Err(refused) => {
             let said = refused.refusal.sentence(catalog);
             let refused_term = catalog.term("report-refused");
@@ -39,11 +41,16 @@ pub fn text(
     lines.join("\n") + "\n\n"
 }
 
-fn solved(number: usize, case: &Case, detail: Detail, catalog: &Catalog) -> Vec<String> {
+fn solved(
+    number: usize,
+    case: &Case,
+    told: &[Given],
+    detail: Detail,
+    catalog: &Catalog,
+) -> Vec<String> {
     let name = case_name(number, &case.id, catalog);
     let mut lines = vec![format!("{name} · {}", catalog.term(case.solver.name_key()))];
-    let given = case.problem.given();
-    let rows: Vec<[Cell; 2]> = given
+    let rows: Vec<[Cell; 2]> = told
         .iter()
         .map(|given| given_row(given, catalog).map(|text| vec![text]))
         .collect();

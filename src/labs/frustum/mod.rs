@@ -9,4 +9,4 @@ mod verdict;
 pub use culling::{Culling, CullingTask};
 pub use registry::{FRUSTUM, LAB, METHODS, first_scene};
 
-use super::space::{Object, OnScene, OnSceneInput, Scene, Subject, demo, screen, stage};
+use super::space::{Object, Scene, Subject, screen, stage};

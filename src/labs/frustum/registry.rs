@@ -19,10 +19,9 @@ use crate::{
     },
     geom::{Orbit, Solid},
     labs::{
-        Entry, Lab,
+        Lab, MethodEntry,
         space::{
-            MethodInfo, Model, Object, OnScene, Opening, Scene, SpaceDemo, SpaceLab, SpaceTelling,
-            TaughtCamera, demo,
+            MethodInfo, Model, Object, Opening, Scene, SpaceLab, SpaceTelling, TaughtCamera, demo,
         },
     },
 };
@@ -47,30 +46,26 @@ pub static FRUSTUM: SpaceLab<Scene> = SpaceLab {
 /// The same, for whoever knows no lab by name.
 pub static LAB: &dyn Lab = &FRUSTUM;
 
-const fn info<A: SpaceDemo>() -> Entry<MethodInfo> {
-    demo::entry::<A>(&FRUSTUM)
-}
-
-const fn told<M: SpaceTelling>() -> Entry<MethodInfo> {
+const fn told<M: SpaceTelling>() -> MethodEntry<MethodInfo> {
     demo::told::<M>(&FRUSTUM)
 }
 
 /// Every method, in the order in which they are taught; the mistakes last.
-pub static METHODS: [Entry<MethodInfo>; 28] = [
+pub static METHODS: [MethodEntry<MethodInfo>; 28] = [
     told::<PointPlanes>(),
     told::<SphereCull>(),
     told::<BoxCull>(),
     told::<BackFace>(),
     told::<Funnel>(),
-    info::<OnScene<CohenSutherland3d>>(),
-    info::<OnScene<LiangBarsky3d>>(),
-    info::<OnScene<PlaneLine>>(),
-    info::<OnScene<HomogeneousLine>>(),
-    info::<OnScene<PlaneAtATime>>(),
-    info::<OnScene<IntersectionPolygon>>(),
-    info::<OnScene<IntersectionPolygon<WithTexture>>>(),
-    info::<OnScene<IntersectionPolygon<EvenOnScreen>>>(),
-    info::<OnScene<HomogeneousTriangle<Option<[f64; 2]>>>>(),
+    told::<CohenSutherland3d>(),
+    told::<LiangBarsky3d>(),
+    told::<PlaneLine>(),
+    told::<HomogeneousLine>(),
+    told::<PlaneAtATime>(),
+    told::<IntersectionPolygon>(),
+    told::<IntersectionPolygon<WithTexture>>(),
+    told::<IntersectionPolygon<EvenOnScreen>>(),
+    told::<HomogeneousTriangle<Option<[f64; 2]>>>(),
     told::<ViewingPipeline>(),
     told::<LineToPixels>(),
     told::<Funnel<OneAngle>>(),
@@ -78,13 +73,13 @@ pub static METHODS: [Entry<MethodInfo>; 28] = [
     told::<Funnel<AroundOrigin>>(),
     told::<Funnel<Clockwise>>(),
     told::<Funnel<ConstantView>>(),
-    info::<OnScene<DividedLine>>(),
-    info::<OnScene<PlaneAtATime<MissesEdge>>>(),
-    info::<OnScene<IntersectionPolygon<DropsOnPlane>>>(),
-    info::<OnScene<IntersectionPolygon<KeepsPlaceInTexture>>>(),
-    info::<OnScene<IntersectionPolygon<EdgeByEdge>>>(),
-    info::<OnScene<HomogeneousTriangle<Option<[f64; 2]>, AllSides>>>(),
-    info::<OnScene<HomogeneousTriangle<Option<[f64; 2]>, DividesFirst>>>(),
+    told::<DividedLine>(),
+    told::<PlaneAtATime<MissesEdge>>(),
+    told::<IntersectionPolygon<DropsOnPlane>>(),
+    told::<IntersectionPolygon<KeepsPlaceInTexture>>(),
+    told::<IntersectionPolygon<EdgeByEdge>>(),
+    told::<HomogeneousTriangle<Option<[f64; 2]>, AllSides>>(),
+    told::<HomogeneousTriangle<Option<[f64; 2]>, DividesFirst>>(),
 ];
 
 /// What the lab opens on where there is no lesson.

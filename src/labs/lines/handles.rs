@@ -3,7 +3,7 @@
 use crate::{
     algo::line::End,
     geom::{ConvexPolygon, Point, Segment},
-    labs::{Handle, HandleKind, Hands, window_handles},
+    labs::{Draggable, Handle, HandleKind, window_handles},
     text::{Diagnostic, Message},
 };
 
@@ -40,7 +40,7 @@ pub fn end(end: End) -> Handle {
     END[end.idx()].at([0, 0])
 }
 
-impl Hands for Scene {
+impl Draggable for Scene {
     fn handles(&self) -> Vec<Handle> {
         let mut handles = End::BOTH.map(end).to_vec();
         handles.push(SEGMENT.at([0, 0]));

@@ -2,7 +2,6 @@
 
 mod backdrop;
 mod change;
-mod crowd;
 mod demo;
 mod document;
 mod handles;
@@ -13,7 +12,7 @@ mod scene;
 mod verdict;
 
 pub use change::LinesChange;
-pub use demo::LineDemo;
+pub use demo::LineTelling;
 pub use handles::end as end_handle;
 pub use random::random_segments;
 pub use registry::{LAB, METHODS};

@@ -1,14 +1,14 @@
-//! The lab and its methods. To add one: a file in `algo::line`, its [`LineDemo`] here beside the
+//! The lab and its methods. To add one: a file in `algo::line`, its [`LineTelling`] here beside the
 //! others, one line below.
 
 use crate::{
     algo::line,
     geom::Segment,
-    labs::{self, Entry, Lab, Listed, MethodCard, window_handles},
-    trace::{Counted, Counts, silent},
+    labs::{self, Lab, Listed, MethodCard, MethodEntry, telling::Recorded, window_handles},
+    trace::{Counted, Counts, held_after, silent},
 };
 
-use super::{LineDemo, Method, MethodInfo, Pass, Scene, verdict::decided};
+use super::{LineTelling, Method, MethodInfo, Pass, Scene, verdict::decided};
 
 /// Segments against a window.
 pub static LAB: &dyn Lab = &Lines;
@@ -41,34 +41,34 @@ impl Lab for Lines {
     }
 }
 
-const fn info<A: LineDemo>() -> Entry<MethodInfo> {
-    Entry {
-        card: MethodCard::of::<A>(),
+const fn info<M: LineTelling>() -> MethodEntry<MethodInfo> {
+    MethodEntry {
+        card: MethodCard::of::<M>(),
         info: MethodInfo {
-            takes_polygon: A::TAKES_POLYGON,
-            writes_codes: A::WRITES_CODES,
-            record: |scene, segment| labs::record::<A>(A::input(scene, segment)),
+            takes_polygon: M::TAKES_POLYGON,
+            writes_codes: M::WRITES_CODES,
+            record: |scene, segment| Box::new(Recorded::<M>::new(M::input(scene, segment), None)),
             cost: |scene, segment| {
-                let input = A::input(scene, segment);
-                Counts::of(|| A::run::<Counted>(&input, |_| {})).1
+                let input = M::input(scene, segment);
+                Counts::of(|| held_after::<M, Counted>(&input)).1
             },
-            decided: decided::<A>,
-            pass: pass::<A>,
+            decided: decided::<M>,
+            pass: pass::<M>,
         },
     }
 }
 
 /// Inputs are made beforehand: only the clipping itself is left to measure.
-fn pass<A: LineDemo>(scene: &Scene, segments: &[Segment]) -> Pass {
-    let inputs: Vec<A::Input> = segments
+fn pass<M: LineTelling>(scene: &Scene, segments: &[Segment]) -> Pass {
+    let inputs: Vec<M::Input> = segments
         .iter()
-        .map(|&segment| A::input(scene, segment))
+        .map(|&segment| M::input(scene, segment))
         .collect();
-    Box::new(move || inputs.iter().filter_map(silent::<A>).count())
+    Box::new(move || inputs.iter().filter_map(silent::<M>).count())
 }
 
 /// Every method, in the order in which they are taught.
-pub static METHODS: [Entry<MethodInfo>; 5] = [
+pub static METHODS: [MethodEntry<MethodInfo>; 5] = [
     info::<line::BruteForce>(),
     info::<line::CohenSutherland>(),
     info::<line::LiangBarsky>(),
@@ -77,7 +77,7 @@ pub static METHODS: [Entry<MethodInfo>; 5] = [
 ];
 
 impl Listed for MethodInfo {
-    fn all() -> &'static [Entry<Self>] {
+    fn all() -> &'static [MethodEntry<Self>] {
         &METHODS
     }
 }

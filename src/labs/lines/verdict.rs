@@ -1,54 +1,77 @@
 //! Why the segment in focus is visible or not: the test that decided it, and the least move that would turn it.
 
+use std::ops::ControlFlow;
+
 use crate::{
     algo::line::{least_move_in, least_move_out},
-    figure::{Link, Run},
+    figure::{Decides, Link, Run},
     geom::{Edge, HalfPlane, Segment},
-    labs::{Answers, Click, Verdict, words::edge_name},
+    labs::{
+        Answers, Click, Verdict,
+        telling::{At, Named},
+        words::{edge_link, edge_name},
+    },
     text::{Message, Value},
+    trace::Recording,
 };
 
 use super::{
-    LineDemo, Scene, change::under, demo::Settles, methods::polygon_edge_name, scene::Decided,
+    LineTelling, Scene,
+    change::under,
+    methods::{polygon_edge_link, polygon_edge_name},
+    scene::Decided,
 };
 
-/// Runs a method on a segment, and sees which test decides.
-pub fn decided<A: LineDemo>(scene: &Scene, segment: Segment) -> Decided {
-    let input = A::input(scene, segment);
-    let mut state = A::start(&input);
-    let mut decided = Decided {
-        step: 0,
-        rejected_by: None,
-        between: None,
-        borders: borders::<A>(scene),
-    };
-    let mut step = 0;
-    A::run::<f64>(&input, |event| {
-        step += 1;
-        let settles = A::settles(&event, &input);
-        A::apply(&mut state, event);
-        match settles {
-            Settles::Nothing => {}
-            Settles::Asked => decided.step = step,
-            Settles::Rejects(border_idx) => {
-                (decided.step, decided.rejected_by) = (step, Some(border_idx));
-            }
-            Settles::Rejected(border_idx) => decided.rejected_by = Some(border_idx),
+/// Runs a method on a segment, and sees which test decides: the last one.
+pub fn decided<M: LineTelling>(scene: &Scene, segment: Segment) -> Decided {
+    let recording = Recording::<M>::new(M::input(scene, segment));
+    let borders = borders::<M>(scene);
+    let (mut step, mut rejected_by, mut between) = (0, None, None);
+    recording.walk::<()>([1, recording.events().len()], |nth, &now| {
+        let at = At {
+            step: now,
+            scenery: None,
+        };
+        if let Some((decides, about)) = at.decision()
+            && about == Link::to("segment")
+        {
+            let is_dropped = decides == Decides::Drops;
+            let border = M::named(&at, "rejects").and_then(|it: Named| it.link);
+            let border = border.filter(|_| is_dropped);
+            step = nth;
+            rejected_by = borders.iter().position(|(.., link)| border == Some(*link));
+            between = at.value("enters").zip(at.value("leaves"));
         }
+        ControlFlow::Continue(())
     });
-    decided.between = decided.rejected_by.and_then(|_| A::between(&state));
-    decided
+    Decided {
+        step,
+        rejected_by,
+        between: rejected_by.and(between).map(Into::into),
+        borders: borders
+            .into_iter()
+            .map(|(plane, name, _)| (plane, name))
+            .collect(),
+    }
 }
 
 /// In the order in which the method numbers them.
-fn borders<A: LineDemo>(scene: &Scene) -> Vec<(HalfPlane, Value)> {
-    if A::TAKES_POLYGON {
+fn borders<M: LineTelling>(scene: &Scene) -> Vec<(HalfPlane, Value, Link)> {
+    if M::TAKES_POLYGON {
         let polygon = scene.clip_polygon();
         let planes = polygon.half_planes().enumerate();
-        planes.map(|(i, p)| (p, polygon_edge_name(i))).collect()
+        planes
+            .map(|(i, plane)| (plane, polygon_edge_name(i), polygon_edge_link(i)))
+            .collect()
     } else {
-        let sides = Edge::ALL.map(|edge| (scene.window.half_plane(edge), edge_name(edge)));
-        sides.to_vec()
+        let side = |edge| {
+            (
+                scene.window.half_plane(edge),
+                edge_name(edge),
+                edge_link(edge),
+            )
+        };
+        Edge::ALL.map(side).to_vec()
     }
 }
 

@@ -3,66 +3,11 @@
 use crate::{
     figure::Run,
     geom::Point,
-    labs::{
-        self, Demo,
-        telling::{Recorded, Telling},
-    },
-    trace::told::Step,
+    labs::telling::{Recorded, Telling},
+    trace::Step,
 };
 
 use super::{GivenSubject, Scene, UnfitScene};
-
-/// A polygon clipper that can be shown.
-pub trait PolygonDemo: Demo {
-    /// Does it clip: against the window, or a clip polygon in its place?
-    const CLIPS: bool = true;
-    /// Does it carry texture coordinates along?
-    const CARRIES_TEXTURE: bool = false;
-    /// How the subject is seen while it works.
-    const GIVEN: GivenSubject = GivenSubject::Whole;
-    /// Does it know holes?
-    const KNOWS_HOLES: bool = false;
-    /// What its drawing calls the subject's vertices.
-    const SUBJECT: char = 'V';
-
-    /// Its input.
-    ///
-    /// # Errors
-    /// What in the scene it cannot take.
-    fn input(scene: &Scene) -> Result<Self::Input, UnfitScene>;
-
-    /// The clip edge that an event brings up.
-    #[must_use]
-    fn border(_: &Self::Event) -> Option<usize> {
-        None
-    }
-
-    /// What an event says of a vertex of the subject that lies there: does it stay, as far as it has been asked?
-    #[must_use]
-    fn tells(_: &Self::Event, _at: Point) -> Option<bool> {
-        None
-    }
-
-    /// Where an event finds an intersection.
-    #[must_use]
-    fn crossing(_: &Self::Event) -> Option<Point> {
-        None
-    }
-
-    /// The outline of the piece that an event finishes; the state is that after it.
-    #[must_use]
-    fn piece(_: &Self::Event, _: &Self::State) -> Option<Vec<Point>> {
-        None
-    }
-
-    /// Runs it on the scene.
-    ///
-    /// # Errors
-    /// What in the scene it cannot take.
-    fn record(scene: &Scene) -> Result<Box<dyn Run>, UnfitScene> {
-        Self::input(scene).map(labs::record::<Self>)
-    }
-}
 
 /// A polygon clipper that is told by a table.
 pub trait PolygonTelling: Telling<Scenery = ()> {
@@ -83,13 +28,19 @@ pub trait PolygonTelling: Telling<Scenery = ()> {
     /// What in the scene it cannot take.
     fn input(scene: &Scene) -> Result<Self::Input, UnfitScene>;
 
-    /// The clip edge that an event brings up.
+    /// The vertex that an event asks whether it stays: where a row keeps or drops what it is about, that is this vertex.
     #[must_use]
-    fn border(_: &Self::Event) -> Option<usize> {
+    fn asks(_: &Self::Event) -> Option<Point> {
         None
     }
 
-    /// What an event says of a vertex of the subject that lies there: does it stay, as far as it has been asked?
+    /// The clip edge at work, where one is asked at a time.
+    #[must_use]
+    fn border(_: &Step<'_, Self>) -> Option<usize> {
+        None
+    }
+
+    /// What an event says of a vertex of the subject that lies there, where that is not what its row decides.
     #[must_use]
     fn tells(_: &Self::Event, _at: Point) -> Option<bool> {
         None

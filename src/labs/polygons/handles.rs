@@ -3,7 +3,7 @@
 use crate::{
     figure::Link,
     geom::{Point, Polygon, extent},
-    labs::{Handle, HandleKind, Hands, window_handles},
+    labs::{Draggable, Handle, HandleKind, window_handles},
     text::{Diagnostic, Message},
 };
 
@@ -89,7 +89,7 @@ impl SceneVertex {
     }
 }
 
-impl Hands for Scene {
+impl Draggable for Scene {
     fn handles(&self) -> Vec<Handle> {
         let mut handles: Vec<Handle> = self.subject_vertices().map(SceneVertex::handle).collect();
         handles.push(SUBJECT.at([0, 0]));

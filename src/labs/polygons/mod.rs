@@ -14,7 +14,7 @@ mod unfit_scene;
 mod verdict;
 
 pub use change::{OUTLINES, PolygonsChange};
-pub use demo::{PolygonDemo, PolygonTelling};
+pub use demo::PolygonTelling;
 pub use handles::SceneVertex;
 pub use presets::{PRESETS, Preset, REGIONS};
 pub use random::random_polygon;

@@ -1,16 +1,16 @@
-//! The lab and its methods. To add one: a file in `algo::polygon`, its [`PolygonDemo`] beside the others, one
+//! The lab and its methods. To add one: a file in `algo::polygon`, its [`PolygonTelling`] beside the others, one
 //! line below.
 
 use crate::{
     algo::polygon,
-    labs::{self, Entry, Lab, Listed, MethodCard, OutlineKind, window_handles},
+    labs::{self, Lab, Listed, MethodCard, MethodEntry, OutlineKind, window_handles},
 };
 
 use super::{
-    Method, MethodInfo, PolygonDemo, PolygonTelling, Scene,
+    Method, MethodInfo, PolygonTelling, Scene,
     change::OUTLINES,
     methods::faulty,
-    verdict::{fate, fate_told, found, found_told},
+    verdict::{fate, found},
 };
 
 /// A polygon against a window or another polygon.
@@ -48,27 +48,9 @@ impl Lab for Polygons {
     }
 }
 
-const fn info<A: PolygonDemo>() -> Entry<MethodInfo> {
-    Entry {
-        card: MethodCard::of::<A>(),
-        info: MethodInfo {
-            clips: A::CLIPS,
-            carries_texture: A::CARRIES_TEXTURE,
-            given: A::GIVEN,
-            knows_holes: A::KNOWS_HOLES,
-            record: |scene| {
-                A::record(scene).unwrap_or_else(|refusal| refusal.run(scene, A::SUBJECT))
-            },
-            takes: |scene| A::input(scene).is_ok(),
-            fate: fate::<A>,
-            found: found::<A>,
-        },
-    }
-}
-
-const fn told<M: PolygonTelling>() -> Entry<MethodInfo> {
-    Entry {
-        card: MethodCard::told::<M>(),
+const fn info<M: PolygonTelling>() -> MethodEntry<MethodInfo> {
+    MethodEntry {
+        card: MethodCard::of::<M>(),
         info: MethodInfo {
             clips: M::CLIPS,
             carries_texture: M::CARRIES_TEXTURE,
@@ -78,18 +60,18 @@ const fn told<M: PolygonTelling>() -> Entry<MethodInfo> {
                 M::record(scene).unwrap_or_else(|refusal| refusal.run(scene, M::SUBJECT))
             },
             takes: |scene| M::input(scene).is_ok(),
-            fate: fate_told::<M>,
-            found: found_told::<M>,
+            fate: fate::<M>,
+            found: found::<M>,
         },
     }
 }
 
 /// Every method, in the order in which they are taught.
-pub static METHODS: [Entry<MethodInfo>; 10] = [
+pub static METHODS: [MethodEntry<MethodInfo>; 10] = [
     info::<polygon::SutherlandHodgman>(),
     info::<polygon::Pipeline>(),
-    told::<polygon::weiler_atherton::WeilerAtherton>(),
-    told::<polygon::EarClipping>(),
+    info::<polygon::weiler_atherton::WeilerAtherton>(),
+    info::<polygon::EarClipping>(),
     info::<polygon::TriangulateAndClip>(),
     info::<faulty::OnBorder>(),
     info::<faulty::Open>(),
@@ -99,7 +81,7 @@ pub static METHODS: [Entry<MethodInfo>; 10] = [
 ];
 
 impl Listed for MethodInfo {
-    fn all() -> &'static [Entry<Self>] {
+    fn all() -> &'static [MethodEntry<Self>] {
         &METHODS
     }
 }

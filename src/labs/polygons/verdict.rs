@@ -6,36 +6,37 @@ use crate::{
         line::{least_move_in, least_move_out},
         polygon::ClipRegion,
     },
-    figure::{Caption, Link, Run},
+    figure::{Caption, Decides, Link, Run},
     geom::{Location, Point, Segment, locate},
     labs::{Answers, Click, Verdict, words::vertex_name},
     text::Message,
-    trace::told::Recording,
+    trace::Recording,
 };
 
 use super::{
-    PolygonDemo, PolygonTelling, Scene,
+    PolygonTelling, Scene,
     handles::corner_link,
     methods::{clip_edge_name, region},
     scene::{Found, VertexFate},
 };
 
-/// What becomes of a vertex of the subject that lies there; none where the run never says.
-pub fn fate<A: PolygonDemo>(scene: &Scene, at: Point) -> Option<VertexFate> {
-    let input = A::input(scene).ok()?;
-    let (mut step, mut border) = (0, None);
+/// What becomes of a vertex of the subject that lies there: the last step that keeps or drops it. None where no step does.
+pub fn fate<M: PolygonTelling>(scene: &Scene, at: Point) -> Option<VertexFate> {
     let mut fate: Option<VertexFate> = None;
-    A::run::<f64>(&input, |event| {
-        step += 1;
-        border = A::border(&event).or(border);
-        // The first test that it does not pass decides; of one that is kept, the last.
-        if let Some(is_kept) = A::tells(&event, at)
-            && fate.is_none_or(|fate| fate.is_kept)
-        {
+    Recording::<M>::looking(M::input(scene).ok()?, |now| {
+        let decides = now.event().and_then(|event| match M::row(now).decides {
+            Decides::Keeps if M::asks(&event) == Some(at) => Some(true),
+            Decides::Drops if M::asks(&event) == Some(at) => Some(false),
+            Decides::Keeps | Decides::Drops | Decides::Cuts | Decides::Nothing => {
+                M::tells(&event, at)
+            }
+        });
+        // Where a vertex has been dropped, no later one at its place counts.
+        if let Some(is_kept) = decides.filter(|_| fate.is_none_or(|fate| fate.is_kept)) {
             fate = Some(VertexFate {
-                step,
+                step: now.past.len(),
                 is_kept,
-                border,
+                border: M::border(now),
             });
         }
     });
@@ -43,47 +44,7 @@ pub fn fate<A: PolygonDemo>(scene: &Scene, at: Point) -> Option<VertexFate> {
 }
 
 /// The intersections and the pieces that a run finds, in its order.
-pub fn found<A: PolygonDemo>(scene: &Scene) -> Vec<Found> {
-    let Ok(input) = A::input(scene) else {
-        return Vec::new();
-    };
-    let (mut state, mut step) = (A::start(&input), 0);
-    let mut found = Vec::new();
-    A::run::<f64>(&input, |event| {
-        step += 1;
-        let crossing = A::crossing(&event).map(|at| Found::Crossing { step, at });
-        A::apply(&mut state, event);
-        let piece = A::piece(&event, &state);
-        found.extend(crossing);
-        found.extend(piece.map(|outline| Found::Piece { step, outline }));
-    });
-    found
-}
-
-/// What becomes of a vertex of the subject that lies there; none where the run never says.
-pub fn fate_told<M: PolygonTelling>(scene: &Scene, at: Point) -> Option<VertexFate> {
-    let run = Recording::<M>::new(M::input(scene).ok()?);
-    let mut border = None;
-    let mut fate: Option<VertexFate> = None;
-    for (i, event) in run.events().iter().enumerate() {
-        border = M::border(event).or(border);
-        // The first test that it does not pass decides; of one that is kept, the last.
-        if let Some(is_kept) = M::tells(event, at)
-            && fate.is_none_or(|fate| fate.is_kept)
-        {
-            let step = i + 1;
-            fate = Some(VertexFate {
-                step,
-                is_kept,
-                border,
-            });
-        }
-    }
-    fate
-}
-
-/// The intersections and the pieces that a run finds, in its order.
-pub fn found_told<M: PolygonTelling>(scene: &Scene) -> Vec<Found> {
+pub fn found<M: PolygonTelling>(scene: &Scene) -> Vec<Found> {
     let mut found = Vec::new();
     if let Ok(input) = M::input(scene) {
         Recording::<M>::looking(input, |now| {

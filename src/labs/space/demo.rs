@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::{
     figure::{Link, Run},
     labs::{
-        self, Demo, Entry, MethodCard, Verdict,
+        MethodCard, MethodEntry, Verdict,
         telling::{Recorded, Telling},
     },
 };
@@ -13,33 +13,6 @@ use crate::{
 use super::{MethodInfo, Scene, SpaceLab, Subject, stage::Scenery};
 
 /// A method of this lab.
-pub trait SpaceDemo: Demo {
-    /// What it is about.
-    const SUBJECT: Subject = Subject::Object;
-
-    /// Can it say what became of a face of the object in focus?
-    const TELLS_FACES: bool = false;
-
-    /// Its input, from the scene.
-    fn input(scene: &Scene) -> Self::Input;
-
-    /// Its card, where this scene changes its pseudocode.
-    fn card(_: &Scene) -> Option<&'static MethodCard> {
-        None
-    }
-
-    /// What decided the fate of a part of what it clips, in a run of it.
-    fn verdict(_: &Scene, _about: Link, _run: &dyn Run) -> Option<Verdict> {
-        None
-    }
-
-    /// Records its run.
-    fn record(scene: &Scene) -> Box<dyn Run> {
-        labs::record::<Self>(Self::input(scene))
-    }
-}
-
-/// A method of this lab that is told by a table.
 pub trait SpaceTelling: Telling<Scenery = Scenery> {
     /// What it is about.
     const SUBJECT: Subject = Subject::Object;
@@ -74,23 +47,7 @@ pub fn scenery_of(scene: &Scene) -> Option<Arc<Scenery>> {
 /// The line of a method that is told by a table, in the table of its lab.
 pub(in crate::labs) const fn told<A: SpaceTelling>(
     lab: &'static SpaceLab<Scene>,
-) -> Entry<MethodInfo> {
-    let info = MethodInfo {
-        lab,
-        card_on: A::card,
-        subject: A::SUBJECT,
-        tells_faces: A::TELLS_FACES,
-        record: A::record,
-        verdict: A::verdict,
-    };
-    let card = MethodCard::told::<A>();
-    Entry { card, info }
-}
-
-/// The line of a method in the table of its lab.
-pub(in crate::labs) const fn entry<A: SpaceDemo>(
-    lab: &'static SpaceLab<Scene>,
-) -> Entry<MethodInfo> {
+) -> MethodEntry<MethodInfo> {
     let info = MethodInfo {
         lab,
         card_on: A::card,
@@ -100,5 +57,5 @@ pub(in crate::labs) const fn entry<A: SpaceDemo>(
         verdict: A::verdict,
     };
     let card = MethodCard::of::<A>();
-    Entry { card, info }
+    MethodEntry { card, info }
 }

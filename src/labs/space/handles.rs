@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::{
     geom::Camera,
-    labs::{Handle, HandleKind, Hands, Motion},
+    labs::{Draggable, Handle, HandleKind, Motion},
     text::{Diagnostic, Message},
 };
 
@@ -65,7 +65,7 @@ pub fn object(object_idx: usize) -> Handle {
     OBJECT.at([object_idx, 0])
 }
 
-impl Hands for Scene {
+impl Draggable for Scene {
     fn handles(&self) -> Vec<Handle> {
         let mut handles: Vec<Handle> = Vec::new();
         if self.asks(Subject::Point) {

@@ -6,7 +6,6 @@ pub(in crate::labs) mod demo;
 mod document;
 mod handles;
 mod object;
-mod on_scene;
 mod pixel;
 mod raster_plan;
 mod scene;
@@ -19,13 +18,12 @@ mod taught_camera;
 
 pub use change::{CameraNumber, SpaceChange};
 pub use object::{Model, NamedMesh, Object, Picture};
-pub use on_scene::{OnScene, OnSceneInput};
 pub use raster_plan::{RasterPlan, Tones};
 pub use scene::{MAX_OBJECTS, Method, MethodInfo, Scene, SceneError, SpaceLab};
 pub use street::street;
 pub use subject::{Places, Subject};
 pub use taught_camera::{Opening, TaughtCamera};
 
-pub(in crate::labs) use demo::{SpaceDemo, SpaceTelling};
+pub(in crate::labs) use demo::{SpaceTelling, scenery_of};
 
 pub(in crate::labs) use pixel::{pixel_verdict, raster_verdict};

@@ -5,7 +5,7 @@ use std::fmt;
 use crate::{
     figure::{Link, Run},
     geom::{Camera, Orbit},
-    labs::{self, Entry, MethodCard, Verdict},
+    labs::{self, MethodCard, MethodEntry, Verdict},
     text::{Diagnostic, Message},
 };
 
@@ -30,7 +30,7 @@ pub struct SpaceLab<S: 'static> {
     /// So many methods have room beside another.
     pub most_beside: usize,
     /// Its methods, in the order in which they are taught.
-    pub methods: fn() -> &'static [Entry<MethodInfo>],
+    pub methods: fn() -> &'static [MethodEntry<MethodInfo>],
     /// What it opens on where there is no lesson.
     pub first_scene: fn() -> S,
     /// Its verdict on what the method that runs has none on.

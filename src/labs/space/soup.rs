@@ -7,7 +7,7 @@ use crate::{
     figure::Link,
     labs::{split_mix::SplitMix64, words::subscript},
     text::Value,
-    trace::told::silent,
+    trace::silent,
 };
 
 use super::{Scene, stage::object_link};

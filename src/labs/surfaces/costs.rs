@@ -8,7 +8,7 @@ use crate::{
     },
     geom::SpaceError,
     labs::space::{Opening, Scene, TaughtCamera, soup::surfaces_on_raster, street},
-    trace::told::silent,
+    trace::silent,
 };
 
 /// Every street is made from this seed.

@@ -6,4 +6,5 @@ mod registry;
 mod verdict;
 
 pub use costs::{SurfaceCounting, SurfaceCounts, fitted_slope};
+pub use methods::with_occluders;
 pub use registry::{LAB, METHODS, SURFACES, first_scene};

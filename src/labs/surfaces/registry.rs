@@ -12,7 +12,7 @@ use crate::{
     },
     geom::{Mesh, Orbit},
     labs::{
-        Entry, Lab,
+        Lab, MethodEntry,
         space::{
             MethodInfo, Model, NamedMesh, Object, Opening, Scene, SpaceLab, SpaceTelling,
             TaughtCamera, demo,
@@ -38,12 +38,12 @@ pub static SURFACES: SpaceLab<Scene> = SpaceLab {
 /// The same, for whoever knows no lab by name.
 pub static LAB: &dyn Lab = &SURFACES;
 
-const fn told<M: SpaceTelling>() -> Entry<MethodInfo> {
+const fn told<M: SpaceTelling>() -> MethodEntry<MethodInfo> {
     demo::told::<M>(&SURFACES)
 }
 
 /// Every method, in the order in which they are taught; the mistakes last.
-pub static METHODS: [Entry<MethodInfo>; 11] = [
+pub static METHODS: [MethodEntry<MethodInfo>; 11] = [
     told::<DepthBuffer>(),
     told::<RayCasting>(),
     told::<Painter>(),

@@ -14,7 +14,7 @@ use crate::{
         },
     },
     text::{Message, Value},
-    trace::told::silent,
+    trace::silent,
 };
 
 /// The verdict on a pixel, of the camera's picture or of the raster; on a face of the object in focus; on an object.

@@ -8,10 +8,7 @@ use crate::{
     figure::{Caption, Choice, Decides, Link, Run, Shown, Tick, View, Watch, Words},
     labs::Answer,
     text::Message,
-    trace::{
-        Counts,
-        told::{Method, Recording},
-    },
+    trace::{Counts, Method, Recording},
 };
 
 use super::{At, Row, Telling};
@@ -100,7 +97,7 @@ impl<M: Telling> Run for Recorded<M> {
         if self.differs_at == Some(step) {
             return Tick::Reject;
         }
-        self.row(step).map_or(Tick::Phase, |row| row.tick)
+        self.row(step).map_or(Tick::Phase, M::tick)
     }
 
     fn code_line(&self, step: usize) -> Option<usize> {

@@ -128,6 +128,22 @@ impl Row {
     }
 }
 
+/// The rows of a method and of its parts, in one table of `N`.
+#[must_use]
+pub const fn all_rows<const N: usize>(tables: &[&[Row]]) -> [Row; N] {
+    let mut all = [tables[0][0]; N];
+    let (mut n, mut i) = (0, 0);
+    while i < tables.len() {
+        let mut k = 0;
+        while k < tables[i].len() {
+            all[n] = tables[i][k];
+            (n, k) = (n + 1, k + 1);
+        }
+        i += 1;
+    }
+    all
+}
+
 /// The table of a method, as a constant `ROWS`, and the function `row` that finds the row of a step: every event must have a row,
 /// or the table does not compile. Guards may look at the step, which is the one after the event.
 ///
@@ -145,7 +161,7 @@ macro_rules! rows {
 
         const ROWS: &[$crate::labs::telling::Row] = &[$($row),+];
 
-        fn row$(<$($generics)*>)?($step: &$crate::trace::told::Step<'_, $M>) -> &'static $crate::labs::telling::Row {
+        fn row$(<$($generics)*>)?($step: &$crate::trace::Step<'_, $M>) -> &'static $crate::labs::telling::Row {
             let Some($event) = $step.event() else {
                 // Only the opening has no event, and nobody asks for its row here.
                 return &ROWS[0];
@@ -156,4 +172,25 @@ macro_rules! rows {
     };
 }
 
+/// The same within `impl Telling`, of a method with type parameters: the rows may take their keys from these.
+macro_rules! table {
+    (|$event:ident, $step:ident| $($name:ident: $pattern:pat $(if $guard:expr)? => $row:expr;)+) => {
+        const ROWS: &'static [$crate::labs::telling::Row] = &[$($row),+];
+
+        fn row($step: &$crate::trace::Step<'_, Self>) -> &'static $crate::labs::telling::Row {
+            #[derive(Clone, Copy)]
+            #[allow(non_camel_case_types, reason = "the names of rows, which are written once")]
+            enum Which { $($name),+ }
+
+            let Some($event) = $step.event() else {
+                // Only the opening has no event, and nobody asks for its row here.
+                return &Self::ROWS[0];
+            };
+            let which = match $event { $($pattern $(if $guard)? => Which::$name),+ };
+            &Self::ROWS[which as usize]
+        }
+    };
+}
+
 pub(crate) use rows;
+pub(crate) use table;

@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::{
     algo::polygon::EarClipping,
     geom::{Point, SimplePolygon, orientation},
-    trace::told::silent,
+    trace::silent,
 };
 
 /// The triangles of a face, by the places of their corners in its list; `None` where the face, seen along its normal, has no

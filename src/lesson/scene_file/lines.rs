@@ -5,20 +5,21 @@ use std::fmt::Write as _;
 use crate::{
     algo::line::BitOrder,
     geom::{ConvexPolygon, Segment, Window},
+    input::{BIT_ORDER, CONVEX_CLIP, Dim, Part, Shape, WINDOW},
     labs::{
         self, Lab,
         lines::{LAB, MAX_SEGMENTS, Method, Scene, SceneError, random_segments},
     },
     lesson::{
         sink::Sink,
-        toml_fields::{Item, TomlFields, list, numbers, one_of, whole, wrong_type},
+        toml_fields::{Item, TomlFields, list, made, whole, wrong_type},
     },
     text::Message,
 };
 
 use super::{
     format::SceneFormat,
-    parts::{array, count_and_seed, head, method, number_like, outline, window},
+    parts::{array, count_and_seed, head, method, number_like},
 };
 
 /// The fields of a scene.
@@ -32,6 +33,17 @@ const FIELDS: [&str; 8] = [
     "random",
     "focus",
 ];
+
+/// All segments of a scene.
+const SEGMENTS: Part<Vec<Segment>> = Part::new(
+    "segments",
+    &Shape::Numbers(&[Dim::ANY, Dim::Exactly(4)]),
+    |got| {
+        let segments = got.rows().iter().map(|&ends| Segment::try_from(ends));
+        Ok(segments.collect::<Result<_, _>>()?)
+    },
+)
+.expecting("expect-segments");
 
 /// The spelling of this lab's scenes.
 pub(super) struct Format;
@@ -76,25 +88,9 @@ fn scene(fields: &TomlFields<'_>, segments_left: &mut usize, sink: &mut Sink<'_>
     let compare = fields
         .get("compare")
         .and_then(|item| line_method(item, sink));
-    let window = fields
-        .require("window", sink)
-        .and_then(|item| window(item, sink));
-    let clip = fields
-        .get("clip")
-        .and_then(|item| outline(item, "expect-clip", ConvexPolygon::new, sink));
-    let bit_order = fields.get("bit_order").and_then(|item| {
-        one_of(
-            item,
-            &["tbrl", "lrbt"],
-            "problem-unknown-value",
-            sink,
-            |name| match name {
-                "tbrl" => Some(BitOrder::Tbrl),
-                "lrbt" => Some(BitOrder::Lrbt),
-                _ => None,
-            },
-        )
-    });
+    let window = fields.need(&WINDOW, sink);
+    let clip = fields.part(&CONVEX_CLIP, sink);
+    let bit_order = fields.part(&BIT_ORDER, sink);
     let segments = segments(fields, window.as_ref(), *segments_left, sink);
     let focus = fields.get("focus").and_then(|item| {
         let number = whole(item, 0..MAX_SEGMENTS as u64, sink)? as usize;
@@ -166,11 +162,7 @@ fn listed(item: &Item<'_>, most: usize, sink: &mut Sink<'_>) -> Option<Vec<Segme
         wrong_type(&items[0], "expect-segments", sink);
         return None;
     }
-    let segments: Vec<Segment> = items
-        .iter()
-        .filter_map(|item| Segment::try_from(numbers::<4>(item, "expect-segment", sink)?).ok())
-        .collect();
-    (segments.len() == items.len()).then_some(segments)
+    made(item, &SEGMENTS, sink)
 }
 
 fn random(

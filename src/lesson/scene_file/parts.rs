@@ -3,14 +3,13 @@
 use std::{fmt::Write as _, ops::Range};
 
 use crate::{
-    geom::{Axis, GeomError, Point, Window},
+    geom::{Point, Window},
     labs::Lab,
-    text::Message,
 };
 
 use crate::lesson::{
     sink::Sink,
-    toml_fields::{Item, TomlFields, list, numbers, one_of, whole},
+    toml_fields::{Item, TomlFields, one_of, whole},
 };
 
 /// The id of a method of this lab.
@@ -20,39 +19,6 @@ pub(super) fn method(lab: &dyn Lab, item: &Item<'_>, sink: &mut Sink<'_>) -> Opt
         let mut cards = lab.methods().into_iter();
         cards.find(|card| card.id == name).map(|card| card.id)
     })
-}
-
-/// An outline that `make` accepts.
-pub(super) fn outline<T>(
-    item: &Item<'_>,
-    expect: &'static str,
-    make: impl FnOnce(&[[f64; 2]]) -> Result<T, GeomError>,
-    sink: &mut Sink<'_>,
-) -> Option<T> {
-    let n_errors = sink.n_errors();
-    let vertices: Vec<[f64; 2]> = list(item, expect, sink)?
-        .iter()
-        .filter_map(|vertex| numbers(vertex, "expect-point", sink))
-        .collect();
-    if sink.n_errors() > n_errors {
-        return None;
-    }
-    let error = match make(&vertices) {
-        Ok(made) => return Some(made),
-        Err(error) => error,
-    };
-    let span = match error {
-        GeomError::Degenerate { vertex_idx }
-        | GeomError::NotConvex { vertex_idx }
-        | GeomError::SelfIntersecting { vertex_idx } => span_of(item, vertex_idx),
-        GeomError::NotFinite { .. }
-        | GeomError::EmptyWindow { .. }
-        | GeomError::TooFewVertices
-        | GeomError::EdgesMeet { .. }
-        | GeomError::MisplacedHole { .. } => item.span(),
-    };
-    sink.refuse(span, error, [Message::new(expect)]);
-    None
 }
 
 /// `[[x, y], …]`, on a line of its own each where there are many.
@@ -66,21 +32,6 @@ pub(super) fn points(points: &[Point]) -> String {
         let _ = writeln!(text, "    {vertex},");
     }
     text + "]"
-}
-
-pub(super) fn window(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Window> {
-    let [xmin, ymin, xmax, ymax] = numbers(item, "expect-window", sink)?;
-    let error = match Window::new(xmin, ymin, xmax, ymax) {
-        Ok(window) => return Some(window),
-        Err(error) => error,
-    };
-    let span = match error {
-        GeomError::EmptyWindow { axis: Axis::X, .. } => span_of(item, 0),
-        GeomError::EmptyWindow { axis: Axis::Y, .. } => span_of(item, 1),
-        _ => item.span(),
-    };
-    sink.refuse(span, error, [Message::new("expect-window")]);
-    None
 }
 
 /// How many and the seed of what is drawn by lot.

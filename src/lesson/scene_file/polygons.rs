@@ -4,20 +4,21 @@ use std::fmt::Write as _;
 
 use crate::{
     geom::{Polygon, Window},
+    input::{CLIP, POLYGON, WINDOW},
     labs::{
         self, Lab,
         polygons::{LAB, MAX_VERTICES, Method, Scene, SceneError, Texture, random_polygon},
     },
     lesson::{
         sink::Sink,
-        toml_fields::{Item, TomlFields, list, one_of},
+        toml_fields::{Item, TomlFields, each, made, one_of},
     },
     text::Message,
 };
 
 use super::{
     format::SceneFormat,
-    parts::{count_and_seed, head, method, outline, points, window},
+    parts::{count_and_seed, head, method, points},
 };
 
 /// The fields of a scene.
@@ -68,17 +69,13 @@ fn scene(fields: &TomlFields<'_>, vertices_left: &mut usize, sink: &mut Sink<'_>
     let compare = fields
         .get("compare")
         .and_then(|item| polygon_method(item, sink));
-    let window = fields
-        .require("window", sink)
-        .and_then(|item| window(item, sink));
-    let clip = fields.get("clip").and_then(|item| polygon(item, sink));
+    let window = fields.need(&WINDOW, sink);
+    let clip = fields.part(&CLIP, sink);
     let subject = subject(fields, window.as_ref(), sink);
-    let holes = fields.get("holes").map_or_else(Vec::new, |item| {
-        let items = list(item, "expect-holes", sink).unwrap_or_default();
-        items
-            .iter()
-            .filter_map(|item| polygon(item, sink))
-            .collect()
+    let holes = fields.get("holes").and_then(|item| {
+        each(item, "expect-holes", sink, |item, sink| {
+            made(item, &POLYGON, sink)
+        })
     });
     let texture = fields.get("texture").and_then(|item| {
         let known = Texture::ALL.map(Texture::id);
@@ -87,7 +84,8 @@ fn scene(fields: &TomlFields<'_>, vertices_left: &mut usize, sink: &mut Sink<'_>
         })
     });
     let mut scene = Scene::new(method?, window?, subject?);
-    (scene.compare, scene.clip, scene.holes) = (compare, clip, holes);
+    (scene.compare, scene.clip) = (compare, clip);
+    scene.holes = holes.unwrap_or_default();
     scene.texture = texture.unwrap_or_default();
     let n_vertices = scene.n_vertices();
     if n_vertices > MAX_VERTICES.min(*vertices_left) {
@@ -100,10 +98,6 @@ fn scene(fields: &TomlFields<'_>, vertices_left: &mut usize, sink: &mut Sink<'_>
 
 fn polygon_method(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Method> {
     Method::by_id(method(LAB, item, sink)?)
-}
-
-fn polygon(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Polygon> {
-    outline(item, "expect-polygon", Polygon::new, sink)
 }
 
 /// The polygon of a scene, listed or random: one of the two.
@@ -119,9 +113,7 @@ fn subject(
             None
         }
         (None, Some(item)) => random(item, window, sink),
-        _ => fields
-            .require("polygon", sink)
-            .and_then(|item| polygon(item, sink)),
+        _ => fields.need(&POLYGON, sink),
     }
 }
 

@@ -144,7 +144,7 @@ impl StreetCosts for CullingCosts {
     }
 }
 
-impl bench::Costs for CullingCosts {
+impl bench::Measuring for CullingCosts {
     fn is_done(&self) -> bool {
         self.here.is_some() && self.sweep.len() == SWEEP.len()
     }

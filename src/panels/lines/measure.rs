@@ -6,7 +6,7 @@ use crate::{
     algo::line::batch::{ClippedSegments, Segments, clip_all},
     geom::Segment,
     labs::lines::{Method, Pass, Scene, random_segments},
-    panels::bench::Costs,
+    panels::bench::Measuring,
     trace::Counts,
 };
 
@@ -116,7 +116,7 @@ impl Measure {
     }
 }
 
-impl Costs for Measure {
+impl Measuring for Measure {
     fn progress(&self) -> f32 {
         let current = self.current.as_ref().map_or(0.0, |current| {
             0.5 * current.n_done as f32 / N_PASSES as f32

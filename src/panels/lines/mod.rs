@@ -2,18 +2,21 @@
 
 mod measure;
 mod measure_view;
-mod menu;
 
 use egui::{Button, Ui};
 
 use crate::{
-    labs::{Lab, Scene, lines},
-    panels::{
-        bench::{self, Bench, Costs},
-        lab_panel::{LabPanel, PanelAsk},
-        seeded::Seeded,
+    algo::line::BitOrder,
+    labs::{
+        self, Edit, Lab,
+        lines::{self, LinesChange, MAX_SEGMENTS, Scene},
     },
-    widgets::Look,
+    panels::{
+        bench::{self, Bench, Measuring},
+        fields::Seeded,
+        lab_panel::{LabPanel, PanelAsk},
+    },
+    widgets::{Look, form_button, menu_button},
 };
 
 use measure::Measure;
@@ -31,8 +34,8 @@ impl LabPanel for LinesPanel {
         lines::LAB
     }
 
-    fn menu(&mut self, ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
-        let change = menu::scene_menu(ui, look, scene.get()?, &mut self.batch)?;
+    fn menu(&mut self, ui: &mut Ui, look: Look<'_>, scene: &labs::Scene) -> Option<PanelAsk> {
+        let change = scene_menu(ui, look, scene.get()?, &mut self.batch)?;
         Some(PanelAsk::Edit(change))
     }
 
@@ -46,7 +49,7 @@ impl LabPanel for LinesPanel {
 }
 
 impl Bench for LinesPanel {
-    fn show(&mut self, ui: &mut Ui, look: Look<'_>, scene: &Scene) -> bool {
+    fn show(&mut self, ui: &mut Ui, look: Look<'_>, scene: &labs::Scene) -> bool {
         ui.set_max_width(560.0_f32.min(ui.ctx().content_rect().width() - 48.0));
         let known = self.measure.as_ref();
         let about = look.say("measure-about");
@@ -73,4 +76,35 @@ impl Bench for LinesPanel {
     fn work(&mut self, clock: &dyn Fn() -> f64) -> bool {
         bench::work_on(self.measure.as_mut(), clock)
     }
+}
+
+/// Segments, the random batch and the order of the bits; the change that was asked for.
+fn scene_menu(ui: &mut Ui, look: Look<'_>, scene: &Scene, batch: &mut Seeded) -> Option<Edit> {
+    let mut asked = None;
+    if ui.button(look.say("action-add-segment")).clicked() {
+        asked = Some(Edit::Add(None));
+    }
+    let can_remove = scene.segments().len() > 1;
+    let remove = egui::Button::new(look.say("action-remove-segment"));
+    if ui.add_enabled(can_remove, remove).clicked() {
+        asked = Some(Edit::Remove(None));
+    }
+    form_button(ui, look.say("batch-title"), |ui| {
+        if batch.show(ui, look, ["batch-count", "batch-make"], 1..=MAX_SEGMENTS) {
+            let Seeded { count, seed } = *batch;
+            asked = Some(Edit::own(LinesChange::Random { count, seed }));
+        }
+    });
+    menu_button(ui, look.say("settings-bit-order"), |ui| {
+        for (order, key) in [
+            (BitOrder::Tbrl, "bit-order-tbrl"),
+            (BitOrder::Lrbt, "bit-order-lrbt"),
+        ] {
+            if ui.radio(scene.bit_order == order, look.say(key)).clicked() {
+                asked = Some(Edit::own(LinesChange::BitOrder(order)));
+                ui.close();
+            }
+        }
+    });
+    asked
 }

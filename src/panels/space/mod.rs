@@ -16,23 +16,23 @@ use crate::{
     },
     panels::{
         bench::Bench,
+        fields::Seeded,
         lab_panel::{LabPanel, PanelAsk},
-        seeded::Seeded,
     },
     widgets::Look,
 };
 
 pub use street_bench::StreetCosts;
 
-use street_bench::{StreetBench, View};
+use street_bench::{CostsView, StreetBench};
 
 /// The first part of a lab's menu, where it has one of its own; what was asked for.
-type Form = fn(&mut Ui, Look<'_>, &Scene) -> Option<PanelAsk>;
+type MenuPart = fn(&mut Ui, Look<'_>, &Scene) -> Option<PanelAsk>;
 
 /// The part of the window of a lab in three dimensions, whose costs are `C`.
 pub struct SpacePanel<C> {
     lab: &'static dyn Lab,
-    form: Form,
+    form: MenuPart,
     /// The street that is asked for next.
     street: Seeded,
     costs: StreetBench<C>,
@@ -40,7 +40,7 @@ pub struct SpacePanel<C> {
 
 impl<C> SpacePanel<C> {
     /// Of a lab whose menu begins with this form, and whose costs are shown in this way.
-    pub fn new(lab: &'static dyn Lab, form: Form, view: View<C>) -> Self {
+    pub fn new(lab: &'static dyn Lab, form: MenuPart, view: CostsView<C>) -> Self {
         let street = Seeded {
             count: 100,
             seed: 1,

@@ -4,13 +4,13 @@ use egui::Ui;
 
 use crate::{
     labs::{self, space::Scene},
-    panels::bench::{self, Bench, Costs},
+    panels::bench::{self, Bench, Measuring},
     text::Message,
     widgets::Look,
 };
 
 /// Costs that are found on one street after the other.
-pub trait StreetCosts: Costs {
+pub trait StreetCosts: Measuring {
     /// Catalogue key of the window's title.
     const TITLE_KEY: &'static str;
     /// Catalogue key of what is to be kept in mind.
@@ -27,17 +27,17 @@ pub trait StreetCosts: Costs {
 }
 
 /// What is known so far; plots share the height.
-pub type View<C> = fn(&mut Ui, Look<'_>, &mut C, f32);
+pub type CostsView<C> = fn(&mut Ui, Look<'_>, &mut C, f32);
 
 /// The costs of the scene that was last shown, if they were asked for, and how they are shown.
 pub struct StreetBench<C> {
     costs: Option<C>,
-    view: View<C>,
+    view: CostsView<C>,
 }
 
 impl<C> StreetBench<C> {
     /// Nothing was asked for yet.
-    pub fn new(view: View<C>) -> Self {
+    pub fn new(view: CostsView<C>) -> Self {
         Self { costs: None, view }
     }
 }

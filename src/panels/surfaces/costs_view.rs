@@ -7,7 +7,7 @@ use crate::{
     labs::surfaces::{SurfaceCounts, fitted_slope},
     paint::theme,
     panels::{
-        bench::Costs,
+        bench::Measuring,
         plots::{PowerLine, power_plot},
     },
     text::{Message, Value},

@@ -5,7 +5,7 @@ use crate::{
         space::Scene,
         surfaces::{SurfaceCounting, SurfaceCounts},
     },
-    panels::{bench::Costs, space::StreetCosts},
+    panels::{bench::Measuring, space::StreetCosts},
     text::Message,
 };
 
@@ -61,7 +61,7 @@ impl StreetCosts for SurfaceCosts {
     }
 }
 
-impl Costs for SurfaceCosts {
+impl Measuring for SurfaceCosts {
     fn is_done(&self) -> bool {
         self.sweep.len() == SWEEP.len()
     }

@@ -16,7 +16,7 @@ pub struct Triangulation {
 
 impl Triangulation {
     /// None yet; `order` is the polygon's [`order_of`].
-    pub(in crate::algo::polygon) fn new(polygon: &SimplePolygon, order: &[usize]) -> Self {
+    pub(super) fn new(polygon: &SimplePolygon, order: &[usize]) -> Self {
         let n_numbers = order.iter().max().map_or(0, |highest| highest + 1);
         let mut points = vec![Point::default(); n_numbers];
         for (&number, &at) in order.iter().zip(polygon.vertices()) {
@@ -28,7 +28,7 @@ impl Triangulation {
         }
     }
 
-    pub(in crate::algo::polygon) fn push(&mut self, triangle: Triangle) {
+    pub(super) fn push(&mut self, triangle: Triangle) {
         self.triangles.push(triangle);
     }
 
@@ -57,7 +57,7 @@ impl Triangulation {
 }
 
 /// The given numbers of the vertices, in the order of the polygon, counter-clockwise.
-pub fn order_of(polygon: &SimplePolygon) -> Vec<usize> {
+pub(super) fn order_of(polygon: &SimplePolygon) -> Vec<usize> {
     (0..polygon.vertices().len())
         .map(|i| polygon.given_vertex(i))
         .collect()

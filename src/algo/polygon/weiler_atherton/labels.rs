@@ -15,10 +15,7 @@
 
 use crate::{
     geom::{Point, Rings},
-    trace::{
-        Real,
-        told::{Tell, Told},
-    },
+    trace::{Real, Tell, Told},
 };
 
 use super::{

@@ -14,10 +14,7 @@ use std::cmp::Ordering;
 
 use crate::{
     geom::{Point, Rings, lexicographic},
-    trace::{
-        Real,
-        told::{Tell, Told},
-    },
+    trace::{Real, Tell, Told},
 };
 
 use super::{

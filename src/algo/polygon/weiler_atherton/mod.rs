@@ -38,7 +38,7 @@
 //! doi:10.1016/j.cagx.2019.100007.
 //!
 //! ```
-//! use clipscope::{algo::polygon::weiler_atherton::*, geom::{SimplePolygon, Window}, trace::told::silent};
+//! use clipscope::{algo::polygon::weiler_atherton::*, geom::{SimplePolygon, Window}, trace::silent};
 //! // A "U" through whose arms the window cuts leaves two pieces.
 //! let u = [[0.0, 0.0], [6.0, 0.0], [6.0, 4.0], [4.0, 4.0], [4.0, 2.0], [2.0, 2.0], [2.0, 4.0], [0.0, 4.0]];
 //! let subject = SimplePolygon::new(&u)?.into();
@@ -70,10 +70,7 @@ mod whole;
 
 use crate::{
     geom::Rings,
-    trace::{
-        Real,
-        told::{Method, Tell, Told},
-    },
+    trace::{Method, Real, Tell, Told},
 };
 
 use rings::{owners, pieces};

@@ -17,7 +17,7 @@ use std::cmp::Ordering;
 
 use crate::{
     geom::{Point, winding},
-    trace::told::{Tell, Told},
+    trace::{Tell, Told},
 };
 
 use super::{

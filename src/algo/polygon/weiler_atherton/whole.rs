@@ -2,7 +2,7 @@
 
 use crate::{
     geom::Location,
-    trace::told::{Tell, Told},
+    trace::{Tell, Told},
 };
 
 use super::{

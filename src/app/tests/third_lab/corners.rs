@@ -14,10 +14,7 @@ use crate::{
         telling::{At, Named, Row, Telling, Watched, rows},
     },
     text::{Formula, Value},
-    trace::{
-        Real,
-        told::{Method, Step, Tell, Told},
-    },
+    trace::{Method, Real, Step, Tell, Told},
 };
 
 /// A box around the origin, and the plane x = c.

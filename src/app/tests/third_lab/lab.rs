@@ -5,10 +5,11 @@ use std::cell::Cell;
 use egui::Ui;
 
 use crate::{
-    case::{self, Field, Refusal, SolveTold, Solver, Told},
+    case::{self, Refusal, Solve, Solver},
     figure::{Link, Mark, Run},
+    input::{Field, Part, Shape},
     labs::{
-        Answers, Backdrop, Click, Document, Edit, Handle, HandleKind, Hands, Lab, MethodCard,
+        Answers, Backdrop, Click, Document, Draggable, Edit, Handle, HandleKind, Lab, MethodCard,
         Motion, Own, Scene, telling::Recorded,
     },
     lesson::{SceneFormat, Sink, TomlFields, number},
@@ -50,7 +51,7 @@ impl Lab for Boxes {
     }
 }
 
-static CARD: MethodCard = MethodCard::told::<Corners>();
+static CARD: MethodCard = MethodCard::of::<Corners>();
 
 /// The face at x = half moves along x.
 static FACE: HandleKind = HandleKind {
@@ -86,7 +87,7 @@ impl Backdrop for BoxScene {
     }
 }
 
-impl Hands for BoxScene {
+impl Draggable for BoxScene {
     fn handles(&self) -> Vec<Handle> {
         vec![face()]
     }
@@ -198,16 +199,18 @@ impl LabPanel for BoxPanel {
 }
 
 /// How a case gives it: `half`, `c`.
-pub static SOLVERS: [Solver; 1] = [Solver::told::<Corners>()];
+pub static SOLVERS: [Solver; 1] = [Solver::of::<Corners>()];
 
-impl SolveTold for Corners {
-    const FIELDS: &'static [Field] = &[Field::required("half"), Field::required("c")];
+const HALF: Part<f64> = Part::new("half", &Shape::Number, |got| Ok(got.number()));
+const C: Part<f64> = Part::new("c", &Shape::Number, |got| Ok(got.number()));
 
-    fn read(fields: &case::Fields<'_>) -> Result<(Input, Told), Refusal> {
-        let number = |name| fields.need(name)?.number();
-        let (half, c) = (number("half")?, number("c")?);
-        let input = Input { half, c };
-        Ok((input, Box::new(Vec::new)))
+impl Solve for Corners {
+    const FIELDS: &'static [Field] = &[HALF.required(), C.required()];
+    const OUTPUT: &'static [Field] = &[Field::required("n_inside", &Shape::COUNT)];
+
+    fn read(fields: &case::Fields<'_>) -> Result<Input, Refusal> {
+        let (half, c) = (fields.need(&HALF)?, fields.need(&C)?);
+        Ok(Input { half, c })
     }
 
     fn verdict(_: &NInside) -> Message {

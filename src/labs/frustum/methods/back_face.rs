@@ -23,7 +23,7 @@ use crate::{
         words::name,
     },
     text::{Formula, Message, Value},
-    trace::told::{Step, silent},
+    trace::{Step, silent},
 };
 
 use super::{

@@ -19,7 +19,7 @@ use crate::{
         telling::{At, Named, Row, Telling, Watched, rows},
     },
     text::Formula,
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::{

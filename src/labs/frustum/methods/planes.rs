@@ -3,10 +3,9 @@
 use glam::DVec3;
 
 use crate::{
-    algo::parameter::Ratio,
-    figure::{Link, Mark3, Role, Shape3, WatchRow},
+    figure::{Link, Mark3, Role, Shape3},
     geom::{Plane, VolumeSide},
-    labs::{plane_symbol, words::name},
+    labs::plane_symbol,
     text::{Formula, Value},
 };
 
@@ -58,28 +57,9 @@ fn terms(mut formula: Formula, plane: &Plane, at: [f64; 3]) -> Formula {
     formula.sym(" + ").operand(plane.d())
 }
 
-/// `(1, −2, 0.5)`
-pub fn triple(symbol: &'static str, at: [f64; 3]) -> Formula {
-    Formula::default().sym(format!("{symbol} = ")).place(at)
-}
-
 /// A point in space as a value.
 pub fn place(at: [f64; 3]) -> Value {
     Value::Formula(Formula::default().place(at))
-}
-
-/// n and D of the plane at work.
-pub fn plane_rows(plane: &Plane) -> [WatchRow; 2] {
-    [
-        WatchRow::new(name("n"), Some(place(plane.normal()))),
-        WatchRow::new(name("D"), Some(plane.d().into())),
-    ]
-}
-
-/// Where along its edge a crossing lies, as the quotient that it was computed as.
-pub fn parameter_row(t: Option<Ratio>) -> WatchRow {
-    let value = t.map(|Ratio { num, den }| Value::Ratio { num, den });
-    WatchRow::new(name("t"), value)
 }
 
 /// The perpendicular from a point to a plane, and the square at its foot.

@@ -23,7 +23,7 @@ use crate::{
         words,
     },
     text::{Formula, Message, Value},
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::{

@@ -25,7 +25,7 @@ use crate::{
         words::name,
     },
     text::{Formula, Message, Value},
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::{

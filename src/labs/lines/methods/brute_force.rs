@@ -1,32 +1,44 @@
 //! Brute force, shown.
 
 use crate::{
-    algo::line::{
-        BruteForce, BruteForceEvent as Event, BruteForceState as State, CrossingFate, End, Ratio,
-        WindowInput,
-    },
+    algo::line::{BruteForce, BruteForceEvent as Event, End, WindowInput},
     figure::{
-        Body, Caption, Cell, Mark, Role, Shape, Table, TableNote, TableRow, Tick, View, Watch,
-        WatchRow, WatchSection,
+        Body, Mark, Role, Shape,
+        Tick::{Accept, Cut, Phase, Reject, Test},
+        View, Watch, WatchRow, WatchSection,
     },
-    geom::{Edge, Segment},
+    geom::{Edge, Point, Segment},
     labs::{
-        CodeLine, Demo, Step, code_line,
-        lines::{LineDemo, Scene, demo::Settles},
+        CodeLine, code_line,
+        crossing_formulas::upright,
+        lines::{LineTelling, Scene},
+        segments::{ENDS, left_in},
+        telling::{At, Named, Row, Telling, Watched, rows},
+        words::{along, axis_symbol, border_equation, edge_link, edge_name, end_link, end_name},
     },
-    text::{Formula, Message, Value},
+    text::{Formula, Value},
+    trace::Step,
 };
 
-use super::shared::{
-    accepted, border_mark, crossing_mark, ends_rows, inside_mark, opening, outside_marks,
-    parallel_formula, segment_marks, side_key,
+use super::{
+    crossings::{Fate, Shown, crossing_table, crossing_values, current_edge, tests_table},
+    shared::{
+        border_mark, crossing_mark, end_now, ends, inside_mark, outside_marks, parallel_formula,
+        segment_marks, side,
+    },
 };
-use crate::labs::crossing_formulas::upright;
-use crate::labs::words::{along, axis_symbol, border_equation, edge_link, edge_name, name};
-use crate::labs::words::{end_name, end_symbol};
 
 /// The view of the crossings, computed one by one.
 const CROSSINGS_VIEW: &str = "crossings";
+
+impl LineTelling for BruteForce {
+    fn input(scene: &Scene, segment: Segment) -> WindowInput {
+        WindowInput {
+            window: scene.window,
+            segment,
+        }
+    }
+}
 
 const EACH: usize = 0;
 const INTERSECT: usize = 1;
@@ -34,24 +46,36 @@ const REJECT: usize = 2;
 const CUT: usize = 3;
 const ACCEPT: usize = 4;
 
-impl LineDemo for BruteForce {
-    fn input(scene: &Scene, segment: Segment) -> WindowInput {
-        WindowInput {
-            window: scene.window,
-            segment,
-        }
-    }
+/// Both ends of what was left, beside the border.
+const BOTH: &[&str] = &["{x₁, x₂}"];
 
-    fn settles(event: &Event, _: &WindowInput) -> Settles {
-        match *event {
-            Event::Intersect { .. } | Event::Parallel { .. } => Settles::Nothing,
-            Event::Keep { .. } | Event::Cut { .. } | Event::Accept { .. } => Settles::Asked,
-            Event::Reject { edge } => Settles::Rejects(edge as usize),
-        }
-    }
+rows! { |event, step: BruteForce|
+    intersect: Event::Intersect { .. } =>
+        Row::new(Phase, INTERSECT, "bf-intersect").so(&["{1st}", "{2nd}", "{3rd}"])
+            .about("edge").answers("crossing");
+    parallel: Event::Parallel { .. } =>
+        Row::new(Test, EACH, "line-parallel").so(&["{x₁ = x₂}"]).about("edge").answers("crossing");
+    keep_parallel: Event::Keep { .. } if matches!(step.past, [.., Event::Parallel { .. }, _]) =>
+        Row::new(Test, CUT, "bf-keep-parallel").so(BOTH)
+            .about("edge").answers_as("beyond", "bf-option-none");
+    keep: Event::Keep { .. } =>
+        Row::new(Test, CUT, "bf-keep").so(BOTH)
+            .about("edge").answers_as("beyond", "bf-option-none");
+    cut: Event::Cut { .. } =>
+        Row::new(Cut, CUT, "bf-cut").so(BOTH).cuts("end").answers_as("beyond", "bf-option-one");
+    point: Event::Accept { .. } if step.input.segment.is_point() =>
+        Row::new(Accept, ACCEPT, "line-point").keeps("segment");
+    touch: Event::Accept { segment } if segment.is_point() =>
+        Row::new(Accept, ACCEPT, "line-touch").keeps("segment");
+    accept: Event::Accept { .. } => Row::new(Accept, ACCEPT, "line-accept").keeps("segment");
+    reject: Event::Reject { .. } =>
+        Row::new(Reject, REJECT, "line-reject-edge").so(BOTH)
+            .drops("segment").answers_as("beyond", "bf-option-both");
 }
 
-impl Demo for BruteForce {
+impl Telling for BruteForce {
+    type Scenery = ();
+
     const ID: &'static str = "brute-force";
     const NAME_KEY: &'static str = "alg-brute-force";
     const SOURCE: &'static str = "Rogers, 1998, §3-1";
@@ -62,219 +86,104 @@ impl Demo for BruteForce {
         code_line(1, "code-bf-cut", "words-bf-cut"),
         code_line(0, "code-bf-accept", "words-bf-accept"),
     ];
+    const ROWS: &'static [Row] = ROWS;
+    const WATCH: &'static [Watched] = &[Watched::Names(&["P₁", "P₂", "crossings", "used"])];
 
-    fn tick(event: &Event) -> Tick {
-        match event {
-            Event::Intersect { .. } => Tick::Phase,
-            Event::Parallel { .. } | Event::Keep { .. } => Tick::Test,
-            Event::Cut { .. } => Tick::Cut,
-            Event::Accept { .. } => Tick::Accept,
-            Event::Reject { .. } => Tick::Reject,
-        }
+    fn row(step: &Step<'_, Self>) -> &'static Row {
+        row(step)
     }
 
-    fn code_line(event: &Event, _: &State) -> usize {
-        match event {
-            Event::Parallel { .. } => EACH,
-            Event::Intersect { .. } => INTERSECT,
-            Event::Reject { .. } => REJECT,
-            Event::Keep { .. } | Event::Cut { .. } => CUT,
-            Event::Accept { .. } => ACCEPT,
-        }
+    fn opening(_: &At<'_, Self>) -> &'static Row {
+        const { &Row::new(Phase, EACH, "line-opening").so(ENDS) }
     }
 
-    fn opening(input: &WindowInput) -> Caption {
-        opening(&input.segment)
-    }
-
-    fn caption(event: &Event, before: &State, input: &WindowInput) -> Caption {
-        let WindowInput { window, segment } = input;
-        match *event {
-            Event::Intersect { edge, at, .. } => {
-                let message = Message::new("bf-intersect").with("edge", edge_name(edge));
-                upright(segment, edge.axis(), window.border(edge), at)
-                    .into_iter()
-                    .fold(Caption::new(message), Caption::so)
+    fn named(At { step, .. }: &At<'_, Self>, of: &str) -> Option<Named> {
+        let (WindowInput { window, segment }, event) = (step.input, step.event());
+        let edge = || current_edge(event);
+        let worked_out = |nth| {
+            let Some(Event::Intersect { edge, at, .. }) = event else {
+                return None;
+            };
+            let formulas = upright(segment, edge.axis(), window.border(edge), at);
+            formulas.into_iter().nth(nth)
+        };
+        Some(match of {
+            "P₁" => end_now(End::P1, step.held.ends[0]),
+            "P₂" => end_now(End::P2, step.held.ends[1]),
+            "crossings" => {
+                let n = Shown::of(step).crossings.iter().flatten().count();
+                Named::from(n).labelled(Value::Term("watch-crossings"))
             }
-            Event::Parallel { edge } => {
-                Caption::new(Message::new("line-parallel").with("edge", edge_name(edge)))
-                    .so(parallel_formula(segment, edge))
+            "used" => {
+                let is_used = |fate: &&Fate| matches!(fate, Fate::Replaces(_));
+                let n = Shown::of(step)
+                    .fates
+                    .iter()
+                    .flatten()
+                    .filter(is_used)
+                    .count();
+                Named::from(n).labelled(Value::Term("watch-crossings-used"))
             }
-            Event::Keep { edge } => {
-                let is_parallel = before.crossings[edge as usize].is_none();
-                let key = if is_parallel {
-                    "bf-keep-parallel"
-                } else {
-                    "bf-keep"
-                };
-                Caption::new(Message::new(key).with("edge", edge_name(edge)))
-                    .so(both_sides(before, input, edge))
-            }
-            Event::Cut { end, edge, to, .. } => Caption::new(
-                Message::new("bf-cut")
-                    .with("end", end_name(end))
-                    .with("border", border_equation(window, edge))
-                    .with("to", to.to_array()),
-            )
-            .so(both_sides(before, input, edge)),
-            Event::Accept { segment: visible } => accepted(&input.segment, visible),
-            Event::Reject { edge } => {
-                Caption::new(Message::new("line-reject-edge").with("edge", edge_name(edge)))
-                    .so(both_sides(before, input, edge))
-            }
-        }
+            "edge" | "rejects" => side(edge()?),
+            "border" => border_equation(window, edge()?).into(),
+            "1st" => worked_out(0)?.into(),
+            "2nd" => worked_out(1)?.into(),
+            "3rd" => worked_out(2)?.into(),
+            "x₁ = x₂" => parallel_formula(segment, edge()?).into(),
+            "x₁, x₂" => both_sides(ends_before(step), step.input, edge()?).into(),
+            _ => match event {
+                Some(Event::Cut { end, .. }) if of == "end" => {
+                    Named::from(end_name(end)).linked(end_link(end))
+                }
+                Some(Event::Cut { to, .. }) if of == "to" => to.to_array().into(),
+                _ => return left_in(step.held.visible.map(ends), of),
+            },
+        })
     }
 
-    fn views(step: &Step<'_, Self>) -> Vec<View> {
-        vec![
-            View::plane(marks(step)),
-            View::new(
-                CROSSINGS_VIEW,
-                Body::Table(match step.event {
-                    None => tests_table(step.input),
-                    Some(_) => crossing_table(step),
-                }),
-            ),
-        ]
-    }
-
-    fn watch(step: &Step<'_, Self>) -> Watch {
-        let state = step.state;
-        let mut rows = ends_rows(state.ends);
-        let n_crossings = state.crossings.iter().flatten().count();
-        let is_used = |fate: &&CrossingFate| matches!(fate, CrossingFate::Replaces(_));
-        let n_used = state.fates.iter().flatten().filter(is_used).count();
-        for (key, n) in [
-            ("watch-crossings", n_crossings),
-            ("watch-crossings-used", n_used),
-        ] {
-            rows.push(WatchRow::new(Value::Term(key), Some(Value::Count(n))));
-        }
+    fn watch(at: &At<'_, Self>) -> Watch {
+        let shown = Shown::of(&at.step);
         let of_edge = |edge| {
-            let cells = crossing_values(state, edge).to_vec();
+            let cells = crossing_values(&shown, edge).to_vec();
             WatchRow::table(edge_name(edge), cells).linked(edge_link(edge))
         };
         let table = WatchSection::table(vec!["t", "P(t)"], Edge::ALL.map(of_edge).to_vec());
-        vec![WatchSection::list(rows), table.seen_in(CROSSINGS_VIEW)]
+        let names = Self::WATCH.iter().map(|watched| at.section(watched));
+        names.chain([table.seen_in(CROSSINGS_VIEW)]).collect()
     }
-}
 
-/// t and P(t), once computed.
-fn crossing_values(state: &State, edge: Edge) -> [Option<Value>; 2] {
-    let crossing = state.crossings[edge as usize];
-    [
-        crossing.map(|(_, Ratio { num, den })| Value::Ratio { num, den }),
-        crossing.map(|(at, _)| Value::Point(at.to_array())),
-    ]
-}
-
-/// Before the first crossing: the four tests that make a window, on both ends. What fails stands out.
-fn tests_table(WindowInput { window, segment }: &WindowInput) -> Table {
-    let test = |end: End, edge: Edge| {
-        let ([x, _], c) = (along(end.of(segment), edge.axis()), window.border(edge));
-        let (fails, relation) = match edge.is_max() {
-            true if x > c => (true, " > "),
-            true => (false, " ≤ "),
-            false if x < c => (true, " < "),
-            false => (false, " ≥ "),
+    fn views(at: &At<'_, Self>) -> Vec<View> {
+        let table = match at.step.past {
+            [] => tests_table(at.step.input),
+            _ => crossing_table(&at.step),
         };
-        let said = Formula::default().num(x).sym(relation).num(c);
-        let role = if fails { Role::Signal } else { Role::Ink };
-        Cell::new(role, Some(said))
-    };
-    let row = |edge: Edge| TableRow {
-        name: Value::Term(side_key(edge)),
-        cells: End::BOTH.map(|end| test(end, edge)).to_vec(),
-        is_current: false,
-        link: Some(edge_link(edge)),
-    };
-    Table {
-        header: vec![
-            Formula::default().term("table-edge"),
-            Formula::default().sym(end_symbol(End::P1)),
-            Formula::default().sym(end_symbol(End::P2)),
-        ],
-        rows: Edge::ALL.map(row).to_vec(),
-        notes: vec![TableNote {
-            text: Message::new("bf-note-tests"),
-            applies: true,
-        }],
+        vec![
+            View::plane(marks(&at.step)),
+            View::new(CROSSINGS_VIEW, Body::Table(table)),
+        ]
     }
 }
 
-/// Every crossing, and what it was good for.
-fn crossing_table(step: &Step<'_, BruteForce>) -> Table {
-    let current = current_edge(step.event);
-    let of_edge = |edge: Edge| {
-        let fate = step.state.fates[edge as usize];
-        let role = match fate {
-            _ if current == Some(edge) => Role::Signal,
-            Some(CrossingFate::InVain | CrossingFate::Parallel) => Role::Soft,
-            Some(CrossingFate::Replaces(_)) | None => Role::Ink,
-        };
-        let found_now = matches!(step.event, Some(Event::Intersect { .. }));
-        let found = if found_now || role == Role::Soft {
-            role
-        } else {
-            Role::Ink
-        };
-        let mut cells: Vec<Cell> = crossing_values(step.state, edge)
-            .into_iter()
-            .map(|value| Cell::new(found, value))
-            .collect();
-        cells.push(Cell::new(role, fate.map(fate_word)));
-        TableRow {
-            name: Value::Term(side_key(edge)),
-            cells,
-            is_current: current == Some(edge),
-            link: Some(edge_link(edge)),
-        }
-    };
-    Table {
-        header: vec![
-            Formula::default().term("table-edge"),
-            Formula::default().sym("t"),
-            Formula::default().sym("P(t)"),
-            Formula::default(),
-        ],
-        rows: Edge::ALL.map(of_edge).to_vec(),
-        notes: Vec::new(),
+/// The ends of what was left before the event.
+fn ends_before(step: &Step<'_, BruteForce>) -> [Point; 2] {
+    let mut ends = step.held.ends;
+    if let Some(Event::Cut { end, from, .. }) = step.event() {
+        ends[end.idx()] = from;
     }
-}
-
-/// "in vain", or the end that the crossing replaces.
-fn fate_word(fate: CrossingFate) -> Value {
-    match fate {
-        CrossingFate::Parallel => Value::Term("verdict-parallel"),
-        CrossingFate::InVain => Value::Term("bf-in-vain"),
-        CrossingFate::Replaces(end) => name(format!("→ {}′", end_symbol(end))),
-    }
-}
-
-/// The side that the step is about.
-const fn current_edge(event: Option<Event>) -> Option<Edge> {
-    match event {
-        Some(
-            Event::Intersect { edge, .. }
-            | Event::Parallel { edge }
-            | Event::Keep { edge }
-            | Event::Cut { edge, .. }
-            | Event::Reject { edge },
-        ) => Some(edge),
-        Some(Event::Accept { .. }) | None => None,
-    }
+    ends
 }
 
 /// The drawing.
 fn marks(step: &Step<'_, BruteForce>) -> Vec<Mark> {
     let WindowInput { window, segment } = step.input;
-    let current = current_edge(step.event);
+    let (shown, event) = (Shown::of(step), step.event());
+    let current = current_edge(event);
     let mut marks: Vec<Mark> = Edge::ALL
         .into_iter()
         .filter(|&edge| Some(edge) != current)
         .map(|edge| {
             // Before the first crossing, the four tests that make a window.
-            if step.event.is_none() {
+            if event.is_none() {
                 return inside_mark(window, edge);
             }
             let border = Shape::Border(edge.axis(), window.border(edge));
@@ -285,7 +194,7 @@ fn marks(step: &Step<'_, BruteForce>) -> Vec<Mark> {
         Role::Faint,
         Shape::Line([segment.p1.to_array(), segment.p2.to_array()]),
     ));
-    match step.event {
+    match event {
         Some(Event::Intersect { edge, .. } | Event::Parallel { edge }) => {
             marks.push(border_mark(window, edge));
         }
@@ -294,16 +203,16 @@ fn marks(step: &Step<'_, BruteForce>) -> Vec<Mark> {
         }
         Some(Event::Accept { .. }) | None => {}
     }
-    marks.extend(segment_marks(segment, step.state.ends, step.state.verdict));
+    marks.extend(segment_marks(segment, step.held.ends, shown.is_visible));
     for edge in Edge::ALL {
-        let Some((at, u)) = step.state.crossings[edge as usize] else {
+        let Some((at, u)) = shown.crossings[edge as usize] else {
             continue;
         };
-        let used = step.state.ends.contains(&at);
-        if used && step.state.verdict.is_some() {
+        let used = step.held.ends.contains(&at);
+        if used && shown.is_visible.is_some() {
             continue;
         }
-        marks.push(if Some(edge) == current && step.state.verdict.is_none() {
+        marks.push(if Some(edge) == current && shown.is_visible.is_none() {
             crossing_mark(at, "t", u).linked(edge_link(edge))
         } else if used {
             Mark::new(Role::Accent, Shape::Dot(at.to_array())).linked(edge_link(edge))
@@ -318,12 +227,12 @@ fn marks(step: &Step<'_, BruteForce>) -> Vec<Mark> {
 }
 
 /// `x₁′ = −1 < 1,  x₂ = 2 > 1`: both ends of what is left beside the border that they are compared with.
-fn both_sides(before: &State, input: &WindowInput, edge: Edge) -> Formula {
+fn both_sides(before: [Point; 2], input: &WindowInput, edge: Edge) -> Formula {
     let (axis, c) = (edge.axis(), input.window.border(edge));
     End::BOTH
         .into_iter()
         .fold(Formula::default(), |formula, end| {
-            let at = before.ends[end.idx()];
+            let at = before[end.idx()];
             let [a, _] = along(at, axis);
             let relation = if a < c {
                 " < "

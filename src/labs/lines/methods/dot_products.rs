@@ -3,24 +3,24 @@
 use glam::DVec2;
 
 use crate::{
-    algo::line::{CyrusBeck, CyrusBeckEvent as Event, CyrusBeckRow as Row},
+    algo::line::{CyrusBeckEvent as Event, CyrusBeckRow as Row},
     figure::{Mark, Measured, Product, Products, Role, Shape, Vector},
     geom::{Point, Segment, extent},
-    labs::{Step, words::name},
+    labs::words::name,
     text::{Formula, Message, Value},
 };
 
 use super::{
-    convex_edges::{edge_in_hand, edge_link, edge_name},
+    convex_edges::{Shown, edge_in_hand, edge_link, edge_name},
     parametric::on_line,
 };
 
 /// n·D and n·(P₁ − E) of the edge in hand, and both ends measured along n; `None` where no edge is.
-pub fn products(step: &Step<'_, CyrusBeck>) -> Option<Products> {
-    let edge_idx = edge_in_hand(step.state, step.event)?;
-    let row = step.state.rows.get(edge_idx)?;
-    let vectors = Vectors::new(row, &step.input.segment);
-    let is_current = matches!(step.event, Some(Event::Edge { .. }));
+pub fn products(shown: &Shown<'_>) -> Option<Products> {
+    let edge_idx = edge_in_hand(shown)?;
+    let row = &shown.rows.get(edge_idx)?.numbers;
+    let vectors = Vectors::new(row, &shown.input.segment);
+    let is_current = matches!(shown.event, Some(Event::Row { .. }));
     let product = |of: Vector, decision: Message, value: f64| Product {
         arithmetic: product_formula(row.normal, of.to, value),
         onto: vectors.normal.clone(),
@@ -122,14 +122,14 @@ fn product_formula(normal: [f64; 2], of: [f64; 2], value: f64) -> Formula {
 }
 
 /// Every edge with its name and the side that its normal points to; of the edge in hand everything that is multiplied.
-pub fn edge_marks(step: &Step<'_, CyrusBeck>) -> Vec<Mark> {
-    let vertices = step.input.clip.vertices();
-    let in_hand = edge_in_hand(step.state, step.event);
+pub fn edge_marks(shown: &Shown<'_>) -> Vec<Mark> {
+    let vertices = shown.input.clip.vertices();
+    let in_hand = edge_in_hand(shown);
     let [min, max] = extent(vertices.iter().copied());
     // Long enough to be seen, whatever the size of the polygon.
     let length = 0.1 * (max[0] - min[0]).max(max[1] - min[1]);
     let mut marks = Vec::new();
-    for (i, plane) in step.input.clip.half_planes().enumerate() {
+    for (i, plane) in shown.input.clip.half_planes().enumerate() {
         let edge = [i, (i + 1) % vertices.len()].map(|i| vertices[i].to_array());
         if in_hand == Some(i) {
             marks.extend(outside_marks(i, edge));
@@ -146,10 +146,10 @@ pub fn edge_marks(step: &Step<'_, CyrusBeck>) -> Vec<Mark> {
             .linked(edge_link(i)),
         );
     }
-    let row = in_hand.and_then(|i| Some((i, step.state.rows.get(i)?)));
+    let row = in_hand.and_then(|i| Some((i, &shown.rows.get(i)?.numbers)));
     if let Some((i, row)) = row {
         let edge = [i, (i + 1) % vertices.len()].map(|i| vertices[i].to_array());
-        marks.extend(vector_marks(edge, row, &step.input.segment));
+        marks.extend(vector_marks(edge, row, &shown.input.segment));
     }
     marks
 }

@@ -1,16 +1,15 @@
 //! One file a method: its sentences, marks and watched values.
 
 mod brute_force;
-mod codes;
 mod cohen_sutherland;
 mod convex_edges;
+mod crossings;
 mod cyrus_beck;
 mod dot_products;
 mod liang_barsky;
 mod nicholl_lee_nicholl;
 mod parametric;
-mod rows;
 mod sectors;
 mod shared;
 
-pub use convex_edges::edge_name as polygon_edge_name;
+pub use convex_edges::{edge_link as polygon_edge_link, edge_name as polygon_edge_name};

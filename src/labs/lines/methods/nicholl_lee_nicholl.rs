@@ -2,30 +2,34 @@
 
 use crate::{
     algo::line::{
-        CornerLine, End, NichollLeeNicholl, NichollLeeNichollEvent as Event,
-        NichollLeeNichollState as State, Question, Turn, WindowInput, WindowRegion,
+        CornerLine, End, NichollLeeNicholl, NichollLeeNichollEvent as Event, Question, Turn,
+        WindowInput, WindowRegion,
     },
     figure::{
-        Body, Caption, Cell, Mark, Role, Shape, Table, TableNote, TableRow, Tick, View, Watch,
-        WatchRow, WatchSection,
+        Body, Cell, Mark, Role, Shape, Table, TableNote, TableRow,
+        Tick::{Accept, Cut, Phase, Reject, Test},
+        View, Watch, WatchRow, WatchSection,
     },
     geom::{Axis, Edge, Point, Segment, Window},
     labs::{
-        CodeLine, Demo, Step, code_line,
-        lines::{LineDemo, Scene, demo::Settles},
+        CodeLine, code_line,
+        lines::{LineTelling, Scene},
+        segments::{ENDS, left_in},
+        telling::{At, Named, Row, Telling, Watched, rows},
+        words::{
+            border_equation, edge_name, end_link, end_name, name, position_formula, subscript,
+        },
     },
     text::{Formula, Message, Value},
+    trace::Step,
 };
 
-use super::sectors;
-use super::shared::{
-    accepted, border_mark, crossing_mark, ends_rows, opening, put_formulas, region_key,
-    segment_marks,
+use super::{
+    sectors,
+    shared::{
+        border_mark, crossing_mark, end_now, ends, put_formulas, region_key, segment_marks, side,
+    },
 };
-use crate::labs::words::{
-    border_equation, edge_name, name, point_formula, position_formula, subscript,
-};
-use crate::labs::words::{end_link, end_name};
 
 /// The view of the corners' lines that have been asked.
 const CORNERS_VIEW: &str = "corners";
@@ -37,28 +41,68 @@ const MEETS: usize = 3;
 const LEAVES: usize = 4;
 const CUT: usize = 5;
 
-impl LineDemo for NichollLeeNicholl {
+impl LineTelling for NichollLeeNicholl {
     fn input(scene: &Scene, segment: Segment) -> WindowInput {
         WindowInput {
             window: scene.window,
             segment,
         }
     }
-
-    fn settles(event: &Event, _: &WindowInput) -> Settles {
-        match *event {
-            Event::Region { .. } | Event::Side { .. } | Event::Sector { .. } => Settles::Asked,
-            Event::Cut { .. } | Event::Accept { .. } => Settles::Nothing,
-            Event::Reject { edge, corner: None } => Settles::Rejects(edge as usize),
-            Event::Reject {
-                edge,
-                corner: Some(_),
-            } => Settles::Rejected(edge as usize),
-        }
-    }
 }
 
-impl Demo for NichollLeeNicholl {
+/// What a corner's line says.
+const fn side_row(line: usize, key: &'static str) -> Row {
+    Row::new(Test, line, key)
+        .so(&["a₁·b₂ = {a₁·b₂} {relation} b₁·a₂ = {b₁·a₂}"])
+        .picks("turn", "turns")
+}
+
+rows! { |event, step: NichollLeeNicholl|
+    region: Event::Region { .. } =>
+        Row::new(Test, REGIONS, "nln-region").so(&["{x}", "{y}"])
+            .about("end").picks("region", "regions");
+    through_enters: Event::Side { question: Question::Enters, line } if is_through(&line) =>
+        side_row(ENTERS, "nln-side-through");
+    through_meets: Event::Side { question: Question::Meets, line } if is_through(&line) =>
+        side_row(MEETS, "nln-side-through");
+    through_leaves: Event::Side { question: Question::Leaves, line } if is_through(&line) =>
+        side_row(LEAVES, "nln-side-through");
+    enters: Event::Side { question: Question::Enters, .. } => side_row(ENTERS, "nln-side-enters");
+    misses: Event::Side { question: Question::Meets, line } if is_miss(step, &line) =>
+        side_row(MEETS, "nln-side-meets").drops("segment");
+    meets: Event::Side { question: Question::Meets, .. } => side_row(MEETS, "nln-side-meets");
+    leaves: Event::Side { question: Question::Leaves, .. } => side_row(LEAVES, "nln-side-leaves");
+    inside: Event::Sector { enters: None, leaves: None } =>
+        Row::new(Phase, LEAVES, "nln-sector-inside").so(ENDS).keeps("segment");
+    in_by: Event::Sector { leaves: None, .. } =>
+        Row::new(Phase, LEAVES, "nln-sector-enters").keeps("segment");
+    out_by: Event::Sector { enters: None, .. } =>
+        Row::new(Phase, LEAVES, "nln-sector-leaves").keeps("segment");
+    across: Event::Sector { .. } => Row::new(Phase, LEAVES, "nln-sector-both").keeps("segment");
+    cut: Event::Cut { .. } =>
+        Row::new(Cut, CUT, "cs-cut").so(&["{1st}", "{2nd}", "{3rd}"]).cuts("end");
+    point: Event::Accept { .. } if step.input.segment.is_point() =>
+        Row::new(Accept, CUT, "line-point");
+    touch: Event::Accept { segment } if segment.is_point() => Row::new(Accept, CUT, "line-touch");
+    accept: Event::Accept { .. } => Row::new(Accept, CUT, "line-accept");
+    beyond: Event::Reject { corner: None, .. } =>
+        Row::new(Reject, SHARED, "line-reject-edge").drops("segment");
+    miss: Event::Reject { .. } => Row::new(Reject, MEETS, "nln-miss");
+}
+
+fn is_through(line: &CornerLine) -> bool {
+    line.turn == Turn::Through
+}
+
+/// Is a side that P₂ lies beyond crossed before the one by which the segment would come in?
+fn is_miss(step: &Step<'_, NichollLeeNicholl>, line: &CornerLine) -> bool {
+    let [_, region] = step.held.regions;
+    region.is_some_and(|region| region.edges().any(|edge| line.first == Some(edge)))
+}
+
+impl Telling for NichollLeeNicholl {
+    type Scenery = ();
+
     const ID: &'static str = "nicholl-lee-nicholl";
     const NAME_KEY: &'static str = "alg-nicholl-lee-nicholl";
     const SOURCE: &'static str = "Nicholl, Lee & Nicholl, 1987";
@@ -70,104 +114,148 @@ impl Demo for NichollLeeNicholl {
         code_line(0, "code-nln-leaves", "words-nln-leaves"),
         code_line(0, "code-nln-cut", "words-nln-cut"),
     ];
+    const ROWS: &'static [Row] = ROWS;
+    const WATCH: &'static [Watched] = &[Watched::Names(&[
+        "P₁",
+        "P₂",
+        "region₁",
+        "region₂",
+        "in by",
+        "out by",
+        "crossings",
+    ])];
 
-    fn tick(event: &Event) -> Tick {
-        match event {
-            Event::Region { .. } | Event::Side { .. } => Tick::Test,
-            Event::Sector { .. } => Tick::Phase,
-            Event::Cut { .. } => Tick::Cut,
-            Event::Accept { .. } => Tick::Accept,
-            Event::Reject { .. } => Tick::Reject,
-        }
+    fn row(step: &Step<'_, Self>) -> &'static Row {
+        row(step)
     }
 
-    fn code_line(event: &Event, _: &State) -> usize {
-        match event {
-            Event::Region { .. } => REGIONS,
-            Event::Reject { corner: None, .. } => SHARED,
-            Event::Reject { .. } => MEETS,
-            Event::Side { question, .. } => match question {
-                Question::Enters => ENTERS,
-                Question::Meets => MEETS,
-                Question::Leaves => LEAVES,
-            },
-            Event::Sector { .. } => LEAVES,
-            Event::Cut { .. } | Event::Accept { .. } => CUT,
-        }
+    fn opening(_: &At<'_, Self>) -> &'static Row {
+        const { &Row::new(Phase, REGIONS, "line-opening").so(ENDS) }
     }
 
-    fn opening(input: &WindowInput) -> Caption {
-        opening(&input.segment)
-    }
-
-    fn caption(event: &Event, before: &State, input: &WindowInput) -> Caption {
-        let WindowInput { window, segment } = input;
-        match *event {
-            Event::Region { end, region } => region_caption(end, region, input),
-            Event::Side { question, line } => side_caption(question, &line, window),
-            Event::Sector { enters, leaves } => sector_caption(enters, leaves, segment),
-            Event::Cut { end, edge, to, .. } => cut_caption(end, edge, to, before, input),
-            Event::Accept { segment: visible } => accepted(&input.segment, visible),
-            Event::Reject { edge, corner: None } => {
-                Caption::new(Message::new("line-reject-edge").with("edge", edge_name(edge)))
-            }
-            Event::Reject {
-                edge,
-                corner: Some(corner),
-            } => Caption::new(
-                Message::new("nln-miss")
-                    .with("edge", edge_name(edge))
-                    .with("corner", corner_formula(window, corner)),
-            ),
-        }
-    }
-
-    fn views(step: &Step<'_, Self>) -> Vec<View> {
-        vec![
-            View::plane(marks(step)),
-            View::new(CORNERS_VIEW, Body::Table(corner_table(step))),
-        ]
-    }
-
-    fn watch(step: &Step<'_, Self>) -> Watch {
-        let state = step.state;
-        let mut rows = ends_rows(state.ends);
-        for end in End::BOTH {
-            let key = ["watch-region-1", "watch-region-2"][end.idx()];
-            let region = state.regions[end.idx()].map(|region| Value::Term(key_of(region)));
-            rows.push(WatchRow::new(Value::Term(key), region).linked(end_link(end)));
-        }
-        let side = |known: Option<Option<Edge>>| {
-            known.map(|edge| edge.map_or_else(|| name("–"), edge_name))
+    fn named(At { step, .. }: &At<'_, Self>, of: &str) -> Option<Named> {
+        let sector = || {
+            step.past.iter().find_map(|event| match *event {
+                Event::Sector { enters, leaves } => Some([enters, leaves]),
+                _ => None,
+            })
         };
-        let [enters, leaves] = [0, 1].map(|i| side(state.sector.map(|sector| sector[i])));
-        rows.push(WatchRow::new(Value::Term("watch-enters"), enters));
-        rows.push(WatchRow::new(Value::Term("watch-leaves"), leaves));
-        rows.push(WatchRow::new(
-            Value::Term("watch-crossings"),
-            Some(Value::Count(state.n_cuts)),
-        ));
-        let asked = state.lines.iter().flatten().map(|(question, line)| {
+        let by = |i: usize, key| {
+            let by = sector().map(|sector| sector[i].map_or_else(|| name("–"), edge_name));
+            Some(Named::maybe(by).labelled(Value::Term(key)))
+        };
+        let region = |end: End, key| {
+            let region = step.held.regions[end.idx()].map(|region| Value::Term(key_of(region)));
+            let named = Named::maybe(region).labelled(Value::Term(key));
+            Some(named.linked(end_link(end)))
+        };
+        match of {
+            "P₁" => Some(end_now(End::P1, step.held.ends[0])),
+            "P₂" => Some(end_now(End::P2, step.held.ends[1])),
+            "region₁" => region(End::P1, "watch-region-1"),
+            "region₂" => region(End::P2, "watch-region-2"),
+            "in by" => by(0, "watch-enters"),
+            "out by" => by(1, "watch-leaves"),
+            "crossings" => {
+                let is_cut = |event: &&Event| matches!(event, Event::Cut { .. });
+                let n = step.past.iter().filter(is_cut).count();
+                Some(Named::from(n).labelled(Value::Term("watch-crossings")))
+            }
+            _ => of_event(step, step.event()?, of)
+                .or_else(|| left_in(step.held.visible.map(ends), of)),
+        }
+    }
+
+    fn listed(_: &At<'_, Self>, list: &str) -> Vec<Named> {
+        if list == "turns" {
+            let turns = [Turn::Left, Turn::Through, Turn::Right];
+            return turns
+                .map(|turn| Value::Term(turn_key(turn)).into())
+                .to_vec();
+        }
+        let columns = [Some(Edge::Left), None, Some(Edge::Right)].into_iter();
+        let rows = [Some(Edge::Top), None, Some(Edge::Bottom)];
+        let regions = columns.flat_map(|x| rows.map(|y| WindowRegion { x, y }));
+        regions.map(|it| Value::Term(key_of(it)).into()).collect()
+    }
+
+    fn watch(at: &At<'_, Self>) -> Watch {
+        let asked = lines(&at.step).map(|(question, line)| {
             let cells = line.products.map(|p| Some(Value::Number(p))).to_vec();
-            WatchRow::table(Value::Term(question_key(*question)), cells)
+            WatchRow::table(Value::Term(question_key(question)), cells)
                 .noted(Value::Term(turn_key(line.turn)))
         });
         let table = WatchSection::table(vec!["a₁·b₂", "b₁·a₂"], asked.collect());
-        vec![WatchSection::list(rows), table.seen_in(CORNERS_VIEW)]
+        let names = Self::WATCH.iter().map(|watched| at.section(watched));
+        names.chain([table.seen_in(CORNERS_VIEW)]).collect()
     }
+
+    fn views(at: &At<'_, Self>) -> Vec<View> {
+        vec![
+            View::plane(marks(&at.step)),
+            View::new(CORNERS_VIEW, Body::Table(corner_table(&at.step))),
+        ]
+    }
+}
+
+/// What is named of an event.
+fn of_event(step: &Step<'_, NichollLeeNicholl>, event: Event, of: &str) -> Option<Named> {
+    let WindowInput { window, segment } = step.input;
+    let end_named = |end| Named::from(end_name(end)).linked(end_link(end));
+    Some(match (of, event) {
+        ("end", Event::Region { end, .. } | Event::Cut { end, .. }) => end_named(end),
+        ("region", Event::Region { region, .. }) => Value::Term(key_of(region)).into(),
+        ("x", Event::Region { end, region }) => position(Axis::X, end, region, step.input).into(),
+        ("y", Event::Region { end, region }) => position(Axis::Y, end, region, step.input).into(),
+        ("corner", Event::Side { line, .. }) => corner_formula(window, line.corner).into(),
+        ("corner", Event::Reject { corner, .. }) => corner_formula(window, corner?).into(),
+        ("turn", Event::Side { line, .. }) => Value::Term(turn_key(line.turn)).into(),
+        ("relation", Event::Side { line, .. }) => name(relation(line.turn)).into(),
+        ("a₁·b₂", Event::Side { line, .. }) => line.products[0].into(),
+        ("b₁·a₂", Event::Side { line, .. }) => line.products[1].into(),
+        ("first" | "rejects", Event::Side { line, .. }) => {
+            side(line.first.unwrap_or(line.edges[0]))
+        }
+        ("edge" | "rejects", Event::Reject { edge, .. }) => side(edge),
+        ("enters", Event::Sector { enters, .. }) => side(enters?),
+        ("leaves", Event::Sector { leaves, .. }) => side(leaves?),
+        ("border", Event::Cut { edge, .. }) => border_equation(window, edge).into(),
+        ("1st" | "2nd" | "3rd", Event::Cut { edge, to, .. }) => {
+            let mut formulas = put_formulas(segment, window, edge, to, crossed(step)).into_iter();
+            let nth = ["1st", "2nd", "3rd"].iter().position(|it| *it == of)?;
+            formulas.nth(nth)?.into()
+        }
+        _ => return None,
+    })
+}
+
+/// The sides by which it comes in and goes out, where it does both.
+fn crossed(step: &Step<'_, NichollLeeNicholl>) -> Option<[Edge; 2]> {
+    step.past.iter().find_map(|event| match *event {
+        Event::Sector { enters, leaves } => Some([enters?, leaves?]),
+        _ => None,
+    })
+}
+
+/// The corner lines looked at so far, in order.
+fn lines(step: &Step<'_, NichollLeeNicholl>) -> impl Iterator<Item = (Question, CornerLine)> {
+    step.past.iter().filter_map(|event| match *event {
+        Event::Side { question, line } => Some((question, line)),
+        _ => None,
+    })
 }
 
 /// What each corner's line was asked, and the two products that answer.
 fn corner_table(step: &Step<'_, NichollLeeNicholl>) -> Table {
-    let n_asked = step.state.lines.iter().flatten().count();
-    let is_asking = matches!(step.event, Some(Event::Side { .. }));
-    let rows = step.state.lines.iter().flatten().enumerate();
+    let n_asked = lines(step).count();
+    let is_asking = matches!(step.event(), Some(Event::Side { .. }));
+    let rows = lines(step).enumerate();
     let rows = rows.map(|(i, (question, line))| {
         let is_current = is_asking && i + 1 == n_asked;
         let role = if is_current { Role::Signal } else { Role::Ink };
         let [p, q] = line.products.map(Value::Number);
         let cells = [
-            Value::Term(question_key(*question)),
+            Value::Term(question_key(question)),
             p,
             name(relation(line.turn)),
             q,
@@ -210,13 +298,18 @@ const fn relation(turn: Turn) -> &'static str {
 /// The drawing.
 fn marks(step: &Step<'_, NichollLeeNicholl>) -> Vec<Mark> {
     let WindowInput { window, segment } = step.input;
-    let state = step.state;
+    let event = step.event();
+    let is_visible = match event {
+        Some(Event::Accept { .. }) => Some(true),
+        Some(Event::Reject { .. }) => Some(false),
+        _ => None,
+    };
     let p1 = segment.p1;
     let mut marks: Vec<Mark> = Vec::new();
-    if state.regions[0].is_some() {
+    if step.held.regions[0].is_some() {
         marks.extend(sectors::marks(p1, window));
     }
-    let current = match step.event {
+    let current = match event {
         Some(Event::Side { line, .. }) => Some(line.corner),
         Some(Event::Reject { corner, .. }) => corner,
         Some(
@@ -224,7 +317,7 @@ fn marks(step: &Step<'_, NichollLeeNicholl>) -> Vec<Mark> {
         )
         | None => None,
     };
-    let asked = state.lines.iter().flatten().map(|(_, line)| line.corner);
+    let asked = lines(step).map(|(_, line)| line.corner);
     let asked: Vec<Point> = asked.filter(|&corner| corner != p1).collect();
     for corner in window.corners() {
         let role = if current == Some(corner) {
@@ -238,11 +331,11 @@ fn marks(step: &Step<'_, NichollLeeNicholl>) -> Vec<Mark> {
         let label = corner_name(window, corner);
         marks.push(Mark::new(role, Shape::Dot(corner.to_array())).labelled(label));
     }
-    if let Some(Event::Cut { edge, .. }) = step.event {
+    if let Some(Event::Cut { edge, .. }) = event {
         marks.push(border_mark(window, edge));
     }
-    marks.extend(segment_marks(segment, state.ends, state.verdict));
-    match step.event {
+    marks.extend(segment_marks(segment, step.held.ends, is_visible));
+    match event {
         Some(Event::Region { end, .. }) => {
             let at = end.of(segment).to_array();
             marks.push(Mark::new(Role::Signal, Shape::Ring(at)).linked(end_link(end)));
@@ -299,72 +392,8 @@ const fn turn_key(turn: Turn) -> &'static str {
     }
 }
 
-/// "P₁ is below left", and what says so: `x = −2 < −1`.
-fn region_caption(end: End, region: WindowRegion, input: &WindowInput) -> Caption {
-    let at = end.of(&input.segment);
-    let message = Message::new("nln-region")
-        .with("end", end_name(end))
-        .with("region", Value::Term(key_of(region)));
+/// What says where an end lies along an axis: `x = −2 < −1`.
+fn position(axis: Axis, end: End, region: WindowRegion, input: &WindowInput) -> Formula {
     let beyond = |edge| region.edges().any(|e| e == edge);
-    [Axis::X, Axis::Y]
-        .into_iter()
-        .fold(Caption::new(message), |caption, axis| {
-            caption.so(position_formula(axis, at, &input.window, beyond))
-        })
-}
-
-fn side_caption(question: Question, line: &CornerLine, window: &Window) -> Caption {
-    let key = match (question, line.turn) {
-        (_, Turn::Through) => "nln-side-through",
-        (Question::Enters, _) => "nln-side-enters",
-        (Question::Meets, _) => "nln-side-meets",
-        (Question::Leaves, _) => "nln-side-leaves",
-    };
-    let [p, q] = line.products;
-    let first = line.first.unwrap_or(line.edges[0]);
-    Caption::new(
-        Message::new(key)
-            .with("corner", corner_formula(window, line.corner))
-            .with("turn", Value::Term(turn_key(line.turn)))
-            .with("first", edge_name(first)),
-    )
-    .so(Formula::default()
-        .sym("a₁·b₂ = ")
-        .num(p)
-        .sym(format!(" {} b₁·a₂ = ", relation(line.turn)))
-        .num(q))
-}
-
-fn cut_caption(
-    end: End,
-    edge: Edge,
-    to: Point,
-    before: &State,
-    WindowInput { window, segment }: &WindowInput,
-) -> Caption {
-    let message = Message::new("cs-cut")
-        .with("end", end_name(end))
-        .with("border", border_equation(window, edge));
-    let sides = before
-        .sector
-        .and_then(|[enters, leaves]| Some([enters?, leaves?]));
-    put_formulas(segment, window, edge, to, sides)
-        .into_iter()
-        .fold(Caption::new(message), Caption::so)
-}
-
-fn sector_caption(enters: Option<Edge>, leaves: Option<Edge>, segment: &Segment) -> Caption {
-    let message = match (enters, leaves) {
-        (None, None) => {
-            return Caption::new(Message::new("nln-sector-inside"))
-                .so(point_formula("P₁", segment.p1))
-                .so(point_formula("P₂", segment.p2));
-        }
-        (Some(edge), None) => Message::new("nln-sector-enters").with("enters", edge_name(edge)),
-        (None, Some(edge)) => Message::new("nln-sector-leaves").with("leaves", edge_name(edge)),
-        (Some(enters), Some(leaves)) => Message::new("nln-sector-both")
-            .with("enters", edge_name(enters))
-            .with("leaves", edge_name(leaves)),
-    };
-    Caption::new(message)
+    position_formula(axis, end.of(&input.segment), &input.window, beyond)
 }

@@ -1,17 +1,17 @@
 //! The interval of a parameter on the segment: its picture on the stage. Nothing here knows against what is clipped.
 
 use crate::{
-    algo::line::{End, Visible},
-    figure::{Caption, Mark, Role, Shape, Side, WatchRow},
+    algo::{line::End, segment::VisibleLine},
+    figure::{Mark, Role, Shape, Side},
     geom::{Point, Segment},
     labs::{
         interval::{ShownCrossing, ShownInterval},
-        words::{end_link, end_name, end_name_now, name},
+        words::name,
     },
-    text::{Formula, Message, Value},
+    text::Formula,
 };
 
-use super::shared::segment_marks;
+use super::shared::{point, segment_marks};
 
 /// The interval as the stage shows it.
 pub struct SegmentInterval {
@@ -20,7 +20,7 @@ pub struct SegmentInterval {
     /// What a crossing's parameter is called: `r` or `t`.
     pub crossing_symbol: &'static str,
     /// The answer, once known.
-    pub verdict: Option<Visible>,
+    pub verdict: Option<VisibleLine<2>>,
     /// Is the segment's line drawn beyond its ends, with the crossings there?
     pub goes_on: bool,
     /// At this step the segment is seen as a vector of this name, from P₁ to P₂.
@@ -31,7 +31,7 @@ impl SegmentInterval {
     /// The segment with the part that is left standing out, and the crossings on it.
     pub fn marks(&self, segment: &Segment) -> Vec<Mark> {
         if let Some(Some(visible)) = self.verdict {
-            return segment_marks(segment, [visible.p1, visible.p2], self.verdict);
+            return segment_marks(segment, visible.map(point), Some(true));
         }
         let mut marks = self.parts(segment);
         for crossing in &self.shown.crossings {
@@ -86,7 +86,8 @@ impl SegmentInterval {
         let ends = [segment.p1, segment.p2];
         let crossed = self.shown.is_crossed_over();
         let verdict = self.verdict.or(crossed.then_some(None));
-        let mut marks = segment_marks(segment, ends, verdict);
+        let is_visible = verdict.map(|visible| visible.is_some());
+        let mut marks = segment_marks(segment, ends, is_visible);
         let [from, to] = self.shown.bounds;
         let between = [from, to].map(|u| on_line(segment, u));
         if crossed {
@@ -118,18 +119,4 @@ impl SegmentInterval {
 pub fn on_line(segment: &Segment, u: f64) -> [f64; 2] {
     let [x1, y1, x2, y2] = segment.to_array();
     [x1 + u * (x2 - x1), y1 + u * (y2 - y1)]
-}
-
-/// An end that was inside stays where it is.
-pub fn stays_caption(end: End, at: Point) -> Caption {
-    let message = Message::new("param-put-end");
-    Caption::new(message.with("end", end_name(end)).with("at", at.to_array()))
-}
-
-/// Rows for the ends that have been put in place.
-pub fn moved_ends_rows(ends: [Option<Point>; 2]) -> impl Iterator<Item = WatchRow> {
-    End::BOTH.into_iter().filter_map(move |end| {
-        let at = ends[end.idx()]?.to_array();
-        Some(WatchRow::new(end_name_now(end, true), Some(Value::Point(at))).linked(end_link(end)))
-    })
 }

@@ -11,7 +11,7 @@ use crate::{
     figure::{Mark, Role, Shape},
     geom::{Edge, Point, Segment, Window},
     text::{Formula, Value},
-    trace::Trace,
+    trace::Recording,
 };
 
 use super::shared::side_key;
@@ -109,7 +109,7 @@ fn name(eye: DVec2, far: DVec2, window: &Window) -> Option<Value> {
         window: *window,
         segment,
     };
-    let run = Trace::<NichollLeeNicholl>::record(input);
+    let run = Recording::<NichollLeeNicholl>::new(input);
     let sector = run.events().iter().find_map(|event| {
         if let Event::Sector { enters, leaves } = *event {
             Some((enters, leaves))

@@ -1,47 +1,50 @@
 //! Words, formulas and marks that several methods share.
 
-use crate::labs::crossing_formulas::{taken, upright};
-use crate::labs::words::{
-    along, axis_symbol, border_equation, edge_link, end_link, end_name, end_name_now, point_formula,
-};
 use crate::{
-    algo::line::{End, Ratio, Visible, corner_between},
-    figure::{Caption, Mark, Role, Shape, WatchRow},
+    algo::line::{End, Ratio, corner_between},
+    figure::{Mark, Role, Shape},
     geom::{Axis, Edge, Point, Segment, Window},
-    text::{Formula, Message, Value},
+    labs::{
+        crossing_formulas::{taken, upright},
+        telling::Named,
+        words::{
+            along, axis_symbol, border_equation, edge_link, edge_name, end_link, end_name,
+            end_name_now,
+        },
+    },
+    text::Formula,
 };
 
-/// Before the first event: the problem.
-pub fn opening(segment: &Segment) -> Caption {
-    Caption::new(Message::new("line-opening"))
-        .so(point_formula("P₁", segment.p1))
-        .so(point_formula("P₂", segment.p2))
+/// A point by its coordinates, which are those of one.
+pub fn point([x, y]: [f64; 2]) -> Point {
+    Point::new(x, y).unwrap_or_default()
 }
 
-/// The last word where something is visible. One point is a touch only where it is all that is left of more.
-pub fn accepted(original: &Segment, Segment { p1, p2 }: Segment) -> Caption {
-    let one_point = |key| Message::new(key).with("at", p1.to_array());
-    Caption::new(if original.p1 == original.p2 {
-        one_point("line-point")
-    } else if p1 == p2 {
-        one_point("line-touch")
-    } else {
-        Message::new("line-accept")
-            .with("p1", p1.to_array())
-            .with("p2", p2.to_array())
-    })
+/// A side that a sentence names.
+pub fn side(edge: Edge) -> Named {
+    Named::from(edge_name(edge)).linked(edge_link(edge))
+}
+
+/// An end as it is now, in the watch table.
+pub fn end_now(end: End, at: Point) -> Named {
+    Named::from(at.to_array()).linked(end_link(end))
+}
+
+/// Both ends by their coordinates.
+pub fn ends(segment: Segment) -> [[f64; 2]; 2] {
+    [segment.p1, segment.p2].map(Point::to_array)
 }
 
 /// The original segment, what is left of it, and its ends.
 ///
 /// Discarded parts are ghosted; what is left is accented while it is alive, green once accepted. A segment that is
 /// rejected is dashed, but in ink: it carries the point.
-pub fn segment_marks(original: &Segment, ends: [Point; 2], verdict: Option<Visible>) -> Vec<Mark> {
-    let rejected = verdict == Some(None);
-    let role = match verdict {
+pub fn segment_marks(original: &Segment, ends: [Point; 2], is_visible: Option<bool>) -> Vec<Mark> {
+    let rejected = is_visible == Some(false);
+    let role = match is_visible {
         None => Role::Accent,
-        Some(None) => Role::Ink,
-        Some(Some(_)) => Role::Accepted,
+        Some(false) => Role::Ink,
+        Some(true) => Role::Accepted,
     };
     let mut marks = Vec::new();
     for end in End::BOTH {
@@ -95,17 +98,6 @@ pub fn put_formulas(
     } else {
         upright(segment, edge.axis(), window.border(edge), at)
     }
-}
-
-/// Rows for both ends of what is left.
-pub fn ends_rows(ends: [Point; 2]) -> Vec<WatchRow> {
-    End::BOTH
-        .into_iter()
-        .map(|end| {
-            let at = ends[end.idx()].to_array();
-            WatchRow::new(end_name(end), Some(Value::Point(at))).linked(end_link(end))
-        })
-        .collect()
 }
 
 /// `Δx = 0`: why there is no crossing.

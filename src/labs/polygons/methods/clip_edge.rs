@@ -1,14 +1,18 @@
 //! A clip edge in words, formulas and marks: half of every sentence about Sutherland–Hodgman.
 
 use crate::{
-    algo::polygon::ClipRegion,
+    algo::{
+        polygon::{ClipRegion, Vertex},
+        ring::{Happening, RingEvent},
+    },
     figure::{Link, Mark, Role, Shape},
     geom::{Axis, Edge, Point, Segment, Window},
     labs::{
         crossing_formulas::{Weights, fixed, oblique, upright},
+        rings::Asked,
         words::{along, axis_symbol, border_equation, edge_link, edge_name, name, subscript},
     },
-    text::{Formula, Message, Value},
+    text::{Formula, Value},
 };
 
 /// How a variant looks at its clip edges.
@@ -47,6 +51,11 @@ pub fn clip_edge_name(region: &ClipRegion, edge_idx: usize) -> Value {
 impl<'a> ClipEdge<'a> {
     pub const fn new(region: &'a ClipRegion, idx: usize, look: EdgeLook) -> Self {
         Self { region, idx, look }
+    }
+
+    /// Which of the region's edges it is.
+    pub const fn idx(&self) -> usize {
+        self.idx
     }
 
     /// The side of the window that it is.
@@ -135,17 +144,6 @@ impl<'a> ClipEdge<'a> {
         }
     }
 
-    /// The clip edge's turn has come.
-    pub fn message(&self) -> Message {
-        let key = match self.side() {
-            Some(_) => "sh-edge-side",
-            None => "sh-edge",
-        };
-        Message::new(key)
-            .with("edge", self.name())
-            .with("inside", self.inside())
-    }
-
     /// `V₄: x = −2 < −1`, or `V₄: n·(V₄ − E) = 1 · (3 − 1) + 2 · (0 − 2) = −2 < 0`.
     pub fn position(&self, (symbol, at): &NamedPoint, distance: f64, is_inside: bool) -> Formula {
         let formula = Formula::default().sym(format!("{symbol}: "));
@@ -191,6 +189,46 @@ impl<'a> ClipEdge<'a> {
         match self.upright_line() {
             Some((axis, c)) => upright(&Segment { p1, p2 }, axis, c, at),
             None => vec![oblique("I", [p1, p2], distances, at)],
+        }
+    }
+
+    /// How S and P lie to it, and the formulas by which a crossing is found, by their names in templates.
+    pub fn asked<V: Vertex>(
+        &self,
+        name_of: &str,
+        event: &impl RingEvent<V>,
+        (asked, symbols): (&Asked<V>, [String; 2]),
+    ) -> Option<Formula> {
+        let happening = event.happening()?;
+        let lies = |i: usize, symbol: String| {
+            let test = asked.test?;
+            let vertex = (symbol, test.ends[i].at());
+            Some(self.position(&vertex, test.distances[i], test.inside()[i]))
+        };
+        let nth = |i: usize| {
+            let (Happening::Cross(crossing), Some(test)) = (happening, asked.test) else {
+                return None;
+            };
+            let ends = test.ends.map(|v| v.at());
+            let formulas = self.crossing(ends, test.distances, crossing.at.at());
+            formulas.into_iter().nth(i)
+        };
+        let [s, p] = symbols;
+        match (name_of, happening) {
+            (
+                "P lies",
+                Happening::First {
+                    at,
+                    distance,
+                    inside,
+                },
+            ) => Some(self.position(&(p, at.at()), distance, inside)),
+            ("S lies", _) => lies(0, s),
+            ("P lies", _) => lies(1, p),
+            ("I 1", _) => nth(0),
+            ("I 2", _) => nth(1),
+            ("I 3", _) => nth(2),
+            _ => None,
         }
     }
 

@@ -1,19 +1,19 @@
 //! A pipeline's clippers in a row, and what flows between them.
 
 use crate::{
-    algo::polygon::{Pipeline, PipelineEvent as Event, PipelineState as State},
+    algo::polygon::{Pipeline, PipelineEvent as Event, PipelineHeld as Held, PipelineStage},
     figure::{ClipperBox, ClipperRow, Fate, Traveller},
     geom::Point,
     labs::{
-        Step,
+        rings::is_crossed,
         words::{name, vertex_symbol},
     },
+    trace::Step,
 };
 
 use super::{
-    clip_edge::{ClipEdge, EdgeLook},
     lists::output_symbol,
-    rules::is_crossed,
+    pipeline::{Now, edge},
 };
 
 /// The view of the clippers.
@@ -21,38 +21,29 @@ pub const CLIPPERS: &str = "clippers";
 
 /// The clippers at one step.
 pub fn row(step: &Step<'_, Pipeline>) -> ClipperRow {
-    let (region, state) = (&step.input.region, step.state);
-    let clipper = |idx: usize| {
-        let edge = ClipEdge::new(region, idx, EdgeLook::RIGHT);
+    let Step { input, held, past } = *step;
+    let now = Now::of(past);
+    let clipper = |(idx, stage): (usize, &PipelineStage<Point>)| {
+        let edge = edge(input, idx);
         ClipperBox {
             name: edge.border(),
-            first: state.stages[idx].first.map(Point::to_array),
-            previous: previous(state, idx).map(Point::to_array),
-            is_closed: state.stages[idx].is_closed,
+            first: stage.first().map(Point::to_array),
+            previous: stage.previous().map(Point::to_array),
+            is_closed: stage.is_closed,
             link: Some(edge.link()),
         }
     };
+    let event = step.event();
     ClipperRow {
-        clippers: (0..state.stages.len()).map(clipper).collect(),
-        at_work: state.stage_idx,
-        travellers: step
-            .event
-            .map_or_else(Vec::new, |event| travellers(&event, state)),
+        clippers: held.stages.iter().enumerate().map(clipper).collect(),
+        at_work: now.stage_idx,
+        travellers: event.map_or_else(Vec::new, |event| travellers(&event, held, &now)),
         output: name("V′"),
-        n_out: state.output.len(),
+        n_out: held.output.len(),
     }
 }
 
-/// S as this step's sentence means it: where the edge that a clipper looks at begins. It takes the edge's end
-/// for its next S, but not before that edge is done with.
-pub fn previous(state: &State<Point>, idx: usize) -> Option<Point> {
-    match state.test {
-        Some((ends, ..)) if state.stage_idx == Some(idx) => Some(ends[0]),
-        Some(_) | None => state.stages[idx].previous,
-    }
-}
-
-fn travellers(event: &Event<Point>, state: &State<Point>) -> Vec<Traveller> {
+fn travellers(event: &Event<Point>, held: &Held<Point>, now: &Now) -> Vec<Traveller> {
     let on = |arrow: usize, symbol: String, fate: Fate| Traveller {
         name: name(symbol),
         arrow,
@@ -79,22 +70,22 @@ fn travellers(event: &Event<Point>, state: &State<Point>) -> Vec<Traveller> {
             stage_idx, inside, ..
         } => vec![p(stage_idx, inside)],
         Event::Test { stage_idx, .. } | Event::Cross { stage_idx, .. } => {
-            let Some((_, distances, rule)) = state.test else {
+            let Some(test) = now.asked.test else {
                 return Vec::new();
             };
-            let fate = match state.crossing {
+            let fate = match now.asked.crossing {
                 Some(_) => Fate::GoesOn,
                 None => Fate::Due,
             };
-            let crossing = is_crossed(rule, distances);
+            let crossing = test.rule.changes_side() && is_crossed(test.distances);
             let crossing = crossing.then(|| on(stage_idx + 1, "I".to_owned(), fate));
             // Nothing follows it when the ring is closed: F has long gone on.
-            let end = state.moving.map(|_| p(stage_idx, rule.ends_inside()));
+            let end = now.moving.map(|_| p(stage_idx, test.rule.ends_inside()));
             crossing.into_iter().chain(end).collect()
         }
         Event::Output { .. } => {
-            let symbol = output_symbol(state.output.len().saturating_sub(1));
-            vec![on(state.stages.len(), symbol, Fate::GoesOn)]
+            let symbol = output_symbol(held.output.len().saturating_sub(1));
+            vec![on(held.stages.len(), symbol, Fate::GoesOn)]
         }
         Event::Close { .. } | Event::Done { .. } => Vec::new(),
     }
@@ -107,13 +98,13 @@ mod tests {
         algo::polygon::SutherlandHodgmanInput,
         figure::{Body, Frame, Run},
         geom::{ConvexPolygon, GeomError, Polygon, Window},
-        labs::record,
+        labs::telling::Recorded,
     };
 
     fn run(region: impl Into<crate::algo::polygon::ClipRegion>) -> Result<Box<dyn Run>, GeomError> {
         let polygon = Polygon::new(&[[-2.0, -1.0], [6.0, 1.0], [-2.0, 5.0]])?;
         let input = SutherlandHodgmanInput::new(region.into(), &polygon);
-        Ok(record::<Pipeline>(input))
+        Ok(Box::new(Recorded::<Pipeline>::new(input, None)))
     }
 
     fn row(frame: Frame) -> ClipperRow {

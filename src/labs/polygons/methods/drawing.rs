@@ -1,77 +1,67 @@
 //! The drawing of a step of Sutherland–Hodgman: the clip edge, both lists as outlines, and what happens now.
 
 use crate::{
-    algo::polygon::{
-        EdgeTest, RingOutcome, SutherlandHodgman, SutherlandHodgmanEvent as Event,
-        SutherlandHodgmanInput as Input, SutherlandHodgmanState as State,
+    algo::{
+        polygon::{
+            RingOutcome, SutherlandHodgman, SutherlandHodgmanEvent as Event,
+            SutherlandHodgmanInput as Input,
+        },
+        ring::Crossing,
     },
     figure::{Mark, Role, Shape},
-    labs::words::{name, vertex_symbol},
+    labs::{
+        rings::RingStep,
+        words::{name, vertex_symbol},
+    },
     text::Formula,
     trace::silent,
 };
 
 use super::{
-    clip_edge::{ClipEdge, EdgeLook},
     lists::{names, outline, output_symbol, vertex_link, with_texel},
+    picture::Picture,
     result::{bridges, result},
-    rules::starts_inside,
     skin::{LabVertex, skin},
 };
 
-/// All of it; `look` is how the variant looks at its clip edges.
-pub fn marks<V: LabVertex>(
-    input: &Input<V>,
-    state: &State<V>,
-    event: Option<Event<V>>,
-    look: EdgeLook,
-) -> Vec<Mark> {
-    let mut marks = Vec::from_iter(skin(&state.input));
-    if let Some(outcome) = state.outcome {
-        marks.extend(end(input, &state.input, outcome));
+/// All of it.
+pub fn marks<V: LabVertex>(now: &Picture<'_, V>) -> Vec<Mark> {
+    let RingStep { list, turn, .. } = &now.rings;
+    let sides = &turn.sides;
+    let mut marks = Vec::from_iter(skin(list));
+    if let Some(outcome) = now.outcome {
+        marks.extend(end(now.input, list, outcome));
         return marks;
     }
-    if let Some(edge_idx) = state.edge_idx {
-        marks.push(
-            ClipEdge::new(&input.region, edge_idx, look).mark(match event {
-                Some(
-                    Event::Edge { .. }
-                    | Event::First { .. }
-                    | Event::Test { .. }
-                    | Event::Cross { .. },
-                ) => Role::Signal,
-                Some(Event::Output { .. } | Event::Pass { .. } | Event::Done { .. }) | None => {
-                    Role::Soft
-                }
-            }),
-        );
-    }
-    if let Some(Event::Pass { .. }) = event {
-        let left = Mark::new(Role::Accent, Shape::Outline(outline(&state.input)));
+    marks.extend(now.edge.map(|edge| {
+        edge.mark(match now.event {
+            Some(
+                Event::Edge { .. } | Event::First { .. } | Event::Test { .. } | Event::Cross { .. },
+            ) => Role::Signal,
+            Some(Event::Output { .. } | Event::Pass { .. } | Event::Done { .. }) | None => {
+                Role::Soft
+            }
+        })
+    }));
+    if let Some(Event::Pass { .. }) = now.event {
+        let left = Mark::new(Role::Accent, Shape::Outline(outline(list)));
         marks.push(left.linked("input"));
-        marks.extend(names(&state.input, output_symbol, Role::Accent, &[], &[]));
-        if state.input.is_empty() {
-            let (passed, sides) = (&state.passed, &state.sides);
-            marks.extend(names(passed, vertex_symbol, Role::Discarded, sides, &[]));
+        marks.extend(names(list, output_symbol, Role::Accent, &[], &[]));
+        if list.is_empty() {
+            let passed = names(now.rings.passed, vertex_symbol, Role::Discarded, sides, &[]);
+            marks.extend(passed);
         }
-        marks.extend(bridges(&state.input, &input.region));
+        marks.extend(bridges(list, &now.input.region));
         return marks;
     }
-    marks.push(Mark::new(Role::Ink, Shape::Outline(outline(&state.input))).linked("input"));
-    marks.push(Mark::new(Role::Accent, Shape::Path(outline(&state.output))).linked("output"));
-    let shown = match state.test {
+    marks.push(Mark::new(Role::Ink, Shape::Outline(outline(list))).linked("input"));
+    marks.push(Mark::new(Role::Accent, Shape::Path(outline(now.rings.output))).linked("output"));
+    let shown = match now.rings.asked.test {
         Some(test) => test.idx.to_vec(),
-        None => Vec::from_iter((!state.sides.is_empty()).then_some(0)),
+        None => Vec::from_iter((!sides.is_empty()).then_some(0)),
     };
-    let sides = &state.sides;
-    marks.extend(names(
-        &state.input,
-        vertex_symbol,
-        Role::Soft,
-        sides,
-        &shown,
-    ));
-    marks.extend(moment(state, event));
+    marks.extend(names(list, vertex_symbol, Role::Soft, sides, &shown));
+    marks.extend(moment(now));
     marks
 }
 
@@ -131,31 +121,30 @@ fn slipped<V: LabVertex>(given: &[V], ring: &[V]) -> Vec<Mark> {
 }
 
 /// What happens at this step: the edge, its ends, its crossing, the vertex put out.
-fn moment<V: LabVertex>(state: &State<V>, event: Option<Event<V>>) -> Vec<Mark> {
+fn moment<V: LabVertex>(now: &Picture<'_, V>) -> Vec<Mark> {
     let mut marks = Vec::new();
     let vertex = |i: usize, is_inside: bool| {
-        let at = state.input[i].at().to_array();
+        let at = now.rings.list[i].at().to_array();
         let shape = if is_inside {
             Shape::Dot(at)
         } else {
             Shape::Ring(at)
         };
         Mark::new(Role::Signal, shape)
-            .labelled(with_texel(vertex_symbol(i), &state.input[i]))
+            .labelled(with_texel(vertex_symbol(i), &now.rings.list[i]))
             .strong()
             .linked(vertex_link(i))
     };
-    match (state.test, state.sides.first()) {
-        (Some(EdgeTest { idx, rule, .. }), _) => {
-            let ends = idx.map(|i| state.input[i].at().to_array());
+    match (now.rings.asked.test, now.rings.turn.sides.first()) {
+        (Some(test), _) => {
+            let ends = test.ends.map(|v| v.at().to_array());
             marks.push(Mark::new(Role::Signal, Shape::Arrow(ends)));
-            marks.push(vertex(idx[0], starts_inside(rule)));
-            marks.push(vertex(idx[1], rule.ends_inside()));
+            marks.extend((0..2).map(|i| vertex(test.idx[i], test.inside()[i])));
         }
         (None, Some(&(_, is_inside))) => marks.push(vertex(0, is_inside)),
         (None, None) => {}
     }
-    if let Some((crossing, t)) = state.crossing {
+    if let Some(Crossing { at: crossing, t }) = now.rings.asked.crossing {
         let label = Formula::default().sym("I: t = ").ratio(t.num, t.den);
         let label = match crossing.uv() {
             Some(uv) => label.sym(", uv = ").point(uv),
@@ -164,8 +153,8 @@ fn moment<V: LabVertex>(state: &State<V>, event: Option<Event<V>>) -> Vec<Mark> 
         let dot = Shape::Dot(crossing.at().to_array());
         marks.push(Mark::new(Role::Signal, dot).labelled(label).strong());
     }
-    if let Some(Event::Output { at }) = event {
-        let last = output_symbol(state.output.len().saturating_sub(1));
+    if let Some(Event::Output { at }) = now.event {
+        let last = output_symbol(now.rings.output.len().saturating_sub(1));
         let dot = Shape::Dot(at.at().to_array());
         marks.push(Mark::new(Role::Accent, dot).labelled(name(last)).strong());
     }

@@ -5,14 +5,15 @@ use crate::{
         EachTriangleEvent as Each, TriangulateAndClip, TriangulateAndClipEvent as Event,
     },
     figure::{ItemMarker, ListColumn, ListLink, ListRow, Lists, Role},
-    labs::{
-        Step,
-        words::{name, subscript},
-    },
+    labs::words::{name, subscript},
     text::Value,
+    trace::Step,
 };
 
-use super::triangles::{triangle_link, triangle_name};
+use super::{
+    triangles::{triangle_link, triangle_name},
+    triangulate_and_clip::triangle_now,
+};
 
 /// The view of triangles and pieces.
 pub const FATES: &str = "fates";
@@ -32,7 +33,7 @@ pub fn fates(step: &Step<'_, TriangulateAndClip>) -> Lists {
     let lists = [triangles(step), pieces(step)];
     let [from, to] = [&lists[0], &lists[1]].map(|list| list.n_before);
     let n = lists.each_ref().map(|list| list.entries.len());
-    let links = step.state.pieces.triangles().iter().enumerate();
+    let links = step.held.pieces.triangles().iter().enumerate();
     let links = links.filter_map(|(piece, triangle)| {
         let from = triangle.checked_sub(from).filter(|&from| from < n[0])?;
         let to = piece.checked_sub(to).filter(|&to| to < n[1])?;
@@ -53,27 +54,24 @@ pub fn fates(step: &Step<'_, TriangulateAndClip>) -> Lists {
 
 /// Has the triangle been done with at this very step, and left something?
 fn is_new(step: &Step<'_, TriangulateAndClip>) -> bool {
-    let is_done = matches!(step.event, Some(Event::Each(Each::Piece { .. })));
-    is_done && step.state.pieces.triangles().last().copied() == step.state.triangle_idx
+    let is_piece = matches!(step.event(), Some(Event::Each(Each::Piece { .. })));
+    is_piece && step.held.pieces.triangles().last() == Some(&step.held.triangle_idx)
 }
 
 fn fate(step: &Step<'_, TriangulateAndClip>, triangle_idx: usize) -> TriangleFate {
-    let state = step.state;
-    let n_done = match (state.triangle_idx, step.event) {
-        (Some(idx), Some(Event::Each(Each::Piece { .. }))) => idx + 1,
-        (Some(idx), _) => idx,
-        (None, _) if state.is_done => usize::MAX,
-        (None, _) => 0,
+    let n_done = match step.event() {
+        Some(Event::Each(Each::Piece { .. })) => step.held.triangle_idx + 1,
+        _ => step.held.triangle_idx,
     };
     if triangle_idx < n_done {
-        let is_piece = state.pieces.triangles().contains(&triangle_idx);
+        let is_piece = step.held.pieces.triangles().contains(&triangle_idx);
         return if is_piece {
             TriangleFate::Piece
         } else {
             TriangleFate::Dropped
         };
     }
-    if state.triangle_idx == Some(triangle_idx) {
+    if triangle_now(step).is_some_and(|(now, _)| now == triangle_idx) {
         TriangleFate::Now
     } else {
         TriangleFate::ToCome
@@ -81,7 +79,7 @@ fn fate(step: &Step<'_, TriangulateAndClip>, triangle_idx: usize) -> TriangleFat
 }
 
 fn triangles(step: &Step<'_, TriangulateAndClip>) -> ListColumn {
-    let (state, all) = (step.state, step.state.ears.cut_off.triangles());
+    let all = step.held.ears.cut_off.triangles();
     let entry = |i: usize| {
         let fate = fate(step, i);
         let mut entry = ListRow::new(triangle_name(all[i]));
@@ -101,7 +99,8 @@ fn triangles(step: &Step<'_, TriangulateAndClip>) -> ListColumn {
         entry.link = Some(triangle_link(i));
         entry
     };
-    let focus = state.triangle_idx.or(all.len().checked_sub(1));
+    let now = triangle_now(step).map(|(now, _)| now);
+    let focus = now.or(all.len().checked_sub(1));
     let reach = ListColumn::reach(all.len(), focus);
     ListColumn {
         n_before: reach.start,
@@ -115,7 +114,7 @@ fn triangles(step: &Step<'_, TriangulateAndClip>) -> ListColumn {
 }
 
 fn pieces(step: &Step<'_, TriangulateAndClip>) -> ListColumn {
-    let (pieces, n) = (&step.state.pieces, step.state.pieces.len());
+    let (pieces, n) = (&step.held.pieces, step.held.pieces.len());
     let focus = n.checked_sub(1);
     let reach = ListColumn::reach(n, focus);
     let rings = pieces.rings().zip(pieces.triangles());

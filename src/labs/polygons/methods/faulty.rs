@@ -12,7 +12,7 @@ use crate::{
 
 use super::{
     clip_edge::EdgeLook,
-    skin::{LabVertex, Named},
+    skin::{LabVertex, NamedVertex},
     variant::{CODE, EACH, EDGES, IN_OUT, OUT_IN, Pseudocode, Variant},
 };
 
@@ -96,7 +96,7 @@ impl LabVertex for KeepsUv {
         Some(self.uv)
     }
 
-    fn uv_formula(&self, ends: [&Named<Self>; 2], _: &Weights) -> Option<Formula> {
+    fn uv_formula(&self, ends: [&NamedVertex<Self>; 2], _: &Weights) -> Option<Formula> {
         let owner = ends.into_iter().find(|end| end.vertex.uv == self.uv)?;
         let formula = Formula::default().sym(format!("uv(I) = uv({}) = ", owner.symbol));
         Some(formula.point(self.uv))

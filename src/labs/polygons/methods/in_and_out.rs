@@ -3,11 +3,9 @@
 use crate::{
     algo::polygon::{Pipeline, PipelineEvent as Event},
     figure::{ItemMarker, ListColumn, ListLink, ListRow, Lists, Role},
-    labs::{
-        Step,
-        words::{name, vertex_symbol},
-    },
+    labs::words::{name, vertex_symbol},
     text::Value,
+    trace::Step,
 };
 
 use super::lists::{output_symbol, vertex_link};
@@ -27,14 +25,21 @@ pub fn in_and_out(step: &Step<'_, Pipeline>) -> Lists {
 }
 
 fn polygon(step: &Step<'_, Pipeline>) -> ListColumn {
-    let (given, state) = (&step.input.vertices, step.state);
+    let given = &step.input.vertices;
+    let read = step.past.iter().rev().find_map(|event| {
+        if let Event::Enter { vertex_idx, .. } = *event {
+            vertex_idx
+        } else {
+            None
+        }
+    });
     let entry = |i: usize| {
         let mut entry = ListRow::new(name(vertex_symbol(i)));
         let is_entering = matches!(
-            step.event,
+            step.event(),
             Some(Event::Enter { vertex_idx: Some(idx), .. }) if idx == i
         );
-        entry.role = match state.vertex_idx {
+        entry.role = match read {
             _ if is_entering => Role::Signal,
             Some(read) if i <= read => Role::Ink,
             Some(_) | None => Role::Faint,
@@ -43,20 +48,21 @@ fn polygon(step: &Step<'_, Pipeline>) -> ListColumn {
         entry.link = Some(vertex_link(i));
         entry
     };
-    let reach = ListColumn::reach(given.len(), state.vertex_idx);
+    let reach = ListColumn::reach(given.len(), read);
     ListColumn {
         n_before: reach.start,
         n_after: given.len() - reach.end,
         columns: vec![name("(x, y)")],
         is_ring: true,
-        focus: state.vertex_idx.map(|idx| idx - reach.start),
+        focus: read.map(|idx| idx - reach.start),
         ..ListColumn::new(Value::Term("sh-list-given"), reach.map(entry).collect())
     }
 }
 
 fn ring(step: &Step<'_, Pipeline>) -> ListColumn {
-    let ring = &step.state.output;
-    let (is_done, n) = (step.state.outcome.is_some(), ring.len());
+    let ring = &step.held.output;
+    let is_done = matches!(step.event(), Some(Event::Done { .. }));
+    let n = ring.len();
     let entry = |i: usize| {
         let mut entry = ListRow::new(name(output_symbol(i)));
         entry.role = if is_done {
@@ -84,11 +90,11 @@ fn ring(step: &Step<'_, Pipeline>) -> ListColumn {
 fn links(step: &Step<'_, Pipeline>, [polygon, ring]: [&ListColumn; 2]) -> Vec<ListLink> {
     let given = step.input.vertices.iter().skip(polygon.n_before);
     let given: Vec<_> = given.take(polygon.entries.len()).collect();
-    let out = step.state.output.iter().skip(ring.n_before).enumerate();
+    let out = step.held.output.iter().skip(ring.n_before).enumerate();
     let last = ring.entries.len().saturating_sub(1);
     let link = |(to, vertex)| {
         let from = given.iter().position(|&other| other == vertex)?;
-        let is_now = to == last && matches!(step.event, Some(Event::Output { .. }));
+        let is_now = to == last && matches!(step.event(), Some(Event::Output { .. }));
         Some(ListLink {
             from: [0, from],
             to: [1, to],

@@ -1,19 +1,19 @@
 //! Input list and output list side by side, and which vertex of the one became which of the other.
 
 use crate::{
-    algo::polygon::{
-        SutherlandHodgmanEvent as Event, SutherlandHodgmanInput as Input,
-        SutherlandHodgmanState as State,
-    },
+    algo::{polygon::SutherlandHodgmanEvent as Event, ring::Crossing},
     figure::{ItemMarker, ListColumn, ListLink, ListRow, Lists, Role},
-    labs::words::{name, vertex_symbol},
+    labs::{
+        rings::side_term,
+        words::{name, vertex_symbol},
+    },
     text::Value,
 };
 
 use super::{
     drawing::{result_role, right_result},
     lists::{output_symbol, vertex_link},
-    rules::side_term,
+    picture::Picture,
     skin::LabVertex,
 };
 
@@ -25,7 +25,7 @@ struct Pair<'a, V> {
     /// How far inside the clip edge vertices of the first lie, and whether that counts as inside.
     sides: &'a [(f64, bool)],
     /// Where between vertices of the first there are crossings.
-    crossings: &'a [([usize; 2], V)],
+    crossings: &'a [([usize; 2], Crossing<V>)],
     /// Where in the first this step is.
     current: &'a [usize],
     now: Now<V>,
@@ -50,21 +50,19 @@ enum Now<V> {
 }
 
 /// Both lists at a step; after a pass the old and the new one, at the end what was given and what is left.
-pub fn lists<V: LabVertex>(input: &Input<V>, state: &State<V>, event: Option<Event<V>>) -> Lists {
-    let first = [0];
+pub fn lists<V: LabVertex>(now: &Picture<'_, V>) -> Lists {
+    let rings = &now.rings;
+    let current = rings.current();
     let pair = Pair {
         titles: ["sh-list-input", "sh-list-output"],
-        input: &state.input,
-        output: &state.output,
-        sides: &state.sides,
-        crossings: &state.crossings,
-        current: match &state.test {
-            Some(test) => &test.idx,
-            None => &first[..state.sides.len().min(1)],
-        },
+        input: rings.list,
+        output: rings.output,
+        sides: &rings.turn.sides,
+        crossings: &rings.turn.crossings,
+        current: &current,
         now: Now::Looks,
     };
-    let pair = match event {
+    let pair = match now.event {
         None | Some(Event::Edge { .. } | Event::First { .. } | Event::Test { .. }) => pair,
         Some(Event::Cross { at, .. }) => Pair {
             now: Now::Finds(at),
@@ -76,14 +74,14 @@ pub fn lists<V: LabVertex>(input: &Input<V>, state: &State<V>, event: Option<Eve
         },
         Some(Event::Pass { .. }) => Pair {
             titles: ["sh-list-input", "sh-list-next"],
-            input: &state.passed,
-            output: &state.input,
+            input: rings.passed,
+            output: rings.list,
             current: &[],
             now: Now::Passes,
             ..pair
         },
         Some(Event::Done { .. }) => {
-            let is_wrong = right_result(input, &state.input).is_some();
+            let is_wrong = right_result(now.input, rings.list).is_some();
             let left = if is_wrong {
                 "sh-list-wrong"
             } else {
@@ -91,8 +89,8 @@ pub fn lists<V: LabVertex>(input: &Input<V>, state: &State<V>, event: Option<Eve
             };
             Pair {
                 titles: ["sh-list-given", left],
-                input: &input.vertices,
-                output: &state.input,
+                input: &now.input.vertices,
+                output: rings.list,
                 sides: &[],
                 crossings: &[],
                 current: &[],
@@ -130,7 +128,7 @@ impl<V: LabVertex> Pair<'_, V> {
         let origin = |vertex: V| {
             // A crossing may be put out twice.
             let near = self.crossings.iter().enumerate().skip(crossings).take(2);
-            if let Some((i, &(ends, _))) = near.into_iter().find(|(_, (_, at))| *at == vertex) {
+            if let Some((i, &(ends, _))) = near.into_iter().find(|(_, (_, it))| it.at == vertex) {
                 crossings = i;
                 return Some(ends);
             }
@@ -273,16 +271,16 @@ fn place<V: LabVertex>(vertex: &V) -> Value {
 mod tests {
     use super::*;
     use crate::{
-        algo::polygon::SutherlandHodgman,
+        algo::polygon::{SutherlandHodgman, SutherlandHodgmanInput},
         figure::{Body, Run},
         geom::{GeomError, Polygon, Window},
-        labs::record,
+        labs::telling::Recorded,
     };
 
     fn run(outline: &[[f64; 2]]) -> Result<Box<dyn Run>, GeomError> {
         let region = Window::new(-4.0, -3.0, 4.0, 3.0)?.into();
-        let input = Input::new(region, &Polygon::new(outline)?);
-        Ok(record::<SutherlandHodgman>(input))
+        let input = SutherlandHodgmanInput::new(region, &Polygon::new(outline)?);
+        Ok(Box::new(Recorded::<SutherlandHodgman>::new(input, None)))
     }
 
     /// At the `nth` step, from 1, with an event of this name.

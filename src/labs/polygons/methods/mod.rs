@@ -9,9 +9,9 @@ pub mod faulty;
 mod in_and_out;
 mod list_view;
 mod lists;
+mod picture;
 mod pipeline;
 mod result;
-mod rules;
 #[cfg(test)]
 mod shown_lists;
 mod skin;

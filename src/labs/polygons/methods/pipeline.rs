@@ -1,28 +1,38 @@
 //! Sutherland–Hodgman as a pipeline, shown.
 
 use crate::{
-    algo::polygon::{
-        Pipeline, PipelineEvent as Event, PipelineState as State, RingOutcome, Rule,
-        SutherlandHodgmanInput as Input,
+    algo::{
+        polygon::{
+            Pipeline, PipelineEvent as Event, PipelineHeld as Held, RingOutcome, Rule,
+            SutherlandHodgmanInput as Input,
+        },
+        ring::{Crossing, RingEvent},
     },
-    figure::{Body, Caption, Mark, Role, Shape, Tick, View, Watch, WatchRow, WatchSection},
+    figure::{
+        Body, Mark, Role, Shape,
+        Tick::{Accept, Cut, Phase, Reject, Test},
+        View, Watch, WatchRow, WatchSection,
+    },
     geom::Point,
     labs::{
-        CodeLine, Demo, Step, code_line,
-        polygons::{PolygonDemo, Scene, UnfitScene},
+        CodeLine, code_line,
+        polygons::{PolygonTelling, Scene, UnfitScene},
+        rings::{Asked, asked_vertex, is_crossed, rules},
+        telling::{At, Named, Row, Telling, Watched, rows},
         words::{name, vertex_symbol},
     },
-    text::{Formula, Message, Value},
+    text::{Formula, Value},
+    trace::Step,
 };
 
 use super::{
+    super::handles::corner_link,
     clip_edge::{ClipEdge, EdgeLook},
-    clippers::{CLIPPERS, previous, row},
+    clippers::{CLIPPERS, row as clippers},
     in_and_out::{IN_AND_OUT, in_and_out},
     lists::{names, outline, output_symbol},
     result::result,
-    rules::{is_crossed, rule_term, side_term, starts_inside},
-    sutherland_hodgman::{SOURCE, done, input},
+    sutherland_hodgman::{SOURCE, crossing_of, input},
 };
 
 const SEND: usize = 0;
@@ -34,62 +44,120 @@ const OUTPUT: usize = 5;
 const CLOSE: usize = 6;
 
 /// Rows of the ring that the watch table shows.
-const ROWS: usize = 8;
+const N_ROWS: usize = 8;
 
-impl PolygonDemo for Pipeline {
-    fn input(scene: &Scene) -> Result<Input, UnfitScene> {
-        input(scene)
-    }
+/// What moves at a step, and what the clipper at work has been told of it.
+pub struct Now {
+    /// The clipper at work.
+    pub stage_idx: Option<usize>,
+    /// The vertex that entered it, or left the last one; none while it closes.
+    pub moving: Option<Point>,
+    pub asked: Asked<Point>,
+}
 
-    fn border(event: &Event<Point>) -> Option<usize> {
-        match *event {
-            Event::First { stage_idx, .. } | Event::Test { stage_idx, .. } => Some(stage_idx),
-            Event::Enter { .. }
-            | Event::Cross { .. }
-            | Event::Output { .. }
-            | Event::Close { .. }
-            | Event::Done { .. } => None,
-        }
-    }
-
-    fn tells(event: &Event<Point>, vertex: Point) -> Option<bool> {
-        match *event {
-            Event::First { at, inside, .. } => (at == vertex).then_some(inside),
-            Event::Test { ends, rule, .. } => (ends[1] == vertex).then_some(rule.ends_inside()),
-            Event::Enter { .. }
-            | Event::Cross { .. }
-            | Event::Output { .. }
-            | Event::Close { .. }
-            | Event::Done { .. } => None,
-        }
-    }
-
-    fn crossing(event: &Event<Point>) -> Option<Point> {
-        match *event {
-            Event::Cross { at, .. } => Some(at),
-            Event::Enter { .. }
-            | Event::First { .. }
-            | Event::Test { .. }
-            | Event::Output { .. }
-            | Event::Close { .. }
-            | Event::Done { .. } => None,
-        }
-    }
-
-    fn piece(event: &Event<Point>, after: &State<Point>) -> Option<Vec<Point>> {
-        match event {
-            Event::Done { .. } => Some(after.output.clone()),
-            Event::Enter { .. }
-            | Event::First { .. }
-            | Event::Test { .. }
-            | Event::Cross { .. }
-            | Event::Output { .. }
-            | Event::Close { .. } => None,
+impl Now {
+    pub fn of(past: &[Event<Point>]) -> Self {
+        let moves = past.iter().rev().find(|event| event.happening().is_none());
+        let (stage_idx, moving) = match moves {
+            Some(&Event::Enter { stage_idx, at, .. }) => (Some(stage_idx), Some(at)),
+            Some(&Event::Output { at }) => (None, Some(at)),
+            Some(&Event::Close { stage_idx }) => (Some(stage_idx), None),
+            Some(
+                Event::First { .. } | Event::Test { .. } | Event::Cross { .. } | Event::Done { .. },
+            )
+            | None => (None, None),
+        };
+        Self {
+            stage_idx,
+            moving,
+            asked: Asked::of(past),
         }
     }
 }
 
-impl Demo for Pipeline {
+impl PolygonTelling for Pipeline {
+    fn input(scene: &Scene) -> Result<Input, UnfitScene> {
+        input(scene)
+    }
+
+    fn border(step: &Step<'_, Self>) -> Option<usize> {
+        Now::of(step.past).stage_idx
+    }
+
+    fn asks(event: &Event<Point>) -> Option<Point> {
+        asked_vertex(event)
+    }
+
+    fn crossing(event: &Event<Point>) -> Option<Point> {
+        crossing_of(event)
+    }
+
+    fn piece(step: &Step<'_, Self>) -> Option<Vec<Point>> {
+        let is_done = matches!(step.event(), Some(Event::Done { .. }));
+        is_done.then(|| step.held.output.clone())
+    }
+}
+
+const fn test(line: usize, key: &'static str) -> Row {
+    Row::new(Test, line, key)
+        .so(&["{S lies}", "{P lies}"])
+        .picks("rule", "rules")
+}
+
+const fn first(key: &'static str) -> Row {
+    Row::new(Test, FIRST, key)
+        .so(&["{P lies}"])
+        .answers("first")
+}
+
+const fn cross(line: usize) -> Row {
+    Row::new(Cut, line, "pipe-cross").so(&["{I 1}", "{I 2}", "{I 3}"])
+}
+
+rows! { |event, step: Pipeline|
+    send: Event::Enter { vertex_idx: Some(_), .. } => Row::new(Phase, SEND, "pipe-send");
+    enter: Event::Enter { .. } => Row::new(Test, ENTER, "pipe-enter");
+    first_inside: Event::First { inside: true, .. } => first("pipe-first-inside").keeps("P");
+    first_outside: Event::First { .. } => first("pipe-first-outside").drops("P");
+    // The edge that closes the ring lets a crossing through at most: its end has been asked before.
+    closes_in_out: Event::Test { stage_idx, rule: Rule::InOut, distances, .. }
+        if is_closed(step, stage_idx) && is_crossed(distances) =>
+        test(CLOSE, "pipe-closing-cross").about("P");
+    closes_out_in: Event::Test { stage_idx, rule: Rule::OutIn, distances, .. }
+        if is_closed(step, stage_idx) && is_crossed(distances) =>
+        test(CLOSE, "pipe-closing-cross").keeps("P");
+    closes_inside: Event::Test { stage_idx, rule: Rule::InIn | Rule::OutIn, .. }
+        if is_closed(step, stage_idx) => test(CLOSE, "pipe-closing").keeps("P");
+    closes_outside: Event::Test { stage_idx, .. } if is_closed(step, stage_idx) =>
+        test(CLOSE, "pipe-closing").about("P");
+    in_in: Event::Test { rule: Rule::InIn, .. } => test(PASS_ON, "pipe-vertex").keeps("P");
+    out_out: Event::Test { rule: Rule::OutOut, .. } => test(PASS_ON, "pipe-nothing").drops("P");
+    in_out: Event::Test { rule: Rule::InOut, distances, .. } if is_crossed(distances) =>
+        test(CROSS, "pipe-crossing").drops("P");
+    leaves: Event::Test { rule: Rule::InOut, .. } => test(CROSS, "pipe-nothing").drops("P");
+    out_in: Event::Test { rule: Rule::OutIn, distances, .. } if is_crossed(distances) =>
+        test(CROSS, "pipe-both").keeps("P");
+    comes: Event::Test { rule: Rule::OutIn, .. } => test(CROSS, "pipe-vertex").keeps("P");
+    cuts_closing: Event::Cross { stage_idx, .. } if is_closed(step, stage_idx) => cross(CLOSE);
+    cuts: Event::Cross { .. } => cross(CROSS);
+    output: Event::Output { .. } => Row::new(Test, OUTPUT, "pipe-output");
+    close_empty: Event::Close { stage_idx } if step.held.stages[stage_idx].first().is_none() =>
+        Row::new(Phase, CLOSE, "pipe-close-empty");
+    close: Event::Close { .. } => Row::new(Phase, CLOSE, "pipe-close");
+    empty: Event::Done { outcome: RingOutcome::Empty } => Row::new(Reject, CLOSE, "sh-done-empty");
+    degenerate: Event::Done { outcome: RingOutcome::Degenerate } =>
+        Row::new(Reject, CLOSE, "sh-done-degenerate");
+    whole: Event::Done { outcome: RingOutcome::Whole } => Row::new(Accept, CLOSE, "sh-done-whole");
+    cut: Event::Done { outcome: RingOutcome::Cut } => Row::new(Accept, CLOSE, "sh-done-cut");
+}
+
+fn is_closed(step: &Step<'_, Pipeline>, stage_idx: usize) -> bool {
+    step.held.stages[stage_idx].is_closed
+}
+
+impl Telling for Pipeline {
+    type Scenery = ();
+
     const ID: &'static str = "sutherland-hodgman-pipeline";
     const NAME_KEY: &'static str = "alg-sutherland-hodgman-pipeline";
     const SOURCE: &'static str = SOURCE;
@@ -102,124 +170,74 @@ impl Demo for Pipeline {
         code_line(0, "code-pipe-output", "words-pipe-output"),
         code_line(0, "code-pipe-close", "words-pipe-close"),
     ];
+    const ROWS: &'static [Row] = ROWS;
+    const WATCH: &'static [Watched] = &[Watched::Names(&["d_S", "d_P"])];
 
-    fn tick(event: &Event<Point>) -> Tick {
-        match event {
-            Event::Enter {
-                vertex_idx: Some(_),
-                ..
+    fn row(step: &Step<'_, Self>) -> &'static Row {
+        row(step)
+    }
+
+    fn opening(_: &At<'_, Self>) -> &'static Row {
+        const OPENING: Row = Row::new(Phase, SEND, "pipe-opening");
+        &OPENING
+    }
+
+    fn named(at: &At<'_, Self>, name_of: &str) -> Option<Named> {
+        let Step { input, held, past } = at.step;
+        let event = at.step.event();
+        Some(match (name_of, event) {
+            ("n", None) => input.vertices.len().into(),
+            ("n", Some(_)) => held.output.len().into(),
+            ("edges", _) => input.region.n_edges().into(),
+            ("vertex", Some(Event::Enter { vertex_idx, .. })) => {
+                name(vertex_idx.map_or_else(|| "P".to_owned(), vertex_symbol)).into()
             }
-            | Event::Close { .. } => Tick::Phase,
-            Event::Cross { .. } => Tick::Cut,
-            Event::Done {
-                outcome: RingOutcome::Empty | RingOutcome::Degenerate,
-            } => Tick::Reject,
-            Event::Done {
-                outcome: RingOutcome::Whole | RingOutcome::Cut,
-            } => Tick::Accept,
-            Event::Enter {
-                vertex_idx: None, ..
+            ("vertex", _) => name(output_symbol(held.output.len().checked_sub(1)?)).into(),
+            ("at", Some(Event::Enter { at, .. } | Event::Output { at })) => at.to_array().into(),
+            ("border", _) => edge(input, Now::of(past).stage_idx?).border().into(),
+            ("P", Some(event)) => {
+                let asked = Self::asks(&event)?;
+                let place = input.vertices.iter().position(|&given| given == asked);
+                Named::from(name("P")).linked(corner_link(place?))
             }
-            | Event::First { .. }
-            | Event::Test { .. }
-            | Event::Output { .. } => Tick::Test,
-        }
-    }
-
-    fn code_line(event: &Event<Point>, before: &State<Point>) -> usize {
-        let is_closing = before.stage_idx.is_some_and(|i| before.stages[i].is_closed);
-        match event {
-            Event::Enter {
-                vertex_idx: Some(_),
-                ..
-            } => SEND,
-            Event::Enter { .. } => ENTER,
-            Event::First { .. } => FIRST,
-            Event::Close { .. } | Event::Done { .. } => CLOSE,
-            Event::Test { .. } | Event::Cross { .. } if is_closing => CLOSE,
-            Event::Test { rule, .. } if rule.changes_side() => CROSS,
-            Event::Test { .. } => PASS_ON,
-            Event::Cross { .. } => CROSS,
-            Event::Output { .. } => OUTPUT,
-        }
-    }
-
-    fn opening(input: &Input) -> Caption {
-        let message = Message::new("pipe-opening")
-            .with("n", input.vertices.len())
-            .with("edges", input.region.n_edges());
-        Caption::new(message)
-    }
-
-    fn caption(event: &Event<Point>, before: &State<Point>, input: &Input) -> Caption {
-        let edge = |stage_idx| ClipEdge::new(&input.region, stage_idx, EdgeLook::RIGHT);
-        match *event {
-            Event::Enter {
-                stage_idx,
-                vertex_idx,
-                at,
-            } => enter_caption(&edge(stage_idx), vertex_idx, at),
-            Event::First {
-                stage_idx,
-                at,
-                distance,
-                inside,
-            } => {
-                let key = if inside {
-                    "pipe-first-inside"
-                } else {
-                    "pipe-first-outside"
+            _ => {
+                let now = Now::of(past);
+                let symbol = |i: usize| match (i, now.moving) {
+                    (0, _) => "S".to_owned(),
+                    (_, Some(_)) if now.asked.test.is_some() => "P".to_owned(),
+                    (..) => "F".to_owned(),
                 };
-                let edge = edge(stage_idx);
-                let position = edge.position(&("F".to_owned(), at), distance, inside);
-                Caption::new(Message::new(key).with("border", edge.border())).so(position)
-            }
-            Event::Test {
-                stage_idx,
-                ends,
-                distances,
-                rule,
-            } => {
-                let is_closing = before.stages[stage_idx].is_closed;
-                test_caption(&edge(stage_idx), ends, distances, rule, is_closing)
-            }
-            Event::Cross { stage_idx, at, .. } => cross_caption(&edge(stage_idx), before, at),
-            Event::Output { at } => Caption::new(
-                Message::new("pipe-output")
-                    .with("vertex", name(output_symbol(before.output.len())))
-                    .with("at", at.to_array()),
-            ),
-            Event::Close { stage_idx } => {
-                let edge = edge(stage_idx);
-                let is_empty = before.stages[stage_idx].first.is_none();
-                let key = if is_empty {
-                    "pipe-close-empty"
-                } else {
-                    "pipe-close"
+                let formula = || {
+                    let symbols = [0, 1].map(symbol);
+                    edge(input, now.stage_idx?).asked(name_of, &event?, (&now.asked, symbols))
                 };
-                Caption::new(Message::new(key).with("border", edge.border()))
+                let of_test = now.asked.named(name_of, |_| "P".to_owned());
+                return of_test.or_else(|| formula().map(Named::from));
             }
-            Event::Done { outcome } => done(outcome, before.output.len(), input.region.n_edges()),
-        }
+        })
     }
 
-    fn views(step: &Step<'_, Self>) -> Vec<View> {
+    fn listed(_: &At<'_, Self>, _: &str) -> Vec<Named> {
+        rules()
+    }
+
+    fn views(at: &At<'_, Self>) -> Vec<View> {
         vec![
-            View::plane(marks(step)),
-            View::new(IN_AND_OUT, Body::Lists(in_and_out(step))),
-            View::new(CLIPPERS, Body::Clippers(row(step))),
+            View::plane(marks(&at.step)),
+            View::new(IN_AND_OUT, Body::Lists(in_and_out(&at.step))),
+            View::new(CLIPPERS, Body::Clippers(clippers(&at.step))),
         ]
     }
 
-    fn watch(step: &Step<'_, Self>) -> Watch {
-        let state = step.state;
+    fn watch(at: &At<'_, Self>) -> Watch {
+        let Step { input, held, past } = at.step;
+        let now = Now::of(past);
         let point = |p: Option<Point>| p.map(|p| Value::Point(p.to_array()));
-        let stages = state.stages.iter().enumerate().map(|(i, stage)| {
-            let edge = ClipEdge::new(&step.input.region, i, EdgeLook::RIGHT);
-            let held = vec![point(stage.first), point(previous(state, i))];
-            let row = WatchRow::table(edge.name(), held);
-            let row = row.linked(edge.link());
-            match (state.stage_idx == Some(i), stage.is_closed) {
+        let stages = held.stages.iter().enumerate().map(|(i, stage)| {
+            let edge = edge(input, i);
+            let cells = vec![point(stage.first()), point(stage.previous())];
+            let row = WatchRow::table(edge.name(), cells).linked(edge.link());
+            match (now.stage_idx == Some(i), stage.is_closed) {
                 (true, _) => row.noted(name("←")),
                 (false, true) => row.noted(Value::Term("pipe-closed")),
                 (false, false) => row,
@@ -227,38 +245,35 @@ impl Demo for Pipeline {
         });
         let stages = WatchSection::table(vec!["F", "S"], stages.collect());
         let mut watch = vec![stages.seen_in(CLIPPERS)];
-        if let Some((_, distances, rule)) = state.test {
-            watch.push(WatchSection::list(vec![
-                distance_row("d_S", distances[0], starts_inside(rule)),
-                distance_row("d_P", distances[1], rule.ends_inside()),
-            ]));
-        }
-        let start = state.output.len().saturating_sub(ROWS);
-        let ring = state.output.iter().enumerate().skip(start);
+        watch.extend(now.asked.test.map(|_| at.section(&Self::WATCH[0])));
+        let n = held.output.len();
+        let start = n.saturating_sub(N_ROWS);
+        let ring = held.output.iter().enumerate().skip(start);
         let ring = ring.map(|(i, &p)| WatchRow::new(name(output_symbol(i)), point(Some(p))));
-        let ring = WatchSection::list(ring.collect()).part(start, state.output.len());
+        let ring = WatchSection::list(ring.collect()).part(start, n);
         watch.push(ring.seen_in(IN_AND_OUT));
         watch
     }
 }
 
+/// The clip edge of a clipper.
+pub fn edge(input: &Input, stage_idx: usize) -> ClipEdge<'_> {
+    ClipEdge::new(&input.region, stage_idx, EdgeLook::RIGHT)
+}
+
 /// The drawing.
 fn marks(step: &Step<'_, Pipeline>) -> Vec<Mark> {
-    let (input, state) = (step.input, step.state);
-    if let Some(outcome) = state.outcome {
-        let ring = names(&state.output, output_symbol, Role::Accepted, &[], &[]);
-        let left = result(
-            &state.output,
-            (outcome, Role::Accepted),
-            &input.region,
-            &input.vertices,
-        );
+    let Step { input, held, past } = *step;
+    if let Some(Event::Done { outcome }) = step.event() {
+        let ring = names(&held.output, output_symbol, Role::Accepted, &[], &[]);
+        let end = (outcome, Role::Accepted);
+        let left = result(&held.output, end, &input.region, &input.vertices);
         return left.into_iter().chain(ring).collect();
     }
+    let now = Now::of(past);
     let mut marks = Vec::new();
-    if let Some(stage_idx) = state.stage_idx {
-        let edge = ClipEdge::new(&input.region, stage_idx, EdgeLook::RIGHT);
-        marks.push(edge.mark(match step.event {
+    if let Some(stage_idx) = now.stage_idx {
+        marks.push(edge(input, stage_idx).mark(match step.event() {
             Some(Event::First { .. } | Event::Test { .. } | Event::Cross { .. }) => Role::Signal,
             Some(
                 Event::Enter { .. }
@@ -269,80 +284,30 @@ fn marks(step: &Step<'_, Pipeline>) -> Vec<Mark> {
             | None => Role::Soft,
         }));
     }
-    marks.push(Mark::new(Role::Accent, Shape::Path(outline(&state.output))).linked("output"));
+    marks.push(Mark::new(Role::Accent, Shape::Path(outline(&held.output))).linked("output"));
     marks.extend(names(&input.vertices, vertex_symbol, Role::Soft, &[], &[]));
-    marks.extend(memory(state));
-    marks.extend(moment(state));
+    marks.extend(memory(held, &now));
+    marks.extend(moment(held, &now));
     marks
 }
 
-fn distance_row(symbol: &'static str, distance: f64, is_inside: bool) -> WatchRow {
-    WatchRow::new(name(symbol), Some(Value::Number(distance)))
-        .noted(Value::Term(side_term(is_inside)))
-}
-
-fn enter_caption(edge: &ClipEdge<'_>, vertex_idx: Option<usize>, at: Point) -> Caption {
-    let (key, symbol) = match vertex_idx {
-        Some(i) => ("pipe-send", vertex_symbol(i)),
-        None => ("pipe-enter", "P".to_owned()),
-    };
-    let message = Message::new(key)
-        .with("vertex", name(symbol))
-        .with("at", at.to_array());
-    Caption::new(message.with("border", edge.border()))
-}
-
-fn cross_caption(edge: &ClipEdge<'_>, before: &State<Point>, at: Point) -> Caption {
-    let caption = Caption::new(Message::new("pipe-cross").with("border", edge.border()));
-    let Some((ends, distances, _)) = before.test else {
-        return caption;
-    };
-    let formulas = edge.crossing(ends, distances, at);
-    formulas.into_iter().fold(caption, Caption::so)
-}
-
-fn test_caption(
-    edge: &ClipEdge<'_>,
-    ends: [Point; 2],
-    distances: [f64; 2],
-    rule: Rule,
-    is_closing: bool,
-) -> Caption {
-    let key = match (is_closing, is_crossed(rule, distances), rule.ends_inside()) {
-        (true, true, _) => "pipe-closing-cross",
-        (true, false, _) => "pipe-closing",
-        (false, true, false) => "pipe-crossing",
-        (false, true, true) => "pipe-both",
-        (false, false, true) => "pipe-vertex",
-        (false, false, false) => "pipe-nothing",
-    };
-    let message = Message::new(key).with("rule", Value::Term(rule_term(rule)));
-    let symbols = ["S", if is_closing { "F" } else { "P" }];
-    let is_inside = [starts_inside(rule), rule.ends_inside()];
-    let positions = (0..2).map(|i| {
-        let named = (symbols[i].to_owned(), ends[i]);
-        edge.position(&named, distances[i], is_inside[i])
-    });
-    positions.fold(Caption::new(message), Caption::so)
-}
-
 /// What the clipper at work holds.
-fn memory(state: &State<Point>) -> Vec<Mark> {
-    let Some(stage) = state.stage_idx.map(|i| state.stages[i]) else {
+fn memory(held: &Held<Point>, now: &Now) -> Vec<Mark> {
+    let Some(stage) = now.stage_idx.map(|i| held.stages[i]) else {
         return Vec::new();
     };
     let mark = |p: Point, symbol: &'static str| {
         Mark::new(Role::Ink, Shape::Ring(p.to_array())).labelled(name(symbol))
     };
-    let first = stage.first.map(|p| mark(p, "F"));
-    let previous = match state.test {
+    let first = stage.first().map(|p| mark(p, "F"));
+    let previous = match now.asked.test {
         Some(_) => None,
-        None => stage.previous.map(|p| mark(p, "S")),
+        None => stage.previous().map(|p| mark(p, "S")),
     };
     first.into_iter().chain(previous).collect()
 }
 
-fn moment(state: &State<Point>) -> Vec<Mark> {
+fn moment(held: &Held<Point>, now: &Now) -> Vec<Mark> {
     let mut marks = Vec::new();
     let signal =
         |shape: Shape, label: Value| Mark::new(Role::Signal, shape).labelled(label).strong();
@@ -355,23 +320,22 @@ fn moment(state: &State<Point>) -> Vec<Mark> {
         };
         signal(shape, name(symbol))
     };
-    match (state.test, state.moving) {
-        (Some((ends, _, rule)), moving) => {
-            let arrow = Shape::Arrow(ends.map(Point::to_array));
+    match (now.asked.test, now.moving) {
+        (Some(test), moving) => {
+            let arrow = Shape::Arrow(test.ends.map(Point::to_array));
             marks.push(Mark::new(Role::Signal, arrow));
-            marks.push(vertex(ends[0], starts_inside(rule), "S"));
             // Nothing comes in while the ring is closed: then the edge ends at F.
-            let end = if moving.is_some() { "P" } else { "F" };
-            marks.push(vertex(ends[1], rule.ends_inside(), end));
+            let symbols = ["S", if moving.is_some() { "P" } else { "F" }];
+            marks.extend((0..2).map(|i| vertex(test.ends[i], test.inside()[i], symbols[i])));
         }
-        (None, Some(at)) if state.stage_idx.is_some() => marks.push(vertex(at, true, "P")),
+        (None, Some(at)) if now.stage_idx.is_some() => marks.push(vertex(at, true, "P")),
         (None, Some(at)) => {
-            let symbol = output_symbol(state.output.len().saturating_sub(1));
+            let symbol = output_symbol(held.output.len().saturating_sub(1));
             marks.push(signal(Shape::Dot(at.to_array()), name(symbol)));
         }
         (None, None) => {}
     }
-    if let Some((at, t)) = state.crossing {
+    if let Some(Crossing { at, t }) = now.asked.crossing {
         let label = Formula::default().sym("I: t = ").ratio(t.num, t.den);
         marks.push(signal(Shape::Dot(at.to_array()), label.into()));
     }

@@ -27,14 +27,14 @@ pub trait LabVertex: Vertex + Serialize + 'static {
 
     /// How a crossing came to its place in the texture:
     /// `uv(I) = (2 · (0, 0) + 6 · (1, 1/4)) / (6 − (−2)) = (3/4, 3/16)`.
-    fn uv_formula(&self, [s, p]: [&Named<Self>; 2], weights: &Weights) -> Option<Formula> {
+    fn uv_formula(&self, [s, p]: [&NamedVertex<Self>; 2], weights: &Weights) -> Option<Formula> {
         let [uv, uv_s, uv_p] = [self.uv()?, s.vertex.uv()?, p.vertex.uv()?];
         Some(weights.mean_of_points("uv(I)", [uv_s, uv_p], uv))
     }
 }
 
 /// A vertex, and how it is called.
-pub struct Named<V> {
+pub struct NamedVertex<V> {
     /// `V₃`
     pub symbol: String,
     /// The vertex.

@@ -1,29 +1,37 @@
 //! Sutherland–Hodgman, shown.
 
 use crate::{
-    algo::polygon::{
-        ClipRegion, Right, RingOutcome, Rule, SutherlandHodgman, SutherlandHodgmanEvent as Event,
-        SutherlandHodgmanInput as Input, SutherlandHodgmanState as State, Textured,
+    algo::{
+        polygon::{
+            ClipRegion, Right, RingOutcome, Rule, SutherlandHodgman,
+            SutherlandHodgmanEvent as Event, SutherlandHodgmanInput as Input, Textured,
+        },
+        ring::{Crossing, Happening, RingEvent},
     },
-    figure::{Body, Caption, Run, Tick, View, Watch, WatchRow, WatchSection},
+    figure::{
+        Body, Run,
+        Tick::{Accept, Cut, Phase, Reject, Test},
+        View, Watch, WatchSection,
+    },
     geom::Point,
     labs::{
-        CodeLine, Demo, Step,
-        polygons::{GivenSubject, PolygonDemo, Scene, Texture, UnfitScene},
-        record, record_beside,
-        words::{name, point_formula, vertex_symbol},
+        CodeLine,
+        polygons::{GivenSubject, PolygonTelling, Scene, Texture, UnfitScene},
+        rings::{Asked, asked_vertex, is_crossed, rules},
+        telling::{At, Named, Recorded, Row, Telling, Watched, rows},
+        words::{name, vertex_symbol},
     },
-    text::{Formula, Message, Value},
+    trace::Step,
 };
 
 use super::{
-    clip_edge::{ClipEdge, EdgeLook},
+    super::handles::corner_link,
     drawing::marks,
     faulty::Kept,
     list_view::lists,
-    lists::{LISTS, output_symbol, rows},
-    rules::{side_term, starts_inside, test_caption},
-    skin::{LabVertex, Named},
+    lists::{LISTS, output_symbol, rows as list_rows},
+    picture::{Picture, edge},
+    skin::{LabVertex, NamedVertex},
     variant::{EACH, FIRST, IN_IN, IN_OUT, OUT_IN, OUT_OUT, PASS, Variant},
 };
 
@@ -35,7 +43,7 @@ impl Variant for Right {
     const NAME_KEY: &'static str = "alg-sutherland-hodgman";
 }
 
-impl<L: Variant> PolygonDemo for SutherlandHodgman<Point, L> {
+impl<L: Variant> PolygonTelling for SutherlandHodgman<Point, L> {
     const CARRIES_TEXTURE: bool = L::DIFFERS_KEY.is_none();
     const GIVEN: GivenSubject = GivenSubject::CutOff;
 
@@ -43,52 +51,21 @@ impl<L: Variant> PolygonDemo for SutherlandHodgman<Point, L> {
         input(scene)
     }
 
-    fn border(event: &Event<Point>) -> Option<usize> {
-        match *event {
-            Event::Edge { edge_idx, .. } => Some(edge_idx),
-            Event::First { .. }
-            | Event::Test { .. }
-            | Event::Cross { .. }
-            | Event::Output { .. }
-            | Event::Pass { .. }
-            | Event::Done { .. } => None,
-        }
+    fn border(step: &Step<'_, Self>) -> Option<usize> {
+        edge(step).map(|edge| edge.idx())
     }
 
-    fn tells(event: &Event<Point>, vertex: Point) -> Option<bool> {
-        match *event {
-            Event::First { at, inside, .. } => (at == vertex).then_some(inside),
-            Event::Test { ends, rule, .. } => (ends[1] == vertex).then_some(rule.ends_inside()),
-            Event::Edge { .. }
-            | Event::Cross { .. }
-            | Event::Output { .. }
-            | Event::Pass { .. }
-            | Event::Done { .. } => None,
-        }
+    fn asks(event: &Event<Point>) -> Option<Point> {
+        asked_vertex(event)
     }
 
     fn crossing(event: &Event<Point>) -> Option<Point> {
-        match *event {
-            Event::Cross { at, .. } => Some(at),
-            Event::Edge { .. }
-            | Event::First { .. }
-            | Event::Test { .. }
-            | Event::Output { .. }
-            | Event::Pass { .. }
-            | Event::Done { .. } => None,
-        }
+        crossing_of(event)
     }
 
-    fn piece(event: &Event<Point>, after: &State<Point>) -> Option<Vec<Point>> {
-        match event {
-            Event::Done { .. } => Some(after.input.clone()),
-            Event::Edge { .. }
-            | Event::First { .. }
-            | Event::Test { .. }
-            | Event::Cross { .. }
-            | Event::Output { .. }
-            | Event::Pass { .. } => None,
-        }
+    fn piece(step: &Step<'_, Self>) -> Option<Vec<Point>> {
+        let is_done = matches!(step.event(), Some(Event::Done { .. }));
+        is_done.then(|| step.held.lists.list().clone())
     }
 
     fn record(scene: &Scene) -> Result<Box<dyn Run>, UnfitScene> {
@@ -97,10 +74,28 @@ impl<L: Variant> PolygonDemo for SutherlandHodgman<Point, L> {
             None => scene.texture,
         };
         Ok(match texture {
-            Texture::None => record_beside::<Self, SutherlandHodgman>(input(scene)?),
-            Texture::Interpolated => record::<SutherlandHodgman<Textured, L>>(textured(scene)?),
-            Texture::Kept => record::<SutherlandHodgman<Kept, L>>(textured(scene)?),
+            Texture::None => {
+                let run = Recorded::<Self>::beside::<SutherlandHodgman>(input(scene)?, None);
+                Box::new(run)
+            }
+            Texture::Interpolated => {
+                let input = textured(scene)?;
+                Box::new(Recorded::<SutherlandHodgman<Textured, L>>::new(input, None))
+            }
+            Texture::Kept => {
+                let input = textured(scene)?;
+                Box::new(Recorded::<SutherlandHodgman<Kept, L>>::new(input, None))
+            }
         })
+    }
+}
+
+/// Where an event finds an intersection.
+pub fn crossing_of(event: &impl RingEvent<Point>) -> Option<Point> {
+    if let Some(Happening::Cross(Crossing { at, .. })) = event.happening() {
+        Some(at)
+    } else {
+        None
     }
 }
 
@@ -126,198 +121,201 @@ fn textured<V: LabVertex>(scene: &Scene) -> Result<Input<V>, UnfitScene> {
     })
 }
 
-impl<V: LabVertex, L: Variant> Demo for SutherlandHodgman<V, L> {
+const LIES: &[&str] = &["{S lies}", "{P lies}"];
+const CROSSES: &[&str] = &["{I 1}", "{I 2}", "{I 3}", "{uv(I)}"];
+const PUTS_OUT: &[&str] = &["{place} = {at}"];
+
+const fn test(line: usize, key: &'static str) -> Row {
+    Row::new(Test, line, key).so(LIES).picks("rule", "rules")
+}
+
+const fn cross(line: usize) -> Row {
+    Row::new(Cut, line, "sh-cross").so(CROSSES)
+}
+
+const fn output(line: usize) -> Row {
+    Row::new(Test, line, "sh-output").so(PUTS_OUT)
+}
+
+rows! { [V: LabVertex, L: Variant] |event, step: SutherlandHodgman<V, L>|
+    edge_side: Event::Edge { .. } if is_window(step) => Row::new(Phase, EACH, "sh-edge-side");
+    edge: Event::Edge { .. } =>
+        Row::new(Phase, EACH, "sh-edge").so(&["n = {normal}", "E = {E}"]);
+    first_inside: Event::First { inside: true, .. } =>
+        Row::new(Test, FIRST, "sh-first-inside").so(&["{P lies}"]).answers("first").keeps("P");
+    first_outside: Event::First { inside: false, .. } =>
+        Row::new(Test, FIRST, "sh-first-outside").so(&["{P lies}"]).answers("first").drops("P");
+    // The edge that closes the ring puts out a crossing at most: its end has been asked before.
+    closes_in_in: Event::Test { idx: [_, 0], rule: Rule::InIn, .. } =>
+        test(IN_IN, "sh-closing").keeps("P");
+    closes_in_out: Event::Test { idx: [_, 0], rule: Rule::InOut, distances, .. }
+        if is_crossed(distances) => test(IN_OUT, "sh-closing-cross").about("P");
+    closes_leaving: Event::Test { idx: [_, 0], rule: Rule::InOut, .. } =>
+        test(IN_OUT, "sh-closing").about("P");
+    closes_out_in: Event::Test { idx: [_, 0], rule: Rule::OutIn, distances, .. }
+        if is_crossed(distances) => test(OUT_IN, "sh-closing-cross").keeps("P");
+    closes_coming: Event::Test { idx: [_, 0], rule: Rule::OutIn, .. } =>
+        test(OUT_IN, "sh-closing").keeps("P");
+    closes_out_out: Event::Test { idx: [_, 0], rule: Rule::OutOut, .. } =>
+        test(OUT_OUT, "sh-closing").about("P");
+    in_in: Event::Test { rule: Rule::InIn, .. } => test(IN_IN, "sh-in-in").keeps("P");
+    in_out: Event::Test { rule: Rule::InOut, distances, .. } if is_crossed(distances) =>
+        test(IN_OUT, "sh-in-out").drops("P");
+    leaves: Event::Test { rule: Rule::InOut, .. } => test(IN_OUT, "sh-in-out-touch").drops("P");
+    out_in: Event::Test { rule: Rule::OutIn, distances, .. } if is_crossed(distances) =>
+        test(OUT_IN, "sh-out-in").keeps("P");
+    comes: Event::Test { rule: Rule::OutIn, .. } => test(OUT_IN, "sh-out-in-touch").keeps("P");
+    out_out: Event::Test { rule: Rule::OutOut, .. } => test(OUT_OUT, "sh-out-out").drops("P");
+    cuts_leaving: Event::Cross { .. } if rule(step) == Some(Rule::InOut) => cross(IN_OUT);
+    cuts_coming: Event::Cross { .. } => cross(OUT_IN);
+    puts_first: Event::Output { .. } if rule(step).is_none() => output(FIRST);
+    puts_in_in: Event::Output { .. } if rule(step) == Some(Rule::InIn) => output(IN_IN);
+    puts_in_out: Event::Output { .. } if rule(step) == Some(Rule::InOut) => output(IN_OUT);
+    puts_out_in: Event::Output { .. } => output(OUT_IN);
+    nothing_left: Event::Pass { n_vertices: 0, .. } => Row::new(Test, PASS, "sh-pass-empty");
+    pass: Event::Pass { .. } => Row::new(Test, PASS, "sh-pass");
+    empty: Event::Done { outcome: RingOutcome::Empty } => Row::new(Reject, PASS, "sh-done-empty");
+    degenerate: Event::Done { outcome: RingOutcome::Degenerate } =>
+        Row::new(Reject, PASS, "sh-done-degenerate");
+    whole: Event::Done { outcome: RingOutcome::Whole } => Row::new(Accept, PASS, "sh-done-whole");
+    cut: Event::Done { outcome: RingOutcome::Cut } => Row::new(Accept, PASS, "sh-done-cut");
+}
+
+fn is_window<V: LabVertex, L: Variant>(step: &Step<'_, SutherlandHodgman<V, L>>) -> bool {
+    matches!(step.input.region, ClipRegion::Window(_))
+}
+
+/// What the edge that was looked at last falls under; none where only the first vertex has been.
+fn rule<V: LabVertex, L: Variant>(step: &Step<'_, SutherlandHodgman<V, L>>) -> Option<Rule> {
+    Asked::of(step.past).test.map(|test| test.rule)
+}
+
+impl<V: LabVertex, L: Variant> Telling for SutherlandHodgman<V, L> {
+    type Scenery = ();
+
     const ID: &'static str = L::ID;
     const NAME_KEY: &'static str = L::NAME_KEY;
     const SOURCE: &'static str = SOURCE;
     const CODE: &'static [CodeLine] = &L::CODE;
     const DIFFERS_KEY: Option<&'static str> = L::DIFFERS_KEY;
+    const ROWS: &'static [Row] = ROWS;
+    const WATCH: &'static [Watched] = &[Watched::Names(&["d_S", "d_P", "t"])];
 
-    fn tick(event: &Event<V>) -> Tick {
-        match event {
-            Event::Edge { .. } => Tick::Phase,
-            Event::Cross { .. } => Tick::Cut,
-            Event::Done {
-                outcome: RingOutcome::Empty | RingOutcome::Degenerate,
-            } => Tick::Reject,
-            Event::Done { .. } => Tick::Accept,
-            Event::First { .. }
-            | Event::Test { .. }
-            | Event::Output { .. }
-            | Event::Pass { .. } => Tick::Test,
-        }
+    fn row(step: &Step<'_, Self>) -> &'static Row {
+        row(step)
     }
 
-    fn code_line(event: &Event<V>, before: &State<V>) -> usize {
-        let rule = match event {
-            Event::Edge { .. } => return EACH,
-            Event::First { .. } => return FIRST,
-            Event::Pass { .. } | Event::Done { .. } => return PASS,
-            Event::Test { rule, .. } => Some(*rule),
-            Event::Cross { .. } | Event::Output { .. } => before.test.map(|test| test.rule),
-        };
-        match rule {
-            None => FIRST,
-            Some(Rule::InIn) => IN_IN,
-            Some(Rule::InOut) => IN_OUT,
-            Some(Rule::OutIn) => OUT_IN,
-            Some(Rule::OutOut) => OUT_OUT,
-        }
+    fn opening(_: &At<'_, Self>) -> &'static Row {
+        const OPENING: Row = Row::new(Phase, EACH, "sh-opening");
+        &OPENING
     }
 
-    fn opening(input: &Input<V>) -> Caption {
-        let message = Message::new("sh-opening")
-            .with("n", input.vertices.len())
-            .with("edges", input.region.n_edges());
-        Caption::new(message)
+    fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
+        let Step { input, held, past } = at.step;
+        let of_vertex = || of_vertex(at, name);
+        let of_edge = || of_edge(at, name);
+        Some(match name {
+            "n" => held.lists.list().len().into(),
+            "edges" => input.region.n_edges().into(),
+            _ => {
+                let of_test = || Asked::of(past).named(name, vertex_symbol);
+                return of_vertex().or_else(of_edge).or_else(of_test);
+            }
+        })
     }
 
-    fn caption(event: &Event<V>, before: &State<V>, input: &Input<V>) -> Caption {
-        caption(event, before, &input.region, L::LOOK)
+    fn listed(_: &At<'_, Self>, _: &str) -> Vec<Named> {
+        rules()
     }
 
-    fn views(step: &Step<'_, Self>) -> Vec<View> {
-        let (input, state, event) = (step.input, step.state, step.event);
+    fn watch(at: &At<'_, Self>) -> Watch {
+        let lists = lists_watched(at).into_iter();
+        let lists = lists.map(|section| section.seen_in(LISTS));
+        scalars(at).into_iter().chain(lists).collect()
+    }
+
+    fn views(at: &At<'_, Self>) -> Vec<View> {
+        let picture = Picture::of(&at.step);
         vec![
-            View::plane(marks(input, state, event, L::LOOK)),
-            View::new(LISTS, Body::Lists(lists(input, state, event))),
+            View::plane(marks(&picture)),
+            View::new(LISTS, Body::Lists(lists(&picture))),
         ]
     }
-
-    fn watch(step: &Step<'_, Self>) -> Watch {
-        let lists = lists_watched(step.state);
-        let lists = lists.into_iter().map(|section| section.seen_in(LISTS));
-        scalars(step.state).into_iter().chain(lists).collect()
-    }
 }
 
-pub fn caption<V: LabVertex>(
-    event: &Event<V>,
-    before: &State<V>,
-    region: &ClipRegion,
-    look: EdgeLook,
-) -> Caption {
-    let edge = ClipEdge::new(region, before.edge_idx.unwrap_or(0), look);
-    match *event {
-        Event::Edge {
-            edge_idx,
-            normal,
-            origin,
-        } => {
-            let caption = Caption::new(ClipEdge::new(region, edge_idx, look).message());
-            match region {
-                ClipRegion::Window(_) => caption,
-                ClipRegion::Convex(_) => caption
-                    .so(Formula::default().sym("n = ").point(normal))
-                    .so(point_formula("E", origin)),
-            }
+/// What a name stands for that says something of the vertex that is asked or put out.
+fn of_vertex<V: LabVertex, L: Variant>(
+    at: &At<'_, SutherlandHodgman<V, L>>,
+    name_of: &str,
+) -> Option<Named> {
+    let asked = Asked::of(at.step.past);
+    let event = at.step.event()?;
+    let vertex = asked_vertex(&event);
+    Some(match (name_of, event) {
+        ("vertex", Event::Output { at }) if asked.is_crossing(at) => name("I").into(),
+        ("vertex", _) => name(vertex_symbol(asked.place())).into(),
+        ("place", _) => {
+            let last = at.step.held.lists.other().len().checked_sub(1)?;
+            name(output_symbol(last)).into()
         }
-        Event::First {
-            at,
-            distance,
-            inside,
-        } => {
-            let key = if inside {
-                "sh-first-inside"
-            } else {
-                "sh-first-outside"
-            };
-            let first = (vertex_symbol(0), at.at());
-            Caption::new(Message::new(key).with("vertex", name(first.0.clone())))
-                .so(edge.position(&first, distance, inside))
+        ("at", Event::Output { at }) => at.at().to_array().into(),
+        ("P", _) => {
+            let mut given = at.step.input.vertices.iter();
+            let place = given.position(|given| vertex.is_some_and(|v| v.at() == given.at()));
+            Named::from(name(vertex_symbol(asked.place()))).linked(corner_link(place?))
         }
-        Event::Test {
-            idx,
-            ends,
-            distances,
-            rule,
-        } => test_caption(&edge, idx, ends.map(|v| v.at()), distances, rule),
-        Event::Cross { at, .. } => cross_caption(&edge, before, at),
-        Event::Output { at } => output_caption(before, at),
-        Event::Pass { n_vertices, .. } => {
-            let key = if n_vertices == 0 {
-                "sh-pass-empty"
-            } else {
-                "sh-pass"
-            };
-            let message = Message::new(key).with("n", n_vertices);
-            Caption::new(message.with("border", edge.border()))
+        _ => return None,
+    })
+}
+
+/// What a name stands for that says how a vertex or an edge lies to the clip edge, or what that is.
+fn of_edge<V: LabVertex, L: Variant>(
+    at: &At<'_, SutherlandHodgman<V, L>>,
+    name_of: &str,
+) -> Option<Named> {
+    let asked = Asked::of(at.step.past);
+    let (edge, event) = (edge(&at.step)?, at.step.event()?);
+    let symbol = |i: usize| vertex_symbol(asked.test.map_or(0, |test| test.idx[i]));
+    Some(match (name_of, event) {
+        ("edge", _) => edge.name().into(),
+        ("inside", _) => edge.inside().into(),
+        ("border", _) => edge.border().into(),
+        ("normal", Event::Edge { normal, .. }) => normal.into(),
+        ("E", Event::Edge { origin, .. }) => origin.to_array().into(),
+        ("uv(I)", Event::Cross { at, .. }) => {
+            let test = asked.test?;
+            let ends = [0, 1].map(|i| NamedVertex {
+                symbol: symbol(i),
+                vertex: test.ends[i],
+            });
+            let weights = edge.weights(test.ends.map(|v| v.at()), test.distances);
+            at.uv_formula([&ends[0], &ends[1]], &weights)?.into()
         }
-        Event::Done { outcome } => done(outcome, before.input.len(), region.n_edges()),
-    }
-}
-
-fn output_caption<V: LabVertex>(before: &State<V>, at: V) -> Caption {
-    let symbol = output_symbol(before.output.len());
-    let message = Message::new("sh-output")
-        .with("vertex", name(put_out_symbol(before, at)))
-        .with("place", name(symbol.clone()));
-    let point = Formula::default().sym(symbol).sym(" = ");
-    Caption::new(message).so(point.point(at.at().to_array()))
-}
-
-fn cross_caption<V: LabVertex>(edge: &ClipEdge<'_>, before: &State<V>, crossing: V) -> Caption {
-    let at = crossing.at();
-    // A crossing follows a test.
-    let (idx, distances) = before
-        .test
-        .map_or(([0; 2], [0.0; 2]), |test| (test.idx, test.distances));
-    let ends = idx.map(|i| Named {
-        symbol: vertex_symbol(i),
-        vertex: before.input.get(i).copied().unwrap_or(crossing),
-    });
-    let message = Message::new("sh-cross")
-        .with("from", name(ends[0].symbol.clone()))
-        .with("to", name(ends[1].symbol.clone()))
-        .with("border", edge.border());
-    let points = [ends[0].vertex.at(), ends[1].vertex.at()];
-    let formulas = edge.crossing(points, distances, at);
-    formulas
-        .into_iter()
-        .chain(crossing.uv_formula([&ends[0], &ends[1]], &edge.weights(points, distances)))
-        .fold(Caption::new(message), Caption::so)
-}
-
-/// I, or the vertex of the input list that it is.
-fn put_out_symbol<V: LabVertex>(before: &State<V>, vertex: V) -> String {
-    match (before.crossing, before.test) {
-        (Some((crossing, _)), _) if crossing == vertex => "I".to_owned(),
-        (_, Some(test)) => vertex_symbol(test.idx[1]),
-        (_, None) => vertex_symbol(0),
-    }
-}
-
-/// What is left, in words.
-pub fn done(outcome: RingOutcome, n_vertices: usize, n_edges: usize) -> Caption {
-    let key = match outcome {
-        RingOutcome::Empty => "sh-done-empty",
-        RingOutcome::Whole => "sh-done-whole",
-        RingOutcome::Cut => "sh-done-cut",
-        RingOutcome::Degenerate => "sh-done-degenerate",
-    };
-    let message = Message::new(key).with("n", n_vertices);
-    Caption::new(message.with("edges", n_edges))
+        _ => {
+            let symbols = [0, 1].map(symbol);
+            edge.asked(name_of, &event, (&asked, symbols))?.into()
+        }
+    })
 }
 
 /// The distances of S and P from the clip edge, and where between them it is crossed.
-pub fn scalars<V: LabVertex>(state: &State<V>) -> Option<WatchSection> {
-    let test = state.test?;
-    let distance = |i: usize| {
-        let side = [starts_inside(test.rule), test.rule.ends_inside()][i];
-        let symbol = ["d_S", "d_P"][i];
-        WatchRow::new(name(symbol), Some(Value::Number(test.distances[i])))
-            .noted(Value::Term(side_term(side)))
-    };
-    let mut list = vec![distance(0), distance(1)];
-    if let Some((_, t)) = state.crossing {
-        let (num, den) = (t.num, t.den);
-        list.push(WatchRow::new(name("t"), Some(Value::Ratio { num, den })));
-    }
-    Some(WatchSection::list(list))
+pub fn scalars<V: LabVertex, L: Variant>(
+    at: &At<'_, SutherlandHodgman<V, L>>,
+) -> Option<WatchSection> {
+    let section = at.section(&SutherlandHodgman::<V, L>::WATCH[0]);
+    (!section.rows.is_empty()).then_some(section)
 }
 
 /// Both lists.
-pub fn lists_watched<V: LabVertex>(state: &State<V>) -> Vec<WatchSection> {
-    let current = state.test.map_or(0, |test| test.idx[1]);
-    rows(&state.input, &state.output, current)
+pub fn lists_watched<V: LabVertex, L: Variant>(
+    at: &At<'_, SutherlandHodgman<V, L>>,
+) -> Vec<WatchSection> {
+    let Step { held, past, .. } = at.step;
+    let is_growing = past.last().is_some_and(|event| event.happening().is_some());
+    let output = if is_growing {
+        &held.lists.other()[..]
+    } else {
+        &[]
+    };
+    list_rows(held.lists.list(), output, Asked::of(past).place())
 }

@@ -4,27 +4,29 @@ use serde_json::{Value as Json, json};
 
 use crate::{
     algo::polygon::{
-        EachTriangleEvent as Each, EarClipping, EarClippingEvent, EarsSoFar, Pieces, RingOutcome,
-        SutherlandHodgman, SutherlandHodgmanEvent, SutherlandHodgmanInput, Triangle,
-        TriangulateAndClip, TriangulateAndClipEvent as Event, TriangulateAndClipInput as Input,
-        TriangulateAndClipState as State,
+        EachTriangleEvent as Each, EarClipping, Pieces, RingOutcome, SutherlandHodgman, Triangle,
+        TriangulateAndClip, TriangulateAndClipEvent as Event, TriangulateAndClipHeld as Held,
+        TriangulateAndClipInput as Input,
     },
-    figure::{Body, Caption, Mark, Role, Shape, Tick, View, Watch, WatchRow, WatchSection},
+    figure::{
+        Body, Mark, Role, Shape,
+        Tick::{self, Accept, Cut, Phase, Reject, Test},
+        View, Watch, WatchSection,
+    },
     geom::{Point, SimplePolygon},
     labs::{
-        Answer, CodeLine, Demo, Step, code_line,
-        polygons::{PolygonDemo, Scene, ScenePart, UnfitScene},
-        telling::{At, Telling},
-        words::point_formula,
+        Answer, CodeLine, code_line,
+        polygons::{PolygonTelling, Scene, ScenePart, UnfitScene},
+        telling::{At, Named, Row, Telling, Watched, all_rows, rows},
     },
-    text::{Message, Value},
-    trace::told::Recording,
+    text::Value,
+    trace::Step,
 };
 
 use super::{
-    clip_edge::EdgeLook,
     drawing, ear_clipping,
     fates::{FATES, fates},
+    picture::Picture,
     sutherland_hodgman,
     triangles::{points_of, triangle_link, triangle_name},
 };
@@ -37,7 +39,27 @@ const PIECE: usize = 3;
 /// Up to this number of triangles or pieces each has its outline.
 const FEW_ENOUGH: usize = 200;
 
-impl PolygonDemo for TriangulateAndClip {
+rows! { |event, step: TriangulateAndClip|
+    triangle: Event::Each(Each::Triangle { .. }) =>
+        Row::new(Phase, EACH, "tac-triangle").so(&["V₁ = {V₁}", "V₂ = {V₂}", "V₃ = {V₃}"]);
+    whole: Event::Each(Each::Piece { outcome: RingOutcome::Whole, .. }) => piece("tac-whole").keeps("triangle");
+    cut: Event::Each(Each::Piece { outcome: RingOutcome::Cut, .. }) => piece("tac-piece").cuts("triangle");
+    touch: Event::Each(Each::Piece { outcome: RingOutcome::Degenerate, .. }) =>
+        piece("tac-touch").drops("triangle");
+    none: Event::Each(Each::Piece { outcome: RingOutcome::Empty, .. }) => piece("tac-none").drops("triangle");
+    nothing: Event::Each(Each::Finish { n_pieces: 0 }) => Row::new(Reject, PIECE, "tac-finish");
+    // What the parts tell they tell by their own rows.
+    finish: Event::Each(Each::Finish { .. }) | Event::Triangulate(_) | Event::Clip(_) =>
+        Row::new(Accept, PIECE, "tac-finish");
+}
+
+const PARTS: [&[Row]; 3] = [ROWS, EarClipping::ROWS, <SutherlandHodgman>::ROWS];
+
+const fn piece(key: &'static str) -> Row {
+    Row::new(Test, PIECE, key).answers("piece")
+}
+
+impl PolygonTelling for TriangulateAndClip {
     fn input(scene: &Scene) -> Result<Input, UnfitScene> {
         let region = sutherland_hodgman::region(scene)?;
         let polygon = SimplePolygon::try_from(&scene.subject)
@@ -46,22 +68,19 @@ impl PolygonDemo for TriangulateAndClip {
     }
 
     fn crossing(event: &Event) -> Option<Point> {
-        match event {
-            Event::Clip(event) => SutherlandHodgman::<Point>::crossing(event),
-            Event::Triangulate(_) | Event::Each(_) => None,
-        }
+        sutherland_hodgman::crossing_of(event)
     }
 
-    fn piece(event: &Event, after: &State) -> Option<Vec<Point>> {
-        match event {
-            Event::Each(Each::Piece {
+    fn piece(step: &Step<'_, Self>) -> Option<Vec<Point>> {
+        let is_piece = matches!(
+            step.event(),
+            Some(Event::Each(Each::Piece {
                 outcome: RingOutcome::Whole | RingOutcome::Cut,
                 ..
-            }) => after.pieces.rings().last().map(<[Point]>::to_vec),
-            Event::Each(Each::Piece { .. } | Each::Triangle { .. } | Each::Finish { .. })
-            | Event::Triangulate(_)
-            | Event::Clip(_) => None,
-        }
+            }))
+        );
+        let last = step.held.pieces.rings().last().filter(|_| is_piece);
+        last.map(<[Point]>::to_vec)
     }
 }
 
@@ -72,7 +91,9 @@ impl Answer for Pieces {
     }
 }
 
-impl Demo for TriangulateAndClip {
+impl Telling for TriangulateAndClip {
+    type Scenery = ();
+
     const ID: &'static str = "triangulate-and-clip";
     const NAME_KEY: &'static str = "alg-triangulate-and-clip";
     const SOURCE: &'static str = "Hearn & Baker, 1997, §6-8";
@@ -82,171 +103,233 @@ impl Demo for TriangulateAndClip {
         code_line(1, "code-tac-clip", "words-tac-clip"),
         code_line(1, "code-tac-piece", "words-tac-piece"),
     ];
+    const ROWS: &'static [Row] =
+        &all_rows::<{ PARTS[0].len() + PARTS[1].len() + PARTS[2].len() }>(&PARTS);
+    const WATCH: &'static [Watched] = &[Watched::Names(&["now", "pieces"])];
 
-    fn tick(event: &Event) -> Tick {
-        match event {
-            Event::Triangulate(EarClippingEvent::Round { .. }) => Tick::Phase,
-            Event::Triangulate(EarClippingEvent::Cut { .. } | EarClippingEvent::Last { .. }) => {
-                Tick::Cut
+    fn row(step: &Step<'_, Self>) -> &'static Row {
+        of_part(
+            step,
+            |at| EarClipping::row(&at.step),
+            |at| <SutherlandHodgman>::row(&at.step),
+        )
+        .unwrap_or_else(|| row(step))
+    }
+
+    fn opening(_: &At<'_, Self>) -> &'static Row {
+        const OPENING: Row = Row::new(Phase, TRIANGULATE, "tac-opening");
+        &OPENING
+    }
+
+    fn line(row: &Row) -> usize {
+        match Part::of(row) {
+            Part::Triangulate => TRIANGULATE,
+            Part::Clip => CLIP,
+            Part::Each => row.line,
+        }
+    }
+
+    fn tick(row: &Row) -> Tick {
+        match (Part::of(row), row.tick) {
+            (Part::Triangulate, Accept) => Test,
+            (Part::Clip, tick) if tick != Cut => Test,
+            (_, tick) => tick,
+        }
+    }
+
+    fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
+        if let Some(Event::Each(event)) = at.step.event() {
+            return each_named(&at.step, event, name);
+        }
+        match name {
+            "now" | "pieces" => watched(&at.step, name),
+            "n" if at.step.past.is_empty() => Some(at.step.input.polygon.vertices().len().into()),
+            _ => {
+                let of_ears = |at: &At<'_, EarClipping>| EarClipping::named(at, name);
+                of_part(&at.step, of_ears, |at| <SutherlandHodgman>::named(at, name))?
             }
-            Event::Triangulate(_) => Tick::Test,
-            Event::Each(Each::Triangle { .. }) => Tick::Phase,
-            Event::Clip(SutherlandHodgmanEvent::Cross { .. }) => Tick::Cut,
-            Event::Clip(_) | Event::Each(Each::Piece { .. }) => Tick::Test,
-            Event::Each(Each::Finish { n_pieces: 0 }) => Tick::Reject,
-            Event::Each(Each::Finish { .. }) => Tick::Accept,
         }
     }
 
-    fn code_line(event: &Event, _: &State) -> usize {
-        match event {
-            Event::Triangulate(_) => TRIANGULATE,
-            Event::Each(Each::Triangle { .. }) => EACH,
-            Event::Clip(_) => CLIP,
-            Event::Each(Each::Piece { .. } | Each::Finish { .. }) => PIECE,
+    fn listed(at: &At<'_, Self>, list: &str) -> Vec<Named> {
+        let of_ears = |at: &At<'_, EarClipping>| EarClipping::listed(at, list);
+        let of_clip = |at: &At<'_, SutherlandHodgman>| <SutherlandHodgman>::listed(at, list);
+        of_part(&at.step, of_ears, of_clip).unwrap_or_default()
+    }
+
+    fn watch(at: &At<'_, Self>) -> Watch {
+        if is_triangulating(&at.step) {
+            let sections = ears_at(&at.step, |at| at.filled(EarClipping::WATCH)).into_iter();
+            let unseen = |section| WatchSection {
+                seen_in: None,
+                ..section
+            };
+            return sections.map(unseen).collect();
         }
-    }
-
-    fn opening(input: &Input) -> Caption {
-        let n = input.polygon.vertices().len();
-        Caption::new(Message::new("tac-opening").with("n", n))
-    }
-
-    fn caption(event: &Event, before: &State, input: &Input) -> Caption {
-        match event {
-            Event::Triangulate(_) => {
-                ears_at(&before.ears, before.ears.n_steps + 1, |at| at.caption())
-            }
-            Event::Each(event) => each_caption(*event, before),
-            Event::Clip(event) => match &before.clip {
-                Some(clip) => {
-                    sutherland_hodgman::caption(event, clip, &before.region, EdgeLook::RIGHT)
-                }
-                None => Self::opening(input),
-            },
-        }
-    }
-
-    fn views(step: &Step<'_, Self>) -> Vec<View> {
-        vec![
-            View::plane(marks(step)),
-            View::new(FATES, Body::Lists(fates(step))),
-        ]
-    }
-
-    fn watch(step: &Step<'_, Self>) -> Watch {
-        let state = step.state;
-        if let Some(Event::Triangulate(_)) | None = step.event {
-            return ears_at(&state.ears, state.ears.n_steps, |at| {
-                let sections = at.filled(EarClipping::WATCH).into_iter();
-                let unseen = |section| WatchSection {
-                    seen_in: None,
-                    ..section
-                };
-                sections.map(unseen).collect()
+        let mut watch = at.filled(Self::WATCH);
+        if triangle_now(&at.step).is_some() {
+            clip_at(&at.step, |at| {
+                watch.extend(sutherland_hodgman::scalars(at));
+                watch.extend(sutherland_hodgman::lists_watched(at));
             });
-        }
-        let mut rows = Vec::new();
-        if let Some((triangle_idx, triangle)) = triangle_now(state) {
-            let row = WatchRow::new(Value::Term("tac-now"), Some(triangle_name(triangle)));
-            rows.push(row.linked(triangle_link(triangle_idx)));
-        }
-        let n_pieces = Value::Count(state.pieces.len());
-        rows.push(WatchRow::new(Value::Term("tac-pieces"), Some(n_pieces)));
-        let mut watch = vec![WatchSection::list(rows)];
-        if let Some(clip) = &state.clip {
-            watch.extend(sutherland_hodgman::scalars(clip));
-            watch.extend(sutherland_hodgman::lists_watched(clip));
         }
         watch
     }
+
+    fn views(at: &At<'_, Self>) -> Vec<View> {
+        vec![
+            View::plane(marks(&at.step)),
+            View::new(FATES, Body::Lists(fates(&at.step))),
+        ]
+    }
+}
+
+/// What a row is about: the triangulation, the clipping of a triangle, or what happens between these.
+enum Part {
+    Triangulate,
+    Clip,
+    Each,
+}
+
+impl Part {
+    /// By its sentence; of 100,000 rows that must be quick.
+    fn of(row: &Row) -> Self {
+        match row.key.as_bytes() {
+            [b'e', b'a', b'r', b'-', ..] => Self::Triangulate,
+            [b's', b'h', b'-', ..] => Self::Clip,
+            _ => Self::Each,
+        }
+    }
+}
+
+/// Of a step of the triangulation or of the clipping of a triangle, what is looked up there.
+fn of_part<T>(
+    step: &Step<'_, TriangulateAndClip>,
+    of_ears: impl FnOnce(&At<'_, EarClipping>) -> T,
+    of_clip: impl FnOnce(&At<'_, SutherlandHodgman>) -> T,
+) -> Option<T> {
+    match step.event()? {
+        Event::Triangulate(_) => Some(ears_at(step, of_ears)),
+        Event::Clip(_) => Some(clip_at(step, of_clip)),
+        Event::Each(_) => None,
+    }
+}
+
+/// The step of the triangulation. It looks at no event but the last.
+fn ears_at<T>(
+    step: &Step<'_, TriangulateAndClip>,
+    look: impl FnOnce(&At<'_, EarClipping>) -> T,
+) -> T {
+    let past = if let Some(Event::Triangulate(event)) = step.event() {
+        Some(event)
+    } else {
+        None
+    };
+    look(&At {
+        step: Step {
+            input: &step.input.polygon,
+            held: &step.held.ears,
+            past: past.as_slice(),
+        },
+        scenery: None,
+    })
+}
+
+/// The step of the clipping of the triangle whose turn it is.
+fn clip_at<T>(
+    step: &Step<'_, TriangulateAndClip>,
+    look: impl FnOnce(&At<'_, SutherlandHodgman>) -> T,
+) -> T {
+    let begins = |event: &Event| matches!(event, Event::Each(Each::Triangle { .. }));
+    let start = step
+        .past
+        .iter()
+        .rposition(begins)
+        .unwrap_or(step.past.len());
+    let past: Vec<_> = step.past[start..]
+        .iter()
+        .filter_map(|event| match event {
+            Event::Clip(event) => Some(*event),
+            Event::Triangulate(_) | Event::Each(_) => None,
+        })
+        .collect();
+    look(&At {
+        step: Step {
+            input: &step.held.problem,
+            held: &step.held.clip,
+            past: &past,
+        },
+        scenery: None,
+    })
+}
+
+fn is_triangulating(step: &Step<'_, TriangulateAndClip>) -> bool {
+    matches!(step.event(), Some(Event::Triangulate(_)) | None)
+}
+
+fn is_done(step: &Step<'_, TriangulateAndClip>) -> bool {
+    matches!(step.event(), Some(Event::Each(Each::Finish { .. })))
+}
+
+/// The triangle whose turn it is, and its number.
+pub fn triangle_now(step: &Step<'_, TriangulateAndClip>) -> Option<(usize, Triangle)> {
+    if is_triangulating(step) || is_done(step) {
+        return None;
+    }
+    let triangle_idx = step.held.triangle_idx;
+    let triangle = step.held.ears.cut_off.triangles().get(triangle_idx)?;
+    Some((triangle_idx, *triangle))
+}
+
+/// Before, between and after the triangles.
+fn each_named(step: &Step<'_, TriangulateAndClip>, event: Each, name: &str) -> Option<Named> {
+    let held = step.held;
+    Some(match (name, event) {
+        ("triangle", _) => {
+            let (triangle_idx, triangle) = triangle_now(step)?;
+            Named::from(triangle_name(triangle)).linked(triangle_link(triangle_idx))
+        }
+        ("number", _) => (held.triangle_idx + 1).into(),
+        ("total", _) => held.ears.cut_off.triangles().len().into(),
+        ("V₁", Each::Triangle { corners, .. }) => corners[0].to_array().into(),
+        ("V₂", Each::Triangle { corners, .. }) => corners[1].to_array().into(),
+        ("V₃", Each::Triangle { corners, .. }) => corners[2].to_array().into(),
+        ("n", Each::Piece { .. }) => held.clip.lists.list().len().into(),
+        ("n", Each::Finish { n_pieces }) => n_pieces.into(),
+        _ => return watched(step, name),
+    })
+}
+
+fn watched(step: &Step<'_, TriangulateAndClip>, name: &str) -> Option<Named> {
+    Some(match name {
+        "now" => {
+            let (triangle_idx, triangle) = triangle_now(step)?;
+            let now = Named::from(triangle_name(triangle)).labelled(Value::Term("tac-now"));
+            now.linked(triangle_link(triangle_idx))
+        }
+        "pieces" => Named::from(step.held.pieces.len()).labelled(Value::Term("tac-pieces")),
+        _ => return None,
+    })
 }
 
 /// The drawing.
 fn marks(step: &Step<'_, TriangulateAndClip>) -> Vec<Mark> {
-    let state = step.state;
-    if let Some(Event::Triangulate(_)) | None = step.event {
-        return ears_at(&state.ears, state.ears.n_steps, |at| {
-            ear_clipping::marks(&at.step)
-        });
+    let held = step.held;
+    if is_triangulating(step) {
+        return ears_at(step, |at| ear_clipping::marks(&at.step));
     }
-    if state.is_done {
-        return merged_marks(&state.pieces);
+    if is_done(step) {
+        return merged_marks(&held.pieces);
     }
-    let mut marks = triangle_marks(state);
-    marks.extend(piece_marks(&state.pieces));
-    if let (Some(clip), Some(corners)) = (&state.clip, corners(state)) {
-        let event = if let Some(Event::Clip(event)) = step.event {
-            Some(event)
-        } else {
-            None
-        };
-        let input = SutherlandHodgmanInput {
-            region: state.region.clone(),
-            vertices: corners.to_vec(),
-        };
-        let look = EdgeLook::RIGHT;
-        marks.extend(drawing::marks(&input, clip, event, look));
-    }
+    let mut marks = triangle_marks(held);
+    marks.extend(piece_marks(&held.pieces));
+    marks.extend(clip_at(step, |at| drawing::marks(&Picture::of(&at.step))));
     marks
 }
 
-/// A step of the triangulation.
-fn ears_at<T>(ears: &EarsSoFar, n_steps: usize, look: impl FnOnce(&At<'_, EarClipping>) -> T) -> T {
-    let run = Recording::<EarClipping>::new(ears.polygon.clone());
-    run.at(n_steps, |&step| {
-        let scenery = None;
-        look(&At { step, scenery })
-    })
-}
-
-fn triangle_now(state: &State) -> Option<(usize, Triangle)> {
-    let triangle_idx = state.triangle_idx?;
-    let triangle = state.ears.cut_off.triangles().get(triangle_idx)?;
-    Some((triangle_idx, *triangle))
-}
-
-fn corners(state: &State) -> Option<[Point; 3]> {
-    let (_, triangle) = triangle_now(state)?;
-    Some(state.ears.cut_off.corners(triangle))
-}
-
-fn each_caption(event: Each, before: &State) -> Caption {
-    let named = |key: &'static str, triangle: Triangle| {
-        Message::new(key).with("triangle", triangle_name(triangle))
-    };
-    match event {
-        Each::Triangle {
-            triangle_idx,
-            triangle,
-            corners,
-        } => {
-            let message = named("tac-triangle", triangle)
-                .with("number", triangle_idx + 1)
-                .with("total", before.ears.cut_off.triangles().len());
-            let renamed = ["V₁", "V₂", "V₃"].into_iter().zip(corners);
-            renamed.fold(Caption::new(message), |caption, (symbol, at)| {
-                caption.so(point_formula(symbol, at))
-            })
-        }
-        Each::Piece { outcome, .. } => {
-            let triangle = triangle_now(before).map_or([0; 3], |(_, triangle)| triangle);
-            let key = match outcome {
-                RingOutcome::Whole => "tac-whole",
-                RingOutcome::Cut => "tac-piece",
-                RingOutcome::Degenerate => "tac-touch",
-                RingOutcome::Empty => "tac-none",
-            };
-            let n = before.clip.as_ref().map_or(0, |clip| clip.input.len());
-            Caption::new(named(key, triangle).with("n", n))
-        }
-        Each::Finish { n_pieces } => Caption::new(Message::new("tac-finish").with("n", n_pieces)),
-    }
-}
-
 /// The triangles, as thin lines.
-fn triangle_marks(state: &State) -> Vec<Mark> {
-    let whole = &state.ears.cut_off;
+fn triangle_marks(held: &Held) -> Vec<Mark> {
+    let whole = &held.ears.cut_off;
     let triangles = whole.triangles();
     if triangles.len() > FEW_ENOUGH {
         return Vec::new();

@@ -22,7 +22,7 @@ use crate::{
         },
         telling::{At, Named, Row, Telling, Watched, rows},
     },
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::on_raster::{

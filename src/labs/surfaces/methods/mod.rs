@@ -6,3 +6,5 @@ mod occlusion;
 mod on_raster;
 mod painter;
 mod ray_casting;
+
+pub use occlusion::with_occluders;

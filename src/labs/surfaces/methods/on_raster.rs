@@ -22,7 +22,7 @@ use crate::{
         telling::{Named, Row},
     },
     text::{Message, Value},
-    trace::{silent, told},
+    trace::silent,
 };
 
 /// Greys of neighbouring triangles, a clear step apart.
@@ -308,7 +308,7 @@ pub fn titled(title: Value, n_wrong: usize) -> Value {
 
 /// A cross on each pixel that shows another surface than the one in front, by a depth buffer that rounds nothing.
 pub fn wrong_pixels(surfaces: &Surfaces, picture: &Picture) -> Vec<RasterMark> {
-    let truth = told::silent::<DepthBuffer>(&DepthBufferInput::new(surfaces.clone()));
+    let truth = silent::<DepthBuffer>(&DepthBufferInput::new(surfaces.clone()));
     let [width, _] = surfaces.size().map(|side| side as usize);
     let pairs = picture.ids().iter().zip(truth.picture.ids()).enumerate();
     let wrong = pairs.filter(|(_, (shown, seen))| shown != seen);

@@ -19,7 +19,7 @@ use crate::{
         space::{Scene, SpaceTelling, Subject, soup::surfaces_on_raster, stage::Scenery},
         telling::{At, Named, Row, Telling, Watched, rows},
     },
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::on_raster::depth_list;

@@ -9,6 +9,7 @@ use std::fmt::Write as _;
 
 use crate::{
     geom::Solid,
+    input::{CAMERA_IN_FILE, Dim, FROZEN, Shape},
     labs::{
         self, Lab,
         space::{
@@ -18,7 +19,7 @@ use crate::{
     },
     lesson::{
         sink::Sink,
-        toml_fields::{Item, TomlFields, list, numbers, whole},
+        toml_fields::{Item, TomlFields, each, got, list, made, whole},
     },
     text::{Diagnostic, Message},
 };
@@ -28,9 +29,9 @@ use super::{
     parts::{array, count_and_seed, method},
 };
 
-use camera::{camera, camera_to_toml, eye, eye_to_toml, watching};
+use camera::{camera_to_toml, eye, eye_to_toml, watching};
 use model::{n_faces_listed, object, object_to_toml};
-use raster::{raster, raster_to_toml};
+use raster::{RASTER, raster_to_toml};
 
 /// The fields of a scene.
 const FIELDS: [&str; 14] = [
@@ -89,19 +90,15 @@ fn scene(
         Some(item) => beside(lab, item, sink),
         None => Some(Vec::new()),
     };
-    let camera = fields
-        .require("camera", sink)
-        .and_then(|item| camera(item, sink));
+    let camera = fields.need(&CAMERA_IN_FILE, sink);
     let eye = match fields.get("eye") {
         Some(item) => eye(item, sink),
         None => camera.as_ref().map(watching),
     };
-    let frozen = fields
-        .get("frozen")
-        .and_then(|item| self::camera(item, sink));
+    let frozen = fields.part(&FROZEN, sink);
     let places = places(fields, sink);
     let raster = match fields.get("raster") {
-        Some(item) => raster(item, sink),
+        Some(item) => made(item, &RASTER, sink),
         None => Some(RasterPlan::default()),
     };
     let objects = objects(fields, camera.as_ref(), room, sink);
@@ -127,44 +124,25 @@ fn scene(
     (sink.n_errors() == n_errors).then_some(scene)
 }
 
+const SEGMENT: Shape = Shape::Numbers(&[Dim::Exactly(2), Dim::Exactly(3)]);
+const TRIANGLE: Shape = Shape::Numbers(&[Dim::Exactly(3), Dim::Exactly(3)]);
+
 /// What is asked about besides objects.
 fn places(fields: &TomlFields<'_>, sink: &mut Sink<'_>) -> Option<Places> {
     let mut places = Places::default();
     if let Some(item) = fields.get("point") {
-        let point = numbers(item, "expect-place", sink)?;
+        let point = got(item, &Shape::PLACE, "expect-place", sink)?.array();
         places = refused_at(item.span(), places.with_point(point), sink)?;
     }
     if let Some(item) = fields.get("segment") {
-        let segment = rows(item, "expect-space-segment", sink)?;
+        let segment = got(item, &SEGMENT, "expect-space-segment", sink)?.matrix();
         places = refused_at(item.span(), places.with_segment(segment), sink)?;
     }
     if let Some(item) = fields.get("triangle") {
-        let triangle = rows(item, "expect-space-triangle", sink)?;
+        let triangle = got(item, &TRIANGLE, "expect-space-triangle", sink)?.matrix();
         places = refused_at(item.span(), places.with_triangle(triangle), sink)?;
     }
     Some(places)
-}
-
-/// So many places in space.
-fn rows<const N: usize>(
-    item: &Item<'_>,
-    expected: &'static str,
-    sink: &mut Sink<'_>,
-) -> Option<[[f64; 3]; N]> {
-    let items = list(item, expected, sink)?;
-    let rows: Vec<[f64; 3]> = items
-        .iter()
-        .filter_map(|item| numbers(item, "expect-place", sink))
-        .collect();
-    if rows.len() < items.len() {
-        return None;
-    }
-    let made = rows.try_into();
-    if made.is_err() {
-        let message = Message::new("problem-too-few-places").with("count", items.len());
-        sink.error(item.span(), message, [Message::new(expected)]);
-    }
-    made.ok()
 }
 
 /// More faces and vertices than any mesh has.
@@ -203,11 +181,7 @@ fn beside(
         sink.error(item.span(), message, []);
         return None;
     }
-    let methods: Vec<Method> = items
-        .iter()
-        .filter_map(|item| method_of(lab, item, sink))
-        .collect();
-    (methods.len() == items.len()).then_some(methods)
+    each(item, "", sink, |item, sink| method_of(lab, item, sink))
 }
 
 /// The objects of a scene, listed or a street of boxes: one of the two; where neither is given, a cube that the camera looks at.
@@ -257,8 +231,7 @@ fn listed(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Vec<Object>> {
         sink.refuse(item.span(), error, [Message::new("expect-objects")]);
         return None;
     }
-    let objects: Vec<Object> = items.iter().filter_map(|item| object(item, sink)).collect();
-    (objects.len() == items.len()).then_some(objects)
+    each(item, "expect-objects", sink, object)
 }
 
 /// Writes what a file would not have by itself.

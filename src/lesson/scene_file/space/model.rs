@@ -6,12 +6,13 @@ use base64::{Engine, prelude::BASE64_STANDARD as BASE64};
 
 use crate::{
     geom::{Mesh, MeshError, Solid, SpaceError},
+    input::{Dim, Got, Shape},
     labs::space::{Model, NamedMesh, Object, Picture},
     lesson::{
         picture_of, read_obj, read_picture,
         scene_file::parts::{array, exact, span_of},
         sink::{Sink, clipped},
-        toml_fields::{Item, TomlFields, list, number, numbers, one_of, text, whole},
+        toml_fields::{Item, TomlFields, got, number, one_of, text},
     },
     text::Message,
 };
@@ -30,7 +31,7 @@ pub(super) fn object(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Object> {
     let fields = TomlFields::of(item, &OBJECT, sink)?;
     let model = model(&fields, sink);
     let mut place = |name| match fields.get(name) {
-        Some(item) => numbers::<3>(item, "expect-place", sink),
+        Some(item) => Some(got(item, &Shape::PLACE, "expect-place", sink)?.array()),
         None => Some([0.0; 3]),
     };
     let (at, turn_deg) = (place("at"), place("turn_deg"));
@@ -169,19 +170,25 @@ fn obj(item: &Item<'_>, fields: &TomlFields<'_>, sink: &mut Sink<'_>) -> Option<
 
 /// All of its numbers in lists.
 fn listed(fields: &TomlFields<'_>, sink: &mut Sink<'_>) -> Option<Mesh> {
-    let positions = rows(fields, "vertices", sink, |item, sink| {
-        let at = numbers::<3>(item, "expect-place", sink)?;
-        Some(at.map(|x| x as f32))
-    });
+    const VERTICES: Shape = Shape::Numbers(&[Dim::ANY, Dim::Exactly(3)]);
+    const FACES: Shape = Shape::Wholes(&[Dim::ANY, Dim::Exactly(3)], 0, MAX_INLINE as i64 - 1);
+    let positions = rows(fields, "vertices", &VERTICES, sink);
     let uvs = match fields.get("uvs") {
-        None => Some(Vec::new()),
-        Some(_) => rows(fields, "uvs", sink, |item, sink| {
-            let uv = numbers::<2>(item, "expect-point", sink)?;
-            Some(uv.map(|x| x as f32))
-        }),
+        None => Some(Got::Numbers(Vec::new())),
+        Some(_) => rows(fields, "uvs", &Shape::POINTS, sink),
     };
-    let faces = rows(fields, "faces", sink, face);
-    let made = Mesh::new(positions?, uvs?, faces?);
+    let faces = rows(fields, "faces", &FACES, sink);
+    let (positions, uvs, faces) = (positions?, uvs?, faces?);
+    let positions = positions
+        .rows()
+        .iter()
+        .map(|at: &[f64; 3]| at.map(|x| x as f32));
+    let uvs = uvs.rows().iter().map(|uv: &[f64; 2]| uv.map(|x| x as f32));
+    let faces = faces
+        .whole_rows()
+        .iter()
+        .map(|face: &[i64; 3]| face.map(|i| i as u32));
+    let made = Mesh::new(positions.collect(), uvs.collect(), faces.collect());
     match made {
         Ok(mesh) => Some(mesh),
         Err(error) => {
@@ -202,35 +209,22 @@ fn listed(fields: &TomlFields<'_>, sink: &mut Sink<'_>) -> Option<Mesh> {
 }
 
 /// A list of a mesh, as far as a file may hold it.
-fn rows<T>(
+fn rows(
     fields: &TomlFields<'_>,
     name: &'static str,
+    shape: &Shape,
     sink: &mut Sink<'_>,
-    row: impl Fn(&Item<'_>, &mut Sink<'_>) -> Option<T>,
-) -> Option<Vec<T>> {
+) -> Option<Got> {
     let item = fields.require(name, sink)?;
-    let items = list(item, "expect-mesh", sink)?;
-    if items.len() > MAX_INLINE {
+    let n_rows = item.get_ref().as_array().map_or(0, |rows| rows.len());
+    if n_rows > MAX_INLINE {
         let message = Message::new("problem-mesh-too-large")
-            .with("count", items.len())
+            .with("count", n_rows)
             .with("limit", MAX_INLINE);
         sink.error(item.span(), message, []);
         return None;
     }
-    let rows: Vec<T> = items.iter().filter_map(|item| row(item, sink)).collect();
-    (rows.len() == items.len()).then_some(rows)
-}
-
-/// Three indices of vertices, from 0.
-fn face(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<[u32; 3]> {
-    let items = list(item, "expect-mesh", sink)?;
-    let [a, b, c] = items else {
-        let message = Message::new("problem-wrong-length").with("count", items.len());
-        sink.error(item.span(), message, [Message::new("expect-mesh")]);
-        return None;
-    };
-    let [a, b, c] = [a, b, c].map(|item| whole(item, 0..MAX_INLINE as u64, sink));
-    Some([a? as u32, b? as u32, c? as u32])
+    got(item, shape, "expect-mesh", sink)
 }
 
 /// How a model is spelt.

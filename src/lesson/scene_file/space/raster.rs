@@ -2,17 +2,10 @@
 
 use crate::{
     algo::surface::{DepthBits, DepthFormat, DepthNumber, DepthSteps},
+    input::{Dim, Field, Got, Part, Shape, Table},
     labs::space::{RasterPlan, Tones},
-    lesson::{
-        sink::Sink,
-        toml_fields::{Item, TomlFields, list, one_of, whole},
-    },
-    text::Message,
 };
 
-const FIELDS: [&str; 7] = [
-    "rows", "steps", "depth", "cull", "shuffle", "pixel", "tones",
-];
 const STEPS: [(&str, DepthSteps); 3] = [
     ("fragments", DepthSteps::Fragments),
     ("spans", DepthSteps::Spans),
@@ -44,57 +37,52 @@ const DEPTHS: [&str; 16] = [
 ];
 const BACK: &str = "back";
 
-/// As [`raster_to_toml`] writes it.
-pub(super) fn raster(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<RasterPlan> {
-    let n_errors = sink.n_errors();
-    let fields = TomlFields::of(item, &FIELDS, sink)?;
-    let mut plan = RasterPlan::default();
-    if let Some(item) = fields.get("rows") {
-        let [least, most] = [RasterPlan::ROWS.start(), RasterPlan::ROWS.end()];
-        let range = u64::from(*least)..u64::from(*most) + 1;
-        plan = plan.with_rows(whole(item, range, sink)? as u32);
-    }
-    if let Some(item) = fields.get("steps") {
-        plan.steps = named(item, STEPS, sink)?;
-    }
-    if let Some(item) = fields.get("depth") {
-        plan.format = one_of(item, &DEPTHS, "problem-unknown-value", sink, format_of)?;
-    }
-    if let Some(item) = fields.get("cull") {
-        let culls = |name: &str| (name == BACK).then_some(true);
-        plan.culls_backs = one_of(item, &[BACK], "problem-unknown-value", sink, culls)?;
-    }
-    if let Some(item) = fields.get("shuffle") {
-        plan.shuffle = Some(whole(item, 1..i64::MAX as u64, sink)?);
-    }
-    if let Some(item) = fields.get("pixel") {
-        plan.pixel = Some(pixel(item, sink)?);
-    }
-    if let Some(item) = fields.get("tones") {
-        plan.tones = named(item, TONES, sink)?;
-    }
-    (sink.n_errors() == n_errors).then_some(plan)
+const ROWS: Shape = Shape::Whole(
+    *RasterPlan::ROWS.start() as i64,
+    *RasterPlan::ROWS.end() as i64,
+);
+const STEP_NAMES: [&str; 3] = names(STEPS);
+const TONE_NAMES: [&str; 3] = names(TONES);
+
+/// What a file may say of a raster; what it does not say is as usual.
+pub(super) const RASTER: Part<RasterPlan> = Part::new(
+    "raster",
+    &Shape::Table(&Table {
+        name_key: "object-picture",
+        fields: &[
+            Field::optional("rows", &ROWS),
+            Field::optional("steps", &Shape::Word(&STEP_NAMES)),
+            Field::optional("depth", &Shape::Word(&DEPTHS)),
+            Field::optional("cull", &Shape::Word(&[BACK])),
+            Field::optional("shuffle", &Shape::Whole(1, i64::MAX - 1)),
+            Field::optional("pixel", &Shape::Wholes(&[Dim::Exactly(2)], 0, 4095)),
+            Field::optional("tones", &Shape::Word(&TONE_NAMES)),
+        ],
+        both_key: "",
+    }),
+    |got| {
+        let usual = RasterPlan::default();
+        let whole = |name| got.get(name).map(|got| got.wholes::<1>()[0]);
+        let word = |name| got.get(name).map_or("", Got::text);
+        let mut plan = whole("rows").map_or(usual, |rows| usual.with_rows(rows as u32));
+        plan.steps = named(word("steps"), STEPS).unwrap_or(plan.steps);
+        plan.format = format_of(word("depth")).unwrap_or(plan.format);
+        plan.culls_backs = got.get("cull").is_some();
+        plan.shuffle = whole("shuffle").map(|seed| seed as u64);
+        plan.pixel = got.get("pixel").map(|got| got.wholes().map(|x| x as u32));
+        plan.tones = named(word("tones"), TONES).unwrap_or(plan.tones);
+        Ok(plan)
+    },
+);
+
+const fn names<T: Copy>(all: [(&'static str, T); 3]) -> [&'static str; 3] {
+    [all[0].0, all[1].0, all[2].0]
 }
 
 /// What one of these names stands for.
-fn named<T: Copy>(item: &Item<'_>, all: [(&str, T); 3], sink: &mut Sink<'_>) -> Option<T> {
-    let names = all.map(|(name, _)| name);
-    one_of(item, &names, "problem-unknown-value", sink, |name| {
-        let known = all.into_iter().find(|(known, _)| *known == name);
-        known.map(|(_, value)| value)
-    })
-}
-
-/// Column and row, from 0 at the top left.
-fn pixel(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<[u32; 2]> {
-    let items = list(item, "expect-pixel", sink)?;
-    let [column, row] = items else {
-        let message = Message::new("problem-wrong-length").with("count", items.len());
-        sink.error(item.span(), message, [Message::new("expect-pixel")]);
-        return None;
-    };
-    let [column, row] = [column, row].map(|item| whole(item, 0..4096, sink));
-    Some([column? as u32, row? as u32])
+fn named<T: Copy>(name: &str, all: [(&'static str, T); 3]) -> Option<T> {
+    let known = all.into_iter().find(|(known, _)| *known == name);
+    known.map(|(_, value)| value)
 }
 
 /// The name that stands for this.

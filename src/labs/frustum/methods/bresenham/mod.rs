@@ -19,7 +19,7 @@ use crate::{
         words::{end_name, name},
     },
     text::{Formula, Value},
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::super::{

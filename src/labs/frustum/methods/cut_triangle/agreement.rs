@@ -52,11 +52,11 @@ fn agrees(scene: &Scene) -> bool {
 /// stand beside each other.
 pub fn agreement_view(
     scenery: Option<&Scenery>,
-    [n_crossings, n_triangles]: [usize; 2],
+    crossings_and_triangles: impl FnOnce() -> [usize; 2],
 ) -> Option<View> {
     let note = agreement(scenery?.scene())?;
     let words = ["tally-crossings", "tally-triangles"].map(|key| Formula::default().term(key));
-    let cells = [n_crossings, n_triangles].map(|n| Cell::new(Role::Ink, Some(Value::Count(n))));
+    let cells = crossings_and_triangles().map(|n| Cell::new(Role::Ink, Some(Value::Count(n))));
     let table = Table {
         header: [Formula::default()].into_iter().chain(words).collect(),
         rows: vec![TableRow {

@@ -1,7 +1,7 @@
 //! A triangle in clip space as the lab clips it, and how its points and bounds are written.
 
 use crate::{
-    algo::volume::{ClipVertex, HomogeneousTriangleEvent, HomogeneousTriangleState},
+    algo::volume::{ClipVertex, HomogeneousTriangleEvent},
     geom::{Camera, Sight, VolumeSide},
     labs::space::Scene,
     text::Formula,
@@ -15,8 +15,7 @@ pub type Uv = Option<[f64; 2]>;
 pub type Vertex = ClipVertex<Uv>;
 /// What happens.
 pub type Event = HomogeneousTriangleEvent<Uv>;
-/// What is known.
-pub type State = HomogeneousTriangleState<Uv>;
+
 /// `(1, −2, 0.5, 3)`
 pub fn point(at: [f64; 4]) -> Formula {
     Formula::default().sym("(").list(&at).sym(")")

@@ -4,34 +4,39 @@ use serde_json::{Value as Json, json};
 
 use crate::{
     algo::volume::{ClipPolygon, HomogeneousTriangle, SideCode},
-    figure::{Body, Caption, Link, Run, Tick, View, Watch, WatchRow, WatchSection},
+    figure::{
+        Body, Link, Run,
+        Tick::{Accept, Cut, Phase, Reject, Test},
+        View, Watch, WatchRow, WatchSection,
+    },
     geom::VolumeSide,
-    labs::{Answer, CodeLine, Demo, Step, Verdict, record_beside, words::name},
-    text::{Formula, Message, Value},
-    trace::silent,
+    labs::{
+        Answer, CodeLine, Verdict,
+        rings::{RingStep, asked_vertex},
+        space::{SpaceTelling, scenery_of},
+        telling::{At, Named, Recorded, Row, Telling, Watched, rows},
+        words::name,
+    },
+    text::{Formula, Value},
+    trace::{Recording, Step, silent},
 };
 
 use super::{
-    super::{
-        super::{
-            OnScene, OnSceneInput, Scene, Subject,
-            demo::SpaceDemo,
-            stage::{FaceLook, Fate, side_name},
-        },
-        planes::parameter_row,
+    super::super::{
+        Scene, Subject,
+        stage::{FaceLook, Fate, Scenery, side_link, side_name},
     },
     LISTS_VIEW,
     agreement::{agreement_view, is_about_pictures, is_alone},
-    clip_space::{Event, State, Uv, Vertex, bound_symbol, in_world, point, triangle},
+    clip_space::{Event, Uv, Vertex, bound_symbol, in_world, point, triangle},
     code::homogeneous,
-    homogeneous_views::{BITS_VIEW, bits, camera_marks, lists, observer_marks},
-    marks::vertex_symbol,
+    homogeneous_views::{BITS_VIEW, Picture, bits, camera_marks, lists, observer_marks},
+    symbols::vertex_symbol,
     tellings::in_clip_space,
     variant::{Homogeneous, Variant},
 };
 
-type Input = OnSceneInput<[Vertex; 3]>;
-type Shown<L> = OnScene<HomogeneousTriangle<Uv, L>>;
+type Shown<L> = HomogeneousTriangle<Uv, L>;
 
 impl Answer for ClipPolygon<Uv> {
     fn json(&self) -> Json {
@@ -50,131 +55,250 @@ impl Answer for ClipPolygon<Uv> {
     }
 }
 
-impl<L: Variant<Homogeneous>> SpaceDemo for Shown<L> {
+impl<L: Variant<Homogeneous>> SpaceTelling for Shown<L> {
     const SUBJECT: Subject = Subject::Triangle;
 
-    fn input(scene: &Scene) -> Input {
-        OnSceneInput::of(scene, triangle(scene))
+    fn input(scene: &Scene) -> [Vertex; 3] {
+        triangle(scene)
     }
 
     fn verdict(scene: &Scene, about: Link, run: &dyn Run) -> Option<Verdict> {
-        let parts = in_clip_space::<L>(&Self::input(scene).own);
+        let recording = Recording::<Self>::new(Self::input(scene));
+        let parts = in_clip_space(*recording.input(), recording.events());
         parts.verdict(scene, about, |v| in_world(v, scene), run)
     }
 
     fn record(scene: &Scene) -> Box<dyn Run> {
-        record_beside::<Self, OnScene<HomogeneousTriangle<Uv>>>(Self::input(scene))
+        let input = Self::input(scene);
+        let run = Recorded::<Self>::beside::<HomogeneousTriangle<Uv>>(input, scenery_of(scene));
+        Box::new(run)
     }
 }
 
-impl<L: Variant<Homogeneous>> Demo for Shown<L> {
+const fn codes(key: &'static str) -> Row {
+    let row = Row::new(Phase, homogeneous::CODES, key);
+    row.so(&["OR = {OR}", "AND = {AND}"]).answers("codes")
+}
+
+const fn asked(key: &'static str) -> Row {
+    let row = Row::new(Test, homogeneous::BOUND, key);
+    row.so(&["{bound of P}"]).answers("side")
+}
+
+rows! { [L: Variant<Homogeneous>] |event, step: Shown<L>|
+    divide: Event::Divide { .. } => Row::new(Phase, homogeneous::CODES, "ht-divide")
+        .so(&["V₀/w = {V₀/w}", "V₁/w = {V₁/w}", "V₂/w = {V₂/w}"]);
+    outside: Event::Codes { and, .. } if !and.is_inside() => codes("ht-codes-outside");
+    inside: Event::Codes { or, .. } if or.is_inside() => codes("ht-codes-inside");
+    cut: Event::Codes { .. } => codes("ht-codes-cut");
+    side: Event::Side { .. } =>
+        Row::new(Phase, homogeneous::EACH, "ht-side").so(&["{bound} ≥ 0"]);
+    first_inside: Event::First { inside: true, .. } => asked("ht-inside").keeps("P");
+    first_outside: Event::First { .. } => asked("ht-outside").drops("P");
+    test_inside: Event::Test { rule, .. } if rule.ends_inside() => asked("ht-inside").keeps("P");
+    // Of the edge that closes the ring the end has been asked before.
+    closes: Event::Test { idx: [_, 0], .. } => asked("ht-outside").about("P");
+    test_outside: Event::Test { .. } => asked("ht-outside").drops("P");
+    cuts: Event::Cross { .. } =>
+        Row::new(Cut, homogeneous::CROSS, "ht-cross").so(&["t{=t of I}", "I = {at}"]);
+    puts_cut: Event::Output { at } if rings(step).asked.is_crossing(at) =>
+        Row::new(Test, homogeneous::CROSS, "ip-output");
+    puts: Event::Output { .. } => Row::new(Test, homogeneous::BOUND, "ip-output");
+    pass: Event::Pass { .. } => Row::new(Test, homogeneous::BOUND, "ht-pass");
+    nothing: Event::Done { n_vertices: 0 } =>
+        Row::new(Reject, homogeneous::DECIDE, "ht-done-empty");
+    no_area: Event::Done { n_vertices: 1 | 2 } =>
+        Row::new(Reject, homogeneous::FAN, "ht-done-empty");
+    done: Event::Done { .. } => Row::new(Accept, homogeneous::FAN, "ht-done");
+}
+
+/// Both lists, and what has been told of the side at work.
+fn rings<'a, L: Variant<Homogeneous>>(step: &Step<'a, Shown<L>>) -> RingStep<'a, Vertex> {
+    let is_turn = |event: &Event| matches!(event, Event::Side { .. });
+    RingStep::of(step.held, step.past, is_turn)
+}
+
+/// The side whose turn it is.
+fn side(past: &[Event]) -> Option<VolumeSide> {
+    let is_over = matches!(past.last(), Some(Event::Done { .. }));
+    let mut turns = past.iter().rev().filter(|_| !is_over);
+    turns.find_map(|event| {
+        if let Event::Side { side } = *event {
+            Some(side)
+        } else {
+            None
+        }
+    })
+}
+
+/// The codes of the vertices, their OR and their AND, once known.
+fn codes_in(past: &[Event]) -> Option<([SideCode; 3], SideCode, SideCode)> {
+    past.iter().find_map(|event| {
+        if let Event::Codes { codes, or, and } = *event {
+            Some((codes, or, and))
+        } else {
+            None
+        }
+    })
+}
+
+fn picture<'a, L: Variant<Homogeneous>>(step: &Step<'a, Shown<L>>) -> Picture<'a> {
+    Picture {
+        rings: rings(step),
+        parts: in_clip_space(*step.input, step.past),
+        codes: codes_in(step.past),
+        side: side(step.past),
+        event: step.event(),
+    }
+}
+
+impl<L: Variant<Homogeneous>> Telling for Shown<L> {
+    type Scenery = Scenery;
+
     const ID: &'static str = L::ID;
     const NAME_KEY: &'static str = L::NAME_KEY;
     const SOURCE: &'static str = "Blinn & Newell, 1978";
     const CODE: &'static [CodeLine] = L::CODE;
     const DIFFERS_KEY: Option<&'static str> = L::DIFFERS_KEY;
+    const ROWS: &'static [Row] = ROWS;
+    const WATCH: &'static [Watched] = &[Watched::Names(&[
+        "code(V₀)",
+        "code(V₁)",
+        "code(V₂)",
+        "OR",
+        "AND",
+        "t",
+    ])];
 
-    fn tick(event: &Event) -> Tick {
-        match event {
-            Event::Side { .. } | Event::Codes { .. } | Event::Divide { .. } => Tick::Phase,
-            Event::Cross { .. } => Tick::Cut,
-            Event::Done { n_vertices } if *n_vertices < 3 => Tick::Reject,
-            Event::Done { .. } => Tick::Accept,
-            Event::First { .. }
-            | Event::Test { .. }
-            | Event::Output { .. }
-            | Event::Pass { .. } => Tick::Test,
-        }
+    fn row(step: &Step<'_, Self>) -> &'static Row {
+        row(step)
     }
 
-    fn code_line(event: &Event, before: &State) -> usize {
-        match event {
-            Event::Divide { .. } | Event::Codes { .. } => homogeneous::CODES,
-            Event::Side { .. } => homogeneous::EACH,
-            Event::First { .. } | Event::Test { .. } | Event::Pass { .. } => homogeneous::BOUND,
-            Event::Cross { .. } => homogeneous::CROSS,
-            Event::Output { at } => match before.crossing {
-                Some((crossing, _)) if crossing == *at => homogeneous::CROSS,
-                Some(_) | None => homogeneous::BOUND,
-            },
-            Event::Done { n_vertices: 0 } => homogeneous::DECIDE,
-            Event::Done { .. } => homogeneous::FAN,
-        }
+    fn opening(_: &At<'_, Self>) -> &'static Row {
+        const OPENING: Row = Row::new(Phase, homogeneous::CODES, "ht-opening");
+        &OPENING
     }
 
-    fn opening(input: &Input) -> Caption {
-        let behind = input.own.iter().filter(|v| v.at[3] <= 0.0).count();
-        let message = Message::new("ht-opening").with("n", 3_usize);
-        Caption::new(message.with("behind", behind))
+    fn named(at: &At<'_, Self>, name_of: &str) -> Option<Named> {
+        let past = at.step.past;
+        let rings = rings(&at.step);
+        let code = |i: usize| Some(name(codes_in(past)?.0[i].to_string()).into());
+        let of_vertex = || of_vertex(at, &rings, name_of);
+        let n_vertices = rings.list.len();
+        Some(match (name_of, at.step.event()) {
+            ("n", Some(Event::Output { .. })) => rings.output.len().into(),
+            ("n", _) => n_vertices.into(),
+            ("before", _) => rings.passed.len().into(),
+            ("triangles", _) => n_vertices.saturating_sub(2).into(),
+            ("behind", _) => {
+                let behind = at.step.input.iter().filter(|v| v.at[3] <= 0.0);
+                behind.count().into()
+            }
+            ("sides", _) => {
+                let (_, or, _) = codes_in(past)?;
+                let sides = SideCode::WRITTEN.into_iter().filter(|&side| or.has(side));
+                sides.count().into()
+            }
+            ("side", _) => {
+                let side = side(past)?;
+                Named::from(side_name(side)).linked(side_link(side))
+            }
+            ("bound", _) => name(bound_symbol(side(past)?)).into(),
+            ("code(V₀)", _) => code(0)?,
+            ("code(V₁)", _) => code(1)?,
+            ("code(V₂)", _) => code(2)?,
+            ("OR", _) => name(codes_in(past)?.1.to_string()).into(),
+            ("AND", _) => name(codes_in(past)?.2.to_string()).into(),
+            _ => return of_vertex().or_else(|| rings.asked.named(name_of, vertex_symbol)),
+        })
     }
 
-    fn caption(event: &Event, before: &State, _: &Input) -> Caption {
-        caption(event, before)
-    }
-
-    fn views(step: &Step<'_, Self>) -> Vec<View> {
-        let parts = in_clip_space::<L>(&step.input.own);
+    fn views(at: &At<'_, Self>) -> Vec<View> {
+        let At { step, scenery } = *at;
+        let now = picture(&step);
         let mut views = Vec::new();
-        let scenery = step.input.scenery.as_deref();
         let has_more = scenery.is_none_or(is_alone);
         if let Some(scenery) = scenery {
-            let marks = observer_marks::<L>(step.state, &parts, step.event, scenery);
+            let marks = observer_marks::<L>(&now, scenery);
             views.push(scenery.observer(|_| Fate::ToCome, marks));
         }
         if let Some(scenery) = scenery.filter(|_| has_more) {
-            let marks = camera_marks::<L>(step.state, step.event, scenery);
+            let marks = camera_marks::<L>(&now, scenery);
             views.push(scenery.camera(|_| Fate::ToCome, |_, _| FaceLook::Whole, marks));
         }
         if has_more {
-            let codes = bits(step.state, &parts, step.event);
-            views.push(View::new(BITS_VIEW, Body::Bits(codes)));
+            views.push(View::new(BITS_VIEW, Body::Bits(bits(&now))));
         }
         if !is_about_pictures(scenery) {
-            let lists = lists(step.state, &parts, step.event);
-            views.push(View::new(LISTS_VIEW, Body::Lists(lists)));
+            views.push(View::new(LISTS_VIEW, Body::Lists(lists(&now))));
         }
-        let own = &step.input.own;
-        let left = silent::<HomogeneousTriangle<Uv, L>>(own);
-        let found = [parts.n_cuts(), left.triangles().count()];
-        views.extend(agreement_view(scenery, found));
+        views.extend(agreement_view(scenery, || {
+            let recording = Recording::<Self>::new(*step.input);
+            let parts = in_clip_space(*step.input, recording.events());
+            [
+                parts.n_cuts(),
+                silent::<Self>(step.input).triangles().count(),
+            ]
+        }));
         views
     }
 
-    fn watch(step: &Step<'_, Self>) -> Watch {
-        let state = step.state;
-        let mut rows = Vec::new();
-        if let Some((codes, or, and)) = state.codes {
-            let code = |(i, code): (usize, &SideCode)| {
-                let symbol = format!("code({})", vertex_symbol(i));
-                WatchRow::new(name(symbol), Some(name(code.to_string())))
-            };
-            rows.extend(codes.iter().enumerate().map(code));
-            rows.push(WatchRow::new(name("OR"), Some(name(or.to_string()))));
-            rows.push(WatchRow::new(name("AND"), Some(name(and.to_string()))));
-        }
-        rows.extend(state.crossing.map(|(_, t)| parameter_row(Some(t))));
-        let list = |polygon: &ClipPolygon<Uv>, prime: &str| {
+    fn watch(at: &At<'_, Self>) -> Watch {
+        let RingStep { list, output, .. } = rings(&at.step);
+        let section = |polygon: &[Vertex], prime: &str| {
             let row = |(i, v): (usize, &Vertex)| {
                 let symbol = format!("{}{prime}", vertex_symbol(i));
                 WatchRow::new(name(symbol), Some(Value::Formula(point(v.at))))
             };
-            let rows = WatchSection::list(polygon.vertices().iter().enumerate().map(row).collect());
-            if is_about_pictures(step.input.scenery.as_deref()) {
+            let rows = WatchSection::list(polygon.iter().enumerate().map(row).collect());
+            if is_about_pictures(at.scenery) {
                 rows
             } else {
                 rows.seen_in(LISTS_VIEW)
             }
         };
-        vec![
-            if step.input.scenery.as_deref().is_none_or(is_alone) {
-                WatchSection::list(rows).seen_in(BITS_VIEW)
-            } else {
-                WatchSection::list(rows)
-            },
-            list(&state.input, ""),
-            list(&state.output, "′"),
-        ]
+        let mut first = at.section(&Self::WATCH[0]);
+        if at.scenery.is_none_or(is_alone) {
+            first = first.seen_in(BITS_VIEW);
+        }
+        vec![first, section(list, ""), section(output, "′")]
     }
+}
+
+/// What a name stands for that says something of a vertex, or of a crossing.
+fn of_vertex<L: Variant<Homogeneous>>(
+    at: &At<'_, Shown<L>>,
+    rings: &RingStep<'_, Vertex>,
+    name_of: &str,
+) -> Option<Named> {
+    let (event, asked) = (at.step.event()?, rings.asked);
+    let over_w = |i: usize| {
+        let [x, y, z, _] = rings.list.get(i)?.at;
+        Some(Formula::default().place([x, y, z]).into())
+    };
+    Some(match (name_of, event) {
+        ("V₀/w", Event::Divide { .. }) => over_w(0)?,
+        ("V₁/w", Event::Divide { .. }) => over_w(1)?,
+        ("V₂/w", Event::Divide { .. }) => over_w(2)?,
+        ("vertex", Event::Output { at }) if asked.is_crossing(at) => name("I").into(),
+        ("vertex", _) => name(vertex_symbol(asked.place())).into(),
+        ("P", _) => {
+            let parts = in_clip_space(*at.step.input, at.step.past);
+            let link = parts.link(&asked_vertex(&event)?)?;
+            Named::from(name(vertex_symbol(asked.place()))).linked(link)
+        }
+        ("bound of P", _) => {
+            let d = if let Event::First { distance, .. } = event {
+                distance
+            } else {
+                asked.test?.distances[1]
+            };
+            bound(side(at.step.past)?, asked_vertex(&event)?.at, d).into()
+        }
+        ("t of I", Event::Cross { t, .. }) => (t.num / t.den).into(),
+        ("at", Event::Cross { at, .. }) => point(at.at).into(),
+        _ => return None,
+    })
 }
 
 /// `w − x = 3 − 5 = −2 < 0`
@@ -187,106 +311,4 @@ fn bound(side: VolumeSide, at: [f64; 4], d: f64) -> Formula {
         .operand(at[side.axis()])
         .equals(d);
     formula.sym(if d < 0.0 { " < 0" } else { " ≥ 0" })
-}
-
-fn with_side(key: &'static str, side: Option<VolumeSide>) -> Message {
-    let message = Message::new(key);
-    match side {
-        Some(side) => message.with("side", side_name(side)),
-        None => message,
-    }
-}
-
-/// On which side of its bound a vertex lies.
-fn tested(side: Option<VolumeSide>, idx: usize, (v, d): (Vertex, f64), inside: bool) -> Caption {
-    let key = if inside { "ht-inside" } else { "ht-outside" };
-    let message = with_side(key, side).with("vertex", name(vertex_symbol(idx)));
-    let formula = side.map(|side| bound(side, v.at, d));
-    formula.into_iter().fold(Caption::new(message), Caption::so)
-}
-
-fn caption(event: &Event, before: &State) -> Caption {
-    let side = before.side;
-    match *event {
-        Event::Divide { triangle } => divided_caption(&triangle),
-        Event::Codes { or, and, .. } => codes_caption(or, and),
-        Event::Side { side } => {
-            let message = Message::new("ht-side").with("side", side_name(side));
-            let message = message.with("n", before.input.vertices().len());
-            let inside = format!("{} ≥ 0", bound_symbol(side));
-            Caption::new(message).so(Formula::default().sym(inside))
-        }
-        Event::First {
-            at,
-            distance,
-            inside,
-        } => tested(side, 0, (at, distance), inside),
-        Event::Test {
-            idx,
-            ends,
-            distances,
-            rule,
-        } => tested(side, idx[1], (ends[1], distances[1]), rule.ends_inside()),
-        Event::Cross { at, t } => {
-            let idx = before.test.map_or([0; 2], |(idx, ..)| idx);
-            let message = with_side("ht-cross", side)
-                .with("from", name(vertex_symbol(idx[0])))
-                .with("to", name(vertex_symbol(idx[1])));
-            let parameter = Formula::default().sym("t").equals(t.num / t.den);
-            let place = Formula::default().sym("I = ");
-            let place = Formula([place.0, point(at.at).0].concat());
-            Caption::new(message).so(parameter).so(place)
-        }
-        Event::Output { at } => output_caption(before, at),
-        Event::Pass { n_vertices, .. } => {
-            let message = with_side("ht-pass", side).with("n", n_vertices);
-            Caption::new(message.with("before", before.input.vertices().len()))
-        }
-        Event::Done { n_vertices } => {
-            let key = if n_vertices < 3 {
-                "ht-done-empty"
-            } else {
-                "ht-done"
-            };
-            let message = Message::new(key).with("n", n_vertices);
-            Caption::new(message.with("triangles", n_vertices.saturating_sub(2)))
-        }
-    }
-}
-
-fn divided_caption(triangle: &[Vertex; 3]) -> Caption {
-    let message = Message::new("ht-divide").with("n", triangle.len());
-    let formulas = triangle.iter().enumerate().map(|(i, v)| {
-        let symbol = format!("{}/w = ", vertex_symbol(i));
-        Formula::default()
-            .sym(symbol)
-            .place([v.at[0], v.at[1], v.at[2]])
-    });
-    formulas.fold(Caption::new(message), Caption::so)
-}
-
-fn codes_caption(or: SideCode, and: SideCode) -> Caption {
-    let key = match (and.is_inside(), or.is_inside()) {
-        (false, _) => "ht-codes-outside",
-        (true, true) => "ht-codes-inside",
-        (true, false) => "ht-codes-cut",
-    };
-    let sides = SideCode::WRITTEN
-        .into_iter()
-        .filter(|&side| or.has(side))
-        .count();
-    let caption = Caption::new(Message::new(key).with("sides", sides));
-    caption
-        .so(Formula::default().sym(format!("OR = {or}")))
-        .so(Formula::default().sym(format!("AND = {and}")))
-}
-
-fn output_caption(before: &State, at: Vertex) -> Caption {
-    let symbol = match (before.crossing, before.test) {
-        (Some((crossing, _)), _) if crossing == at => "I".to_owned(),
-        (_, Some((idx, ..))) => vertex_symbol(idx[1]),
-        (_, None) => vertex_symbol(0),
-    };
-    let message = Message::new("ip-output").with("vertex", name(symbol));
-    Caption::new(message.with("n", before.output.vertices().len() + 1))
 }

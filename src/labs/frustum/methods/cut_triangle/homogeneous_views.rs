@@ -1,38 +1,69 @@
 //! Codes, lists and pictures of a triangle before the divide.
 
 use crate::{
-    algo::volume::{ClipPolygon, SideCode, side_distances},
+    algo::{
+        ring::Crossing,
+        volume::{SideCode, side_distances},
+    },
     figure::{BitRow, Bits, ItemMarker, ListColumn, ListRow, Lists, Mark3, Role, Shape3},
     geom::VolumeSide,
-    labs::words::name,
+    labs::{rings::RingStep, words::name},
     text::{Formula, Value},
 };
 
 use super::{
     super::super::stage::{Scenery, side_name},
-    clip_space::{Event, State, Uv, Vertex, bound_symbol, in_world, on_screen, point},
-    marks::{given, plane_mark, vertex_symbol},
+    clip_space::{Event, Vertex, bound_symbol, in_world, on_screen, point},
+    marks::{given, plane_mark},
     parts::Parts,
+    symbols::vertex_symbol,
     variant::{Homogeneous, Variant},
 };
 
 /// The view of the outcodes.
 pub const BITS_VIEW: &str = "codes";
 
+/// A step, as it is drawn.
+pub struct Picture<'a> {
+    pub rings: RingStep<'a, Vertex>,
+    pub parts: Parts<Vertex>,
+    /// The three codes, their OR and AND, once known.
+    pub codes: Option<([SideCode; 3], SideCode, SideCode)>,
+    /// The side whose turn it is.
+    pub side: Option<VolumeSide>,
+    pub event: Option<Event>,
+}
+
+impl Picture<'_> {
+    const fn is_done(&self) -> bool {
+        matches!(self.event, Some(Event::Done { .. }))
+    }
+
+    /// How a list is drawn in its course, and in the end.
+    const fn role(&self) -> Role {
+        if self.is_done() {
+            Role::Accepted
+        } else {
+            Role::Accent
+        }
+    }
+}
+
 /// The corners' codes over each other, and what they come to: AND where it rejects, else OR.
-pub fn bits(state: &State, parts: &Parts<Vertex>, event: Option<Event>) -> Bits {
-    let is_now = matches!(event, Some(Event::Codes { .. }));
+pub fn bits(now: &Picture<'_>) -> Bits {
+    let parts = &now.parts;
+    let is_now = matches!(now.event, Some(Event::Codes { .. }));
     let role = if is_now { Role::Signal } else { Role::Ink };
     let digits = |code: SideCode| SideCode::WRITTEN.map(|side| code.has(side)).to_vec();
     let row = |i: usize| BitRow {
         name: name(vertex_symbol(i)),
-        bits: state
+        bits: now
             .codes
             .map_or_else(Vec::new, |(codes, ..)| digits(codes[i])),
         role,
         link: parts.link(&parts.corners[i]),
     };
-    let result = state.codes.map(|(_, or, and)| {
+    let result = now.codes.map(|(_, or, and)| {
         let (symbol, code) = if and.is_inside() {
             ("OR", or)
         } else {
@@ -47,7 +78,7 @@ pub fn bits(state: &State, parts: &Parts<Vertex>, event: Option<Event>) -> Bits 
     });
     let deciding = |(_, _, and): ([SideCode; 3], SideCode, SideCode)| {
         let written = SideCode::WRITTEN;
-        match state.side {
+        match now.side {
             Some(side) => written.iter().position(|&other| other == side),
             None => written.iter().position(|&side| and.has(side)),
         }
@@ -56,30 +87,27 @@ pub fn bits(state: &State, parts: &Parts<Vertex>, event: Option<Event>) -> Bits 
         columns: SideCode::WRITTEN.map(side_name).to_vec(),
         rows: (0..3).map(row).collect(),
         result,
-        deciding: state.codes.and_then(deciding),
+        deciding: now.codes.and_then(deciding),
         note: None,
     }
 }
 
 /// The list in with the bound that is asked, and the list out.
-pub fn lists(state: &State, parts: &Parts<Vertex>, event: Option<Event>) -> Lists {
-    let has_passed = matches!(event, Some(Event::Pass { .. }));
-    let side = state.side.filter(|_| !has_passed);
-    let out = side.map(|_| list_out(state, parts, event));
+pub fn lists(now: &Picture<'_>) -> Lists {
+    let has_passed = matches!(now.event, Some(Event::Pass { .. }));
+    let side = now.side.filter(|_| !has_passed);
+    let out = side.map(|_| list_out(now));
     Lists {
-        lists: [list_in(state, parts, side)]
-            .into_iter()
-            .chain(out)
-            .collect(),
+        lists: [list_in(now, side)].into_iter().chain(out).collect(),
         links: Vec::new(),
         legend: Vec::new(),
     }
 }
 
 /// With the bound of the side at work.
-fn list_in(state: &State, parts: &Parts<Vertex>, side: Option<VolumeSide>) -> ListColumn {
-    let current = state.test.map(|(idx, ..)| idx);
-    let bounds = bounds(state);
+fn list_in(now: &Picture<'_>, side: Option<VolumeSide>) -> ListColumn {
+    let current = now.rings.asked.test.map(|test| test.idx);
+    let bounds = bounds(now);
     let entry = |(i, v): (usize, &Vertex)| {
         let d = bounds.get(i).copied().flatten();
         let mut entry = ListRow::new(name(vertex_symbol(i)));
@@ -99,13 +127,13 @@ fn list_in(state: &State, parts: &Parts<Vertex>, side: Option<VolumeSide>) -> Li
         entry
             .details
             .extend(side.map(|_| d.map(|d| Value::Formula(Formula::decimals().num(d)))));
-        entry.link = parts.link(v);
+        entry.link = now.parts.link(v);
         entry
     };
     let symbols = [name("(x, y, z, w)")].into_iter();
     let columns = symbols.chain(side.map(|side| name(bound_symbol(side))));
-    let entries = state.input.vertices().iter().enumerate().map(entry);
-    let title = if state.is_done {
+    let entries = now.rings.list.iter().enumerate().map(entry);
+    let title = if now.is_done() {
         "tri-list-left"
     } else {
         "tri-list-in"
@@ -118,9 +146,9 @@ fn list_in(state: &State, parts: &Parts<Vertex>, side: Option<VolumeSide>) -> Li
     }
 }
 
-fn list_out(state: &State, parts: &Parts<Vertex>, event: Option<Event>) -> ListColumn {
-    let (input, output) = (state.input.vertices(), state.output.vertices());
-    let is_output = matches!(event, Some(Event::Output { .. }));
+fn list_out(now: &Picture<'_>) -> ListColumn {
+    let (input, output) = (now.rings.list, now.rings.output);
+    let is_output = matches!(now.event, Some(Event::Output { .. }));
     let entry = |(i, v): (usize, &Vertex)| {
         let from = input.iter().position(|other| other == v);
         let is_new = is_output && i + 1 == output.len();
@@ -131,7 +159,7 @@ fn list_out(state: &State, parts: &Parts<Vertex>, event: Option<Event>) -> ListC
             Role::Accent
         };
         entry.marker = Some(ItemMarker::Dot);
-        entry.link = parts.link(v);
+        entry.link = now.parts.link(v);
         entry
     };
     let entries = output.iter().enumerate().map(entry);
@@ -139,26 +167,17 @@ fn list_out(state: &State, parts: &Parts<Vertex>, event: Option<Event>) -> ListC
 }
 
 /// What the side at work has been asked of each vertex: the first, and those up to the last one tested.
-fn bounds(state: &State) -> Vec<Option<f64>> {
-    let Some((side, (idx, ..))) = state.side.zip(state.test) else {
+fn bounds(now: &Picture<'_>) -> Vec<Option<f64>> {
+    let Some((side, test)) = now.side.zip(now.rings.asked.test) else {
         return Vec::new();
     };
-    let n_known = if idx[1] == 0 { usize::MAX } else { idx[1] + 1 };
+    let closes = test.idx[1] == 0;
+    let n_known = if closes { usize::MAX } else { test.idx[1] + 1 };
     let bound = |(i, v): (usize, &Vertex)| {
         let [d, _] = side_distances::<f64>(side, &[v.at; 2]);
         (i < n_known).then_some(d)
     };
-    state
-        .input
-        .vertices()
-        .iter()
-        .enumerate()
-        .map(bound)
-        .collect()
-}
-
-fn ring(polygon: &ClipPolygon<Uv>, place: impl Fn(&Vertex) -> [f64; 3]) -> Vec<[f64; 3]> {
-    polygon.vertices().iter().map(place).collect()
+    now.rings.list.iter().enumerate().map(bound).collect()
 }
 
 /// Where a vertex is drawn: in the world, or once it has been divided before it is clipped, where it lands on the screen.
@@ -177,63 +196,41 @@ fn place_of<L: Variant<Homogeneous>>(
 }
 
 /// The triangle, what is left of it, and the side at work.
-pub fn observer_marks<L: Variant<Homogeneous>>(
-    state: &State,
-    parts: &Parts<Vertex>,
-    event: Option<Event>,
-    scenery: &Scenery,
-) -> Vec<Mark3> {
+pub fn observer_marks<L: Variant<Homogeneous>>(now: &Picture<'_>, scenery: &Scenery) -> Vec<Mark3> {
     let corners = scenery.scene().places.triangle();
     let mut marks = given(&corners);
-    if let Some(side) = state.side {
+    if let Some(side) = now.side {
         marks.extend(plane_mark(scenery, side as usize));
     }
-    let place = place_of::<L>(event, scenery);
-    let list = ring(&state.input, &place);
-    let role = if state.is_done {
-        Role::Accepted
-    } else {
-        Role::Accent
-    };
-    if !list.is_empty() {
-        marks.push(Mark3::new(role, Shape3::Wash(list.clone())));
-        marks.push(Mark3::new(role, Shape3::Outline(list)));
-    }
-    let bounds = bounds(state);
-    for (i, v) in state.input.vertices().iter().enumerate() {
+    let place = place_of::<L>(now.event, scenery);
+    let list = now.rings.list;
+    marks.extend(area(list.iter().map(&place).collect(), now.role()));
+    let bounds = bounds(now);
+    for (i, v) in list.iter().enumerate() {
         let at = place(v);
         let shape = match bounds.get(i).copied().flatten() {
             Some(d) if d < 0.0 => Shape3::Ring(at),
             Some(_) | None => Shape3::Dot(at),
         };
-        let mark = Mark3::new(role, shape).labelled(name(vertex_symbol(i)));
-        marks.push(parts.linked(mark, v));
+        let mark = Mark3::new(now.role(), shape).labelled(name(vertex_symbol(i)));
+        marks.push(now.parts.linked(mark, v));
     }
-    if let (Some((crossing, _)), Some(Event::Cross { .. } | Event::Output { .. })) =
-        (state.crossing, event)
+    if let (Some(Crossing { at: v, .. }), Some(Event::Cross { .. } | Event::Output { .. })) =
+        (now.rings.asked.crossing, now.event)
     {
-        let at = place(&crossing);
-        let mark = Mark3::new(Role::Signal, Shape3::Dot(at)).labelled(name("I"));
-        marks.push(parts.linked(mark.strong(), &crossing));
+        let mark = Mark3::new(Role::Signal, Shape3::Dot(place(&v))).labelled(name("I"));
+        marks.push(now.parts.linked(mark.strong(), &v));
     }
     marks
 }
 
 /// What the camera sees: the list as it stands. What has been divided first is drawn where it lands on the screen, beside the right
 /// outline.
-pub fn camera_marks<L: Variant<Homogeneous>>(
-    state: &State,
-    event: Option<Event>,
-    scenery: &Scenery,
-) -> Vec<Mark3> {
-    let list = ring(&state.input, place_of::<L>(event, scenery));
+pub fn camera_marks<L: Variant<Homogeneous>>(now: &Picture<'_>, scenery: &Scenery) -> Vec<Mark3> {
+    let place = place_of::<L>(now.event, scenery);
+    let list = now.rings.list.iter().map(place).collect();
     if !L::DIVIDES_FIRST {
-        let role = if state.is_done {
-            Role::Accepted
-        } else {
-            Role::Accent
-        };
-        return area(list, role);
+        return area(list, now.role());
     }
     let corners = scenery.scene().places.triangle();
     let right = Mark3::new(Role::Accent, Shape3::Outline(corners.to_vec()));

@@ -1,19 +1,16 @@
 //! The list in, with every distance from the plane at work, and the list out.
 
 use crate::{
-    algo::volume::{
-        IntersectionPolygonEvent as Event, IntersectionPolygonState as State, SpaceVertex,
-        TrianglePlanes,
-    },
+    algo::volume::{IntersectionPolygonEvent as Event, SpaceVertex, TrianglePlanes},
     figure::{ItemMarker, ListColumn, ListLink, ListRow, Lists, Role},
-    labs::words::name,
+    labs::{rings::RingStep, words::name},
     text::{Formula, Value},
 };
 
 use super::{
     super::planes::place,
-    marks::{cut_symbol, vertex_symbol},
     parts::Parts,
+    symbols::{cut_symbol, vertex_symbol},
 };
 
 /// Between which vertices of the list in an entry of the list out lies; twice the same one for a vertex that was kept.
@@ -23,21 +20,20 @@ type Origin = [usize; 2];
 pub fn lists(
     own: &TrianglePlanes,
     parts: &Parts<SpaceVertex>,
-    state: &State,
-    event: Option<Event>,
+    rings: &RingStep<'_, SpaceVertex>,
+    (event, at_work): (Option<Event>, bool),
 ) -> Lists {
     let has_passed = matches!(event, Some(Event::Pass { .. }));
     let is_over = matches!(event, Some(Event::Fan { .. } | Event::Done { .. }));
     let (input, output): (&[SpaceVertex], &[SpaceVertex]) = match (has_passed, is_over) {
-        (true, _) => (&state.passed, &state.input),
-        (false, true) => (&own.triangle, &state.input),
-        (false, false) => (&state.input, &state.output),
+        (true, _) => (rings.passed, rings.list),
+        (false, true) => (&own.triangle, rings.list),
+        (false, false) => (rings.list, rings.output),
     };
     let is_textured = own.triangle[0].uv.is_some();
-    let at_work = state.plane_idx.is_some();
-    let current = current(state);
+    let current = rings.current();
     let entry = |(i, v): (usize, &SpaceVertex)| {
-        let side = state.sides.get(i).filter(|_| at_work);
+        let side = rings.turn.sides.get(i).filter(|_| at_work);
         let mut entry = ListRow::new(name(vertex_symbol(i)));
         entry.role = match side {
             _ if current.contains(&i) && at_work => Role::Signal,
@@ -73,9 +69,9 @@ pub fn lists(
             input.iter().enumerate().map(entry).collect(),
         )
     };
-    let origins = origins(input, output, state);
+    let origins = origins(input, output, rings);
     let out_list = out_list(output, parts, &origins, (is_over, has_passed, is_textured));
-    let links = links(&origins, state, (event, at_work));
+    let links = links(&origins, rings, (event, at_work));
     let sides = [(true, "sh-inside"), (false, "sh-outside")];
     Lists {
         lists: vec![in_list, out_list],
@@ -94,15 +90,6 @@ const fn marker(inside: bool) -> ItemMarker {
     }
 }
 
-/// Where in the list in this step is.
-fn current(state: &State) -> Vec<usize> {
-    match state.test {
-        Some((idx, ..)) => idx.to_vec(),
-        None if state.passed.is_empty() => (0..state.sides.len().min(1)).collect(),
-        None => Vec::new(),
-    }
-}
-
 fn place_of(vertex: &SpaceVertex, is_textured: bool) -> Value {
     match vertex.uv.filter(|_| is_textured) {
         Some(uv) => Value::Point(uv),
@@ -114,12 +101,12 @@ fn place_of(vertex: &SpaceVertex, is_textured: bool) -> Value {
 fn origins(
     input: &[SpaceVertex],
     output: &[SpaceVertex],
-    state: &State,
+    rings: &RingStep<'_, SpaceVertex>,
 ) -> Vec<Option<(Origin, Option<usize>)>> {
     let origin = |vertex: &SpaceVertex| {
-        let crossings = state.crossings.iter().enumerate();
-        let mut crossings = crossings.filter(|(_, (_, at, _))| at == vertex);
-        if let Some((i, (ends, ..))) = crossings.next() {
+        let crossings = rings.turn.crossings.iter().enumerate();
+        let mut crossings = crossings.filter(|(_, (_, crossing))| crossing.at == *vertex);
+        if let Some((i, (ends, _))) = crossings.next() {
             return Some((*ends, Some(i)));
         }
         let i = input.iter().position(|other| other == vertex)?;
@@ -175,13 +162,13 @@ fn out_list(
 /// From vertices to themselves, and to crossings from the outer end of their edge.
 fn links(
     origins: &[Option<(Origin, Option<usize>)>],
-    state: &State,
+    rings: &RingStep<'_, SpaceVertex>,
     (event, at_work): (Option<Event>, bool),
 ) -> Vec<ListLink> {
     if !at_work {
         return Vec::new();
     }
-    let is_inside = |i: usize| state.sides.get(i).is_some_and(|&(_, inside)| inside);
+    let is_inside = |i: usize| rings.turn.sides.get(i).is_some_and(|&(_, inside)| inside);
     let is_now = matches!(event, Some(Event::Output { .. }));
     let last = origins.len().checked_sub(1);
     let link = |(i, origin): (usize, &Option<(Origin, Option<usize>)>)| {

@@ -4,24 +4,17 @@ use crate::{
     algo::volume::{SpaceVertex, clipped},
     figure::{Link, Mark3, Role, Shape3},
     geom::{Plane, VolumeSide},
-    labs::words::{name, subscript},
+    labs::words::name,
     text::{Formula, Value},
 };
 
-use super::super::{
-    super::stage::{Scenery, plane_at_work},
-    planes::perpendicular,
+use super::{
+    super::{
+        super::stage::{Scenery, plane_at_work},
+        planes::perpendicular,
+    },
+    symbols::{cut_symbol, vertex_symbol},
 };
-
-/// `V₀`: vertices of lists are numbered from 0, as the triangle's corners are.
-pub fn vertex_symbol(idx: usize) -> String {
-    format!("V{}", subscript(idx))
-}
-
-/// `C₁`
-pub fn cut_symbol(idx: usize) -> String {
-    format!("C{}", subscript(idx + 1))
-}
 
 pub fn places(ring: &[SpaceVertex]) -> Vec<[f64; 3]> {
     ring.iter().map(|v| v.at).collect()

@@ -1,7 +1,6 @@
 //! A triangle cut by planes, shown: triangle by triangle, as one polygon, and before the divide.
 
 mod agreement;
-mod captions;
 mod clip_space;
 mod code;
 mod faulty;
@@ -15,7 +14,7 @@ mod parts;
 mod pieces_view;
 mod small;
 mod stages;
-mod tally;
+mod symbols;
 mod tellings;
 mod texture;
 mod variant;

@@ -4,130 +4,185 @@ use crate::{
     algo::{
         ring::Right,
         volume::{
-            PlaneAtATime, PlaneAtATimeEvent as Event, PlaneAtATimeState as State, SpaceVertex,
+            IntersectionPolygon, PlaneAtATime, PlaneAtATimeEvent as Event, SpaceVertex,
             TrianglePlanes,
         },
     },
     figure::{
-        Body, Caption, Link, Mark3, Role, Run, Shape3, Tick, View, Watch, WatchRow, WatchSection,
+        Body, Link, Mark3, Role, Run, Shape3,
+        Tick::{Accept, Cut as Cuts, Phase, Reject, Test},
+        View, Watch, WatchRow, WatchSection,
     },
-    labs::{CodeLine, Demo, Step, Verdict, record_beside, words::name},
-    text::Message,
+    labs::{
+        CodeLine, Verdict,
+        space::{SpaceTelling, scenery_of},
+        telling::{At, Named, Recorded, Row, Telling, Watched, rows},
+        words::name,
+    },
+    text::Value,
+    trace::{Recording, Step},
 };
 
 use super::{
     super::{
         super::{
-            OnScene, OnSceneInput, Scene, Subject,
-            demo::SpaceDemo,
+            Scene, Subject,
             stage::{Fate, Scenery},
         },
-        planes::{parameter_row, place, plane_rows},
+        planes::place,
     },
     LISTS_VIEW, PLANES_VIEW,
     agreement::is_alone,
-    captions::{one_by_one_caption, triangle_symbol},
     code::one_by_one,
     marks::{cut, cut_edge, given, kept, lost, places, plane_mark, vertex},
-    pieces_view::{pieces, triangle_link},
+    pieces_view::{Pieces, pieces, triangle_link},
     small::{Progress, small},
-    stages::{of_polygon, of_triangles},
-    tally::tally,
-    tellings,
+    stages::{stages, tally},
+    symbols::{Cut, cut_symbol, names, of_plane, triangle_symbol, vertex_symbol},
+    tellings::of_triangles,
     variant::{self, OneByOne, Variant},
 };
 
 /// Of more triangles only the one that is asked has its name in the picture.
 const MOST_NAMED: usize = 4;
 
-type Input = OnSceneInput<TrianglePlanes>;
-type Shown<L> = OnScene<PlaneAtATime<L>>;
+type Shown<L> = PlaneAtATime<L>;
 
-impl<L: Variant<OneByOne>> SpaceDemo for Shown<L> {
+impl<L: Variant<OneByOne>> SpaceTelling for Shown<L> {
     const SUBJECT: Subject = Subject::Triangle;
 
-    fn input(scene: &Scene) -> Input {
-        OnSceneInput::of(scene, variant::input(scene, L::IS_TEXTURED))
+    fn input(scene: &Scene) -> TrianglePlanes {
+        variant::input(scene, L::IS_TEXTURED)
     }
 
     fn verdict(scene: &Scene, about: Link, run: &dyn Run) -> Option<Verdict> {
-        let parts = tellings::of_triangles::<L>(&Self::input(scene).own);
+        let recording = Recording::<Self>::new(Self::input(scene));
+        let parts = of_triangles(recording.input().triangle, recording.events());
         parts.verdict(scene, about, |v| v.at, run)
     }
 
     fn record(scene: &Scene) -> Box<dyn Run> {
-        record_beside::<Self, OnScene<PlaneAtATime>>(Self::input(scene))
+        let input = Self::input(scene);
+        let run = Recorded::<Self>::beside::<PlaneAtATime>(input, scenery_of(scene));
+        Box::new(run)
     }
 }
 
-impl<L: Variant<OneByOne>> Demo for Shown<L> {
+const fn asked(line: usize, key: &'static str, option: &'static str) -> Row {
+    Row::new(Test, line, key)
+        .so(&["d₀{=d₀}", "d₁{=d₁}", "d₂{=d₂}"])
+        .answers_as("inside", option)
+}
+
+const fn cross(line: usize) -> Row {
+    Row::new(Cuts, line, "ip-cross").so(&["{t of d}", "{place of cut}"])
+}
+
+rows! { [L: Variant<OneByOne>] |event, step: Shown<L>|
+    plane: Event::Plane { .. } =>
+        Row::new(Phase, one_by_one::EACH, "pat-plane").so(&["n = {normal}", "D{=D}"]);
+    none: Event::Triangle { inside: [false, false, false], .. } =>
+        asked(one_by_one::NONE, "pat-none", "pat-option-none").drops("triangle");
+    three: Event::Triangle { inside: [true, true, true], .. } =>
+        asked(one_by_one::THREE, "pat-three", "pat-option-three").keeps("triangle");
+    on_one: Event::Triangle { inside, distances, .. }
+        if count(inside) == 1 && count_on(inside, distances) > 0 =>
+        asked(one_by_one::ONE, "pat-on", "pat-option-one").cuts("triangle");
+    one: Event::Triangle { inside, .. } if count(inside) == 1 =>
+        asked(one_by_one::ONE, "pat-one", "pat-option-one").cuts("triangle");
+    on_two: Event::Triangle { inside, distances, .. } if count_on(inside, distances) > 0 =>
+        asked(one_by_one::TWO, "pat-on", "pat-option-two").cuts("triangle");
+    two: Event::Triangle { .. } =>
+        asked(one_by_one::TWO, "pat-two", "pat-option-two").cuts("triangle");
+    cuts_one: Event::Cross { .. } if n_inside(step) == 1 => cross(one_by_one::ONE);
+    cuts: Event::Cross { .. } => cross(one_by_one::TWO);
+    piece_of_one: Event::Piece { .. } if n_inside(step) == 1 =>
+        Row::new(Test, one_by_one::ONE, "pat-piece");
+    piece_of_two: Event::Piece { .. } if n_inside(step) == 2 =>
+        Row::new(Test, one_by_one::TWO, "pat-piece");
+    piece: Event::Piece { .. } => Row::new(Test, one_by_one::THREE, "pat-piece");
+    pass_empty: Event::Pass { n_triangles: 0, .. } =>
+        Row::new(Test, one_by_one::PASS, "pat-pass-empty");
+    pass: Event::Pass { .. } => Row::new(Test, one_by_one::PASS, "pat-pass");
+    empty: Event::Done { n_triangles: 0 } =>
+        Row::new(Reject, one_by_one::PASS, "pat-done-empty");
+    done: Event::Done { .. } => Row::new(Accept, one_by_one::PASS, "pat-done");
+}
+
+fn count(inside: [bool; 3]) -> usize {
+    inside.into_iter().filter(|&inside| inside).count()
+}
+
+fn count_on(inside: [bool; 3], distances: [f64; 3]) -> usize {
+    (0..3).filter(|&i| inside[i] && distances[i] == 0.0).count()
+}
+
+/// How many corners of the triangle that was asked last are inside.
+fn n_inside<L: Variant<OneByOne>>(step: &Step<'_, Shown<L>>) -> usize {
+    let asked = step.past.iter().rev().find_map(|event| {
+        if let Event::Triangle { inside, .. } = *event {
+            Some(count(inside))
+        } else {
+            None
+        }
+    });
+    asked.unwrap_or_default()
+}
+
+impl<L: Variant<OneByOne>> Telling for Shown<L> {
+    type Scenery = Scenery;
+
     const ID: &'static str = L::ID;
     const NAME_KEY: &'static str = L::NAME_KEY;
     const SOURCE: &'static str = "Eberly, 2006";
     const CODE: &'static [CodeLine] = L::CODE;
     const DIFFERS_KEY: Option<&'static str> = L::DIFFERS_KEY;
+    const ROWS: &'static [Row] = ROWS;
+    const WATCH: &'static [Watched] = &[Watched::Names(&["normal", "D", "t"])];
 
-    fn tick(event: &Event) -> Tick {
-        match event {
-            Event::Plane { .. } => Tick::Phase,
-            Event::Cross { .. } => Tick::Cut,
-            Event::Done { n_triangles: 0 } => Tick::Reject,
-            Event::Done { .. } => Tick::Accept,
-            Event::Triangle { .. } | Event::Piece { .. } | Event::Pass { .. } => Tick::Test,
-        }
+    fn row(step: &Step<'_, Self>) -> &'static Row {
+        row(step)
     }
 
-    fn code_line(event: &Event, before: &State) -> usize {
-        let of = |inside: [bool; 3]| match inside.iter().filter(|&&inside| inside).count() {
-            0 => one_by_one::NONE,
-            1 => one_by_one::ONE,
-            2 => one_by_one::TWO,
-            3.. => one_by_one::THREE,
-        };
-        match event {
-            Event::Plane { .. } => one_by_one::EACH,
-            Event::Triangle { inside, .. } => of(*inside),
-            Event::Cross { .. } | Event::Piece { .. } => {
-                let asked = before.asked.last();
-                asked.map_or(one_by_one::EACH, |asked| of(asked.inside))
-            }
-            Event::Pass { .. } | Event::Done { .. } => one_by_one::PASS,
-        }
+    fn opening(_: &At<'_, Self>) -> &'static Row {
+        const OPENING: Row = Row::new(Phase, one_by_one::EACH, "pat-opening");
+        &OPENING
     }
 
-    fn opening(input: &Input) -> Caption {
-        let message = Message::new("pat-opening").with("planes", input.own.planes.len());
-        Caption::new(message.with("n", 1_usize))
+    fn named(at: &At<'_, Self>, name_of: &str) -> Option<Named> {
+        let Step { input, held, .. } = at.step;
+        let now = Pieces::of(&at.step);
+        let of_plane = || of_plane(name_of, &input.planes, now.plane_idx, at.scenery);
+        Some(match (name_of, at.step.event()) {
+            ("n", Some(Event::Piece { .. })) => now.next.len().into(),
+            ("n", _) | ("after", _) => held.left.triangles.len().into(),
+            ("before", _) => now.passed.len().into(),
+            ("crossings", _) => held.left.n_crossings.into(),
+            _ => return of_plane().or_else(|| of_triangle(&now, at.step.event()?, name_of)),
+        })
     }
 
-    fn caption(event: &Event, before: &State, input: &Input) -> Caption {
-        one_by_one_caption(event, before, input)
-    }
-
-    fn views(step: &Step<'_, Self>) -> Vec<View> {
-        let Input { own, scenery } = step.input;
+    fn views(at: &At<'_, Self>) -> Vec<View> {
+        let At { step, scenery } = *at;
+        let (own, now) = (step.input, Pieces::of(&step));
         let mut views = Vec::new();
-        if let Some(scenery) = scenery.as_deref() {
-            views.push(scenery.observer(|_| Fate::ToCome, marks(step, scenery)));
+        if let Some(scenery) = scenery {
+            views.push(scenery.observer(|_| Fate::ToCome, marks(&step, &now, scenery)));
         }
         views.push(View::new(
             LISTS_VIEW,
-            Body::Lists(pieces(step.state, step.event)),
+            Body::Lists(pieces(&now, step.event())),
         ));
-        if let Some(scenery) = scenery.as_deref().filter(|scenery| is_alone(scenery)) {
-            let (stages, progress) = (of_triangles::<L>(own), progress(step, own));
+        if let Some(scenery) = scenery.filter(|scenery| is_alone(scenery)) {
+            let (stages, progress) = (stages::<Self>(own), progress(&step, &now));
             let row = small(&own.triangle, &own.planes, &stages, progress, scenery);
             views.push(View::new(PLANES_VIEW, Body::Multiples(row)));
         }
         views
     }
 
-    fn watch(step: &Step<'_, Self>) -> Watch {
-        let (own, state) = (&step.input.own, step.state);
-        let plane = state.plane_idx.and_then(|i| own.planes.get(i));
-        let mut rows: Vec<WatchRow> = plane.into_iter().flat_map(plane_rows).collect();
-        let t = state.crossings.last().map(|&(_, _, t)| t);
-        rows.extend(t.map(|t| parameter_row(Some(t))));
+    fn watch(at: &At<'_, Self>) -> Watch {
+        let (own, now) = (at.step.input, Pieces::of(&at.step));
         let list = |list: &[[SpaceVertex; 3]], prime: &str| {
             let row = |(i, triangle): (usize, &[SpaceVertex; 3])| {
                 let symbol = format!("{}{prime}", triangle_symbol(i));
@@ -137,47 +192,86 @@ impl<L: Variant<OneByOne>> Demo for Shown<L> {
             let rows = list.iter().enumerate().map(row).collect();
             WatchSection::table(vec!["V₀", "V₁", "V₂"], rows).seen_in(LISTS_VIEW)
         };
-        let mut sections = vec![WatchSection::list(rows)];
-        sections.push(list(&state.list, ""));
-        if !state.next.is_empty() {
-            sections.push(list(&state.next, "′"));
+        let mut sections = vec![at.section(&Self::WATCH[0])];
+        sections.push(list(now.list, ""));
+        if !now.next.is_empty() {
+            sections.push(list(now.next, "′"));
         }
-        if step.input.scenery.is_some() {
-            let stages = [&of_polygon::<Right>(own)[..], &of_triangles::<L>(own)];
-            sections.push(tally(stages, progress(step, own).n_done));
+        if at.scenery.is_some() {
+            let stages = [
+                &stages::<IntersectionPolygon<Right>>(own)[..],
+                &stages::<Self>(own),
+            ];
+            sections.push(tally(stages, progress(&at.step, &now).n_done));
         }
         sections
     }
 }
 
-fn progress<L: Variant<OneByOne>>(step: &Step<'_, Shown<L>>, own: &TrianglePlanes) -> Progress {
-    let State {
-        plane_idx, is_done, ..
-    } = *step.state;
-    let has_passed = matches!(step.event, Some(Event::Pass { .. }));
-    Progress::at(plane_idx, has_passed, is_done, own.planes.len())
+/// What a name stands for that says something of the triangle that is asked, or of what comes of it.
+fn of_triangle(now: &Pieces<'_>, event: Event, name_of: &str) -> Option<Named> {
+    let asked = now.asked.last();
+    let distance = |i: usize| Some(Named::from(asked?.distances[i]));
+    Some(match (name_of, event) {
+        ("d₀", Event::Triangle { .. }) => distance(0)?,
+        ("d₁", Event::Triangle { .. }) => distance(1)?,
+        ("d₂", Event::Triangle { .. }) => distance(2)?,
+        ("triangle", _) => {
+            let idx = asked?.triangle_idx;
+            Named::from(name(triangle_symbol(idx))).linked(triangle_link(idx))
+        }
+        ("inside", _) => count(asked?.inside).into(),
+        ("on", _) => count_on(asked?.inside, asked?.distances).into(),
+        ("t", _) => {
+            let (num, den) = now.crossings.last().map(|(_, c)| (c.t.num, c.t.den))?;
+            Value::Ratio { num, den }.into()
+        }
+        // By the names of its corners: vertices of the triangle that was asked, and cuts.
+        ("corners", Event::Piece { triangle }) => {
+            let corners = now.list.get(asked?.triangle_idx)?;
+            let symbol = |v: &SpaceVertex| {
+                let cut = now.crossings.iter().position(|(_, cut)| cut.at == *v);
+                let corner = || corners.iter().position(|other| other == v);
+                cut.map(cut_symbol).or_else(|| corner().map(vertex_symbol))
+            };
+            names(triangle.iter().filter_map(symbol)).into()
+        }
+        (_, Event::Cross { idx, at, .. }) => {
+            let cut = Cut {
+                nth: now.crossings.len().checked_sub(1)?,
+                idx,
+                distances: idx.map(|i| asked.map_or(0.0, |asked| asked.distances[i])),
+                at,
+            };
+            cut.named(name_of)?
+        }
+        _ => return None,
+    })
 }
 
-fn marks<L: Variant<OneByOne>>(step: &Step<'_, Shown<L>>, scenery: &Scenery) -> Vec<Mark3> {
-    let (own, state) = (&step.input.own, step.state);
-    let parts = tellings::of_triangles::<L>(own);
+fn progress<L: Variant<OneByOne>>(step: &Step<'_, Shown<L>>, now: &Pieces<'_>) -> Progress {
+    let has_passed = matches!(step.event(), Some(Event::Pass { .. }));
+    let n_planes = step.input.planes.len();
+    Progress::at(now.plane_idx, has_passed, now.is_done, n_planes)
+}
+
+fn marks<L: Variant<OneByOne>>(
+    step: &Step<'_, Shown<L>>,
+    now: &Pieces<'_>,
+    scenery: &Scenery,
+) -> Vec<Mark3> {
+    let own = step.input;
+    let parts = of_triangles(own.triangle, step.past);
     let mut marks = given(&own.triangle.map(|v| v.at));
-    let has_passed = matches!(step.event, Some(Event::Pass { .. }));
-    let plane = state.plane_idx.and_then(|i| own.planes.get(i));
-    let list = if has_passed {
-        &state.passed
-    } else {
-        &state.list
-    };
-    if let Some((plane_idx, plane)) = state.plane_idx.zip(plane) {
+    let has_passed = matches!(step.event(), Some(Event::Pass { .. }));
+    let plane = now.plane_idx.and_then(|i| own.planes.get(i));
+    let list = if has_passed { now.passed } else { now.list };
+    if let Some((plane_idx, plane)) = now.plane_idx.zip(plane) {
         marks.extend(plane_mark(scenery, plane_idx));
         marks.extend(list.iter().filter_map(|triangle| lost(triangle, plane)));
     }
-    let asked = state
-        .asked
-        .last()
-        .filter(|_| plane.is_some() && !has_passed);
-    let shown = if has_passed { &state.list } else { list };
+    let asked = now.asked.last().filter(|_| plane.is_some() && !has_passed);
+    let shown = now.list;
     for (i, triangle) in shown.iter().enumerate() {
         let is_asked = asked.is_some_and(|asked| asked.triangle_idx == i);
         if plane.is_none() || has_passed || is_asked {
@@ -195,19 +289,19 @@ fn marks<L: Variant<OneByOne>>(step: &Step<'_, Shown<L>>, scenery: &Scenery) -> 
         marks.push(label.labelled(symbol).linked(triangle_link(i)));
     }
     if let Some(asked) = asked {
-        let triangle = &state.list[asked.triangle_idx];
+        let triangle = &now.list[asked.triangle_idx];
         for (i, v) in triangle.iter().enumerate() {
             let mark = vertex(i, v.at, Some(asked.inside[i]));
             marks.push(parts.linked(mark, v));
         }
-        let new = state.origins.iter().zip(&state.next);
+        let new = now.origins.iter().zip(now.next);
         let new = new.filter(|(origin, _)| **origin == asked.triangle_idx);
         marks
             .extend(new.map(|(_, piece)| Mark3::new(Role::Accent, Shape3::Outline(places(piece)))));
-        let cuts: Vec<[f64; 3]> = state.crossings.iter().map(|(_, at, _)| at.at).collect();
+        let cuts: Vec<[f64; 3]> = now.crossings.iter().map(|(_, c)| c.at.at).collect();
         marks.extend(cut_edge(&cuts));
-        let crossings = state.crossings.iter().enumerate();
-        marks.extend(crossings.map(|(i, (_, at, _))| parts.linked(cut(i, at.at), at)));
+        let crossings = now.crossings.iter().enumerate();
+        marks.extend(crossings.map(|(i, (_, c))| parts.linked(cut(i, c.at.at), &c.at)));
     }
     marks
 }

@@ -4,49 +4,53 @@ use serde_json::{Value as Json, json};
 
 use crate::{
     algo::{
-        ring::Right,
+        ring::{Crossing, Right, Rule},
         volume::{
-            CutTriangles, IntersectionPolygon, IntersectionPolygonEvent as Event,
-            IntersectionPolygonState as State, SpaceVertex, TrianglePlanes,
+            CutTriangles, IntersectionPolygon, IntersectionPolygonEvent as Event, PlaneAtATime,
+            SpaceVertex, TrianglePlanes,
         },
     },
     figure::{
-        Body, Caption, Link, Mark3, Role, Run, Shape3, Tick, View, Watch, WatchRow, WatchSection,
+        Body, Link, Mark3, Role, Run, Shape3,
+        Tick::{Accept, Cut as Cuts, Phase, Reject, Test},
+        View, Watch, WatchRow, WatchSection,
     },
     geom::Plane,
-    labs::{Answer, CodeLine, Demo, Step, Verdict, record_beside, words::name},
-    text::Message,
-    trace::silent,
+    labs::{
+        Answer, CodeLine, Verdict,
+        rings::{RingStep, asked_vertex, is_crossed, rules},
+        space::{SpaceTelling, scenery_of},
+        telling::{At, Named, Recorded, Row, Telling, Watched, rows},
+        words::name,
+    },
+    trace::{Recording, Step, silent},
 };
 
 use super::{
     super::{
         super::{
-            OnScene, OnSceneInput, Scene, Subject,
-            demo::SpaceDemo,
+            Scene, Subject,
             stage::{FaceLook, Fate, Scenery},
         },
-        planes::{parameter_row, place, plane_rows},
+        planes::place,
     },
     LISTS_VIEW, PLANES_VIEW,
     agreement::{agreement_view, is_about_pictures, is_alone},
-    captions::polygon_caption,
     code::polygon,
     list_view::lists,
     marks::{
-        cut, cut_edge, cut_symbol, distance_mark, given, kept, lost, places, plane_mark, vertex,
-        vertex_symbol, with_texel,
+        cut, cut_edge, distance_mark, given, kept, lost, places, plane_mark, vertex, with_texel,
     },
+    parts::Parts,
     small::{Progress, small},
-    stages::{of_polygon, of_triangles},
-    tally::tally,
-    tellings,
+    stages::{stages, tally},
+    symbols::{Cut, cut_symbol, distance, names, of_plane, parameter, vertex_symbol},
+    tellings::of_polygon,
     texture::{checkered, checkered_on_screen},
     variant::{self, OnePolygon, Variant},
 };
 
-type Input = OnSceneInput<TrianglePlanes>;
-type Shown<L> = OnScene<IntersectionPolygon<L>>;
+type Shown<L> = IntersectionPolygon<L>;
 
 impl Answer for CutTriangles {
     fn json(&self) -> Json {
@@ -63,183 +67,319 @@ impl Answer for CutTriangles {
     }
 }
 
-impl<L: Variant<OnePolygon>> SpaceDemo for Shown<L> {
+impl<L: Variant<OnePolygon>> SpaceTelling for Shown<L> {
     const SUBJECT: Subject = Subject::Triangle;
 
-    fn input(scene: &Scene) -> Input {
-        OnSceneInput::of(scene, variant::input(scene, L::IS_TEXTURED))
+    fn input(scene: &Scene) -> TrianglePlanes {
+        variant::input(scene, L::IS_TEXTURED)
     }
 
     fn verdict(scene: &Scene, about: Link, run: &dyn Run) -> Option<Verdict> {
-        let parts = tellings::of_polygon::<L>(&Self::input(scene).own);
+        let recording = Recording::<Self>::new(Self::input(scene));
+        let parts = of_polygon(recording.input().triangle, recording.events());
         parts.verdict(scene, about, |v| v.at, run)
     }
 
     fn record(scene: &Scene) -> Box<dyn Run> {
-        record_beside::<Self, OnScene<IntersectionPolygon>>(Self::input(scene))
+        let input = Self::input(scene);
+        let run = Recorded::<Self>::beside::<IntersectionPolygon>(input, scenery_of(scene));
+        Box::new(run)
     }
 }
 
-impl<L: Variant<OnePolygon>> Demo for Shown<L> {
+const fn test(key: &'static str) -> Row {
+    Row::new(Test, polygon::DISTANCE, key)
+        .so(&["{distance}"])
+        .picks("rule", "rules")
+}
+
+const fn first(key: &'static str) -> Row {
+    let row = Row::new(Test, polygon::INSIDE, key);
+    row.so(&["{distance}"]).answers("first")
+}
+
+const fn output(line: usize) -> Row {
+    Row::new(Test, line, "ip-output").so(&["{vertex} = {at}"])
+}
+
+const fn pass(key: &'static str) -> Row {
+    let row = Row::new(Test, polygon::PASS, key);
+    row.so(&["{t of C₁}", "{t of C₂}", "{t of C₃}"])
+}
+
+rows! { [L: Variant<OnePolygon>] |event, step: Shown<L>|
+    plane: Event::Plane { .. } =>
+        Row::new(Phase, polygon::EACH, "ip-plane").so(&["n = {normal}", "D{=D}"]);
+    first_inside: Event::First { inside: true, .. } => first("ip-first-inside").keeps("P");
+    first_outside: Event::First { .. } => first("ip-first-outside").drops("P");
+    // The edge that closes the ring puts out a crossing at most: its end has been asked before.
+    closes_cut: Event::Test { idx: [_, 0], rule: Rule::InOut | Rule::OutIn, distances, .. }
+        if is_crossed(distances) => test("ip-closing-cross").about("P");
+    closes: Event::Test { idx: [_, 0], .. } => test("sh-closing").about("P");
+    in_in: Event::Test { rule: Rule::InIn, .. } => test("sh-in-in").keeps("P");
+    out_out: Event::Test { rule: Rule::OutOut, .. } => test("sh-out-out").drops("P");
+    in_out: Event::Test { rule: Rule::InOut, distances, .. } if is_crossed(distances) =>
+        test("ip-in-out").drops("P");
+    leaves: Event::Test { rule: Rule::InOut, .. } => test("ip-touch").drops("P");
+    out_in: Event::Test { rule: Rule::OutIn, distances, .. } if is_crossed(distances) =>
+        test("ip-out-in").keeps("P");
+    comes: Event::Test { rule: Rule::OutIn, .. } => test("ip-touch").keeps("P");
+    cuts: Event::Cross { .. } =>
+        Row::new(Cuts, polygon::CROSS, "ip-cross").so(&["{t of d}", "{place of cut}"]);
+    puts_cut: Event::Output { at } if rings(step).asked.is_crossing(at) => output(polygon::CROSS);
+    puts: Event::Output { .. } => output(polygon::INSIDE);
+    pass_empty: Event::Pass { n_vertices: 0, .. } => pass("ip-pass-empty");
+    pass_same: Event::Pass { .. } if dropped(&rings(step)).is_empty() => pass("ip-pass-same");
+    pass_drops: Event::Pass { .. } if rings(step).turn.crossings.is_empty() =>
+        pass("ip-pass-drops");
+    pass_cuts: Event::Pass { .. } => pass("ip-pass-cuts");
+    fan: Event::Fan { .. } => Row::new(Test, polygon::FAN, "ip-fan");
+    empty: Event::Done { n_triangles: 0 } => Row::new(Reject, polygon::FAN, "ip-done-empty");
+    done: Event::Done { .. } => Row::new(Accept, polygon::FAN, "ip-done");
+}
+
+/// Both lists, and what has been told of the plane at work.
+fn rings<'a, L: Variant<OnePolygon>>(step: &Step<'a, Shown<L>>) -> RingStep<'a, SpaceVertex> {
+    let is_turn = |event: &Event| matches!(event, Event::Plane { .. });
+    RingStep::of(&step.held.lists, step.past, is_turn)
+}
+
+/// The vertices that the plane drops.
+fn dropped(rings: &RingStep<'_, SpaceVertex>) -> Vec<String> {
+    let sides = rings.turn.sides.iter().enumerate();
+    let dropped = sides.filter(|(_, (_, inside))| !inside);
+    dropped.map(|(i, _)| vertex_symbol(i)).collect()
+}
+
+/// The plane whose turn it is.
+fn plane_idx<L: Variant<OnePolygon>>(step: &Step<'_, Shown<L>>) -> Option<usize> {
+    match step.event()? {
+        Event::Plane { plane_idx } | Event::Pass { plane_idx, .. } => Some(plane_idx),
+        Event::Fan { .. } | Event::Done { .. } => None,
+        Event::First { .. } | Event::Test { .. } | Event::Cross { .. } | Event::Output { .. } => {
+            Some(step.held.lists.n_passed())
+        }
+    }
+}
+
+fn parts<L: Variant<OnePolygon>>(step: &Step<'_, Shown<L>>) -> Parts<SpaceVertex> {
+    of_polygon(step.input.triangle, step.past)
+}
+
+impl<L: Variant<OnePolygon>> Telling for Shown<L> {
+    type Scenery = Scenery;
+
     const ID: &'static str = L::ID;
     const NAME_KEY: &'static str = L::NAME_KEY;
     const SOURCE: &'static str = "Sutherland & Hodgman, 1974";
     const CODE: &'static [CodeLine] = L::CODE;
     const DIFFERS_KEY: Option<&'static str> = L::DIFFERS_KEY;
+    const ROWS: &'static [Row] = ROWS;
+    const WATCH: &'static [Watched] = &[Watched::Names(&["normal", "D", "t"])];
 
-    fn tick(event: &Event) -> Tick {
-        match event {
-            Event::Plane { .. } => Tick::Phase,
-            Event::Cross { .. } => Tick::Cut,
-            Event::Done { n_triangles: 0 } => Tick::Reject,
-            Event::Done { .. } => Tick::Accept,
-            Event::First { .. }
-            | Event::Test { .. }
-            | Event::Output { .. }
-            | Event::Pass { .. }
-            | Event::Fan { .. } => Tick::Test,
-        }
+    fn row(step: &Step<'_, Self>) -> &'static Row {
+        row(step)
     }
 
-    fn code_line(event: &Event, before: &State) -> usize {
-        match event {
-            Event::Plane { .. } => polygon::EACH,
-            Event::First { .. } => polygon::INSIDE,
-            Event::Test { .. } => polygon::DISTANCE,
-            Event::Cross { .. } => polygon::CROSS,
-            Event::Output { at } => match before.crossing {
-                Some((crossing, _)) if crossing == *at => polygon::CROSS,
-                Some(_) | None => polygon::INSIDE,
-            },
-            Event::Pass { .. } => polygon::PASS,
-            Event::Fan { .. } | Event::Done { .. } => polygon::FAN,
-        }
+    fn opening(_: &At<'_, Self>) -> &'static Row {
+        const OPENING: Row = Row::new(Phase, polygon::EACH, "ip-opening");
+        &OPENING
     }
 
-    fn opening(input: &Input) -> Caption {
-        let message = Message::new("ip-opening").with("planes", input.own.planes.len());
-        Caption::new(message.with("n", 3_usize))
+    fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
+        let Step { input, held, .. } = at.step;
+        let rings = rings(&at.step);
+        let of_plane = || of_plane(name, &input.planes, plane_idx(&at.step), at.scenery);
+        let of_vertex = || of_vertex(at, &rings, name);
+        let of_test = || rings.asked.named(name, vertex_symbol);
+        Some(match (name, at.step.event()) {
+            ("n", None) => input.triangle.len().into(),
+            ("n", Some(Event::Output { .. })) => rings.output.len().into(),
+            ("n", Some(Event::Fan { .. } | Event::Done { .. })) => held.left.triangles.len().into(),
+            ("n", _) | ("after" | "vertices", _) => rings.list.len().into(),
+            ("total", _) => rings.list.len().saturating_sub(2).into(),
+            ("crossings", _) => held.left.n_crossings.into(),
+            ("before", _) => rings.passed.len().into(),
+            ("dropped", _) => names(dropped(&rings)).into(),
+            ("cuts", _) => names((0..rings.turn.crossings.len()).map(cut_symbol)).into(),
+            ("corners", Some(Event::Fan { triangle })) => {
+                let corner = |v: &SpaceVertex| rings.list.iter().position(|other| other == v);
+                names(triangle.iter().filter_map(corner).map(vertex_symbol)).into()
+            }
+            _ => return of_plane().or_else(of_vertex).or_else(of_test),
+        })
     }
 
-    fn caption(event: &Event, before: &State, input: &Input) -> Caption {
-        polygon_caption(event, before, input)
+    fn listed(_: &At<'_, Self>, _: &str) -> Vec<Named> {
+        rules()
     }
 
-    fn views(step: &Step<'_, Self>) -> Vec<View> {
-        let Input { own, scenery } = step.input;
-        let parts = tellings::of_polygon::<L>(own);
+    fn views(at: &At<'_, Self>) -> Vec<View> {
+        let At { step, scenery } = *at;
+        let own = step.input;
         let mut views = Vec::new();
-        if let Some(scenery) = scenery.as_deref() {
-            views.push(scenery.observer(|_| Fate::ToCome, marks(step, scenery)));
+        if let Some(scenery) = scenery {
+            views.push(scenery.observer(|_| Fate::ToCome, marks(&step, scenery)));
             if L::IS_TEXTURED {
                 let seen = if L::IS_EVEN_ON_SCREEN {
                     let camera = scenery.scene().culler();
-                    checkered_on_screen(&fan(step), camera, Role::Accent)
+                    checkered_on_screen(&fan(&step), camera, Role::Accent)
                 } else {
-                    checkered(&fan(step), Role::Accent)
+                    checkered(&fan(&step), Role::Accent)
                 };
                 views.push(scenery.camera(|_| Fate::ToCome, |_, _| FaceLook::Whole, seen));
             }
         }
-        if !is_about_pictures(scenery.as_deref()) {
-            let lists = lists(own, &parts, step.state, step.event);
+        if !is_about_pictures(scenery) {
+            let plane = plane_idx(&step).is_some();
+            let lists = lists(own, &parts(&step), &rings(&step), (step.event(), plane));
             views.push(View::new(LISTS_VIEW, Body::Lists(lists)));
         }
         let has_more = |scenery: &&Scenery| !L::IS_TEXTURED && is_alone(scenery);
-        if let Some(scenery) = scenery.as_deref().filter(has_more) {
-            let (stages, progress) = (of_polygon::<L>(own), progress(step, own));
+        if let Some(scenery) = scenery.filter(has_more) {
+            let (stages, progress) = (stages::<Self>(own), progress(&step));
             let row = small(&own.triangle, &own.planes, &stages, progress, scenery);
             views.push(View::new(PLANES_VIEW, Body::Multiples(row)));
         }
-        let found = [
-            parts.n_cuts(),
-            silent::<IntersectionPolygon<L>>(own).triangles.len(),
-        ];
-        views.extend(agreement_view(scenery.as_deref(), found));
+        views.extend(agreement_view(scenery, || {
+            let left = silent::<Self>(own);
+            [left.n_crossings, left.triangles.len()]
+        }));
         views
     }
 
-    fn watch(step: &Step<'_, Self>) -> Watch {
-        let (own, state) = (&step.input.own, step.state);
-        let plane = state.plane_idx.and_then(|i| own.planes.get(i));
-        let mut rows: Vec<WatchRow> = plane.into_iter().flat_map(plane_rows).collect();
-        rows.extend(state.crossing.map(|(_, t)| parameter_row(Some(t))));
-        let list = |ring: &[SpaceVertex], prime: &str| {
+    fn watch(at: &At<'_, Self>) -> Watch {
+        let RingStep { list, output, .. } = rings(&at.step);
+        let section = |ring: &[SpaceVertex], prime: &str| {
             let row = |(i, v): (usize, &SpaceVertex)| {
                 let symbol = format!("{}{prime}", vertex_symbol(i));
                 WatchRow::new(name(symbol), Some(place(v.at)))
             };
             let rows = WatchSection::list(ring.iter().enumerate().map(row).collect());
-            if is_about_pictures(step.input.scenery.as_deref()) {
+            if is_about_pictures(at.scenery) {
                 rows
             } else {
                 rows.seen_in(LISTS_VIEW)
             }
         };
-        let mut sections = vec![
-            WatchSection::list(rows),
-            list(&state.input, ""),
-            list(&state.output, "′"),
-        ];
-        if step.input.scenery.is_some() {
-            let stages = [&of_polygon::<L>(own)[..], &of_triangles::<Right>(own)];
-            sections.push(tally(stages, progress(step, own).n_done));
+        let first = at.section(&Self::WATCH[0]);
+        let mut sections = vec![first, section(list, ""), section(output, "′")];
+        if at.scenery.is_some() {
+            let own = at.step.input;
+            let stages = [
+                &stages::<Self>(own)[..],
+                &stages::<PlaneAtATime<Right>>(own),
+            ];
+            sections.push(tally(stages, progress(&at.step).n_done));
         }
         sections
     }
 }
 
+/// What a name stands for that says something of a vertex, or of a crossing.
+fn of_vertex<L: Variant<OnePolygon>>(
+    at: &At<'_, Shown<L>>,
+    rings: &RingStep<'_, SpaceVertex>,
+    name_of: &str,
+) -> Option<Named> {
+    let (event, RingStep { turn, asked, .. }) = (at.step.event()?, rings);
+    let n_cuts = turn.crossings.len();
+    let crossing = |event: Event| {
+        let (Event::Cross { at, .. }, Some(test)) = (event, asked.test) else {
+            return None;
+        };
+        Some(Cut {
+            nth: n_cuts - 1,
+            idx: test.idx,
+            distances: test.distances,
+            at,
+        })
+    };
+    let of_cut = |nth: usize| {
+        let (idx, _) = turn.crossings.get(nth)?;
+        let d = [turn.sides.get(idx[0])?.0, turn.sides.get(idx[1])?.0];
+        Some(parameter(&format!("t({})", cut_symbol(nth)), *idx, d))
+    };
+    Some(match (name_of, event) {
+        ("vertex", Event::Output { at }) if asked.is_crossing(at) => {
+            name(cut_symbol(n_cuts.saturating_sub(1))).into()
+        }
+        ("vertex", _) => name(vertex_symbol(asked.place())).into(),
+        ("at", Event::Output { at }) => place(at.at).into(),
+        ("P", _) => {
+            let vertex = asked_vertex(&event)?;
+            let named = Named::from(name(vertex_symbol(asked.place())));
+            named.linked(parts(&at.step).link(&vertex)?)
+        }
+        ("distance", _) => {
+            let plane = at.step.input.planes.get(plane_idx(&at.step)?)?;
+            let d = if let Event::First { distance, .. } = event {
+                distance
+            } else {
+                asked.test?.distances[1]
+            };
+            distance(plane, asked.place(), asked_vertex(&event)?.at, d).into()
+        }
+        ("cut", Event::Test { .. }) => name(cut_symbol(n_cuts)).into(),
+        ("t of C₁", Event::Pass { .. }) => of_cut(0)?.into(),
+        ("t of C₂", Event::Pass { .. }) => of_cut(1)?.into(),
+        ("t of C₃", Event::Pass { .. }) => of_cut(2)?.into(),
+        _ => return crossing(event)?.named(name_of),
+    })
+}
+
 /// Where a run is.
-fn progress<L: Variant<OnePolygon>>(step: &Step<'_, Shown<L>>, own: &TrianglePlanes) -> Progress {
-    let is_over = matches!(step.event, Some(Event::Fan { .. } | Event::Done { .. }));
-    let has_passed = matches!(step.event, Some(Event::Pass { .. }));
-    Progress::at(step.state.plane_idx, has_passed, is_over, own.planes.len())
+fn progress<L: Variant<OnePolygon>>(step: &Step<'_, Shown<L>>) -> Progress {
+    let is_over = matches!(step.event(), Some(Event::Fan { .. } | Event::Done { .. }));
+    let has_passed = matches!(step.event(), Some(Event::Pass { .. }));
+    let n_planes = step.input.planes.len();
+    Progress::at(plane_idx(step), has_passed, is_over, n_planes)
 }
 
 /// The polygon as it stands, as triangles with a texture: what has been put out of it, once it is done with.
 fn fan<L: Variant<OnePolygon>>(step: &Step<'_, Shown<L>>) -> Vec<[SpaceVertex; 3]> {
-    let ring = &step.state.input;
+    let ring = step.held.lists.list();
     (2..ring.len())
         .map(|i| [ring[0], ring[i - 1], ring[i]])
         .collect()
 }
 
 fn marks<L: Variant<OnePolygon>>(step: &Step<'_, Shown<L>>, scenery: &Scenery) -> Vec<Mark3> {
-    let (own, state) = (&step.input.own, step.state);
-    let parts = tellings::of_polygon::<L>(own);
+    let (own, parts, rings) = (step.input, parts(step), rings(step));
     let mut marks = given(&own.triangle.map(|v| v.at));
-    let has_passed = matches!(step.event, Some(Event::Pass { .. }));
-    let list = if has_passed {
-        &state.passed
-    } else {
-        &state.input
-    };
-    let textured = own.triangle[0].uv.is_some();
-    match state.plane_idx {
+    let has_passed = matches!(step.event(), Some(Event::Pass { .. }));
+    let list = if has_passed { rings.passed } else { rings.list };
+    let plane_idx = plane_idx(step);
+    match plane_idx {
         Some(plane_idx) => {
             marks.extend(plane_mark(scenery, plane_idx));
             marks.extend(at_work_marks(step, list, &own.planes[plane_idx]));
         }
         None => marks.extend(left_marks(step)),
     }
-    if textured {
+    if own.triangle[0].uv.is_some() {
         marks.extend(checkered(&fan(step), Role::Accent));
     }
-    for triangle in &state.triangles {
+    for triangle in &step.held.left.triangles {
         marks.push(Mark3::new(Role::Accent, Shape3::Outline(places(triangle))).fine());
     }
-    let cuts: Vec<[f64; 3]> = state.crossings.iter().map(|(_, at, _)| at.at).collect();
-    if state.plane_idx.is_some() {
-        marks.extend(cut_edge(&cuts));
-        let cuts = state.crossings.iter().enumerate();
-        marks.extend(cuts.map(|(i, (_, at, _))| {
-            let mark = with_texel(cut(i, at.at), &cut_symbol(i), at.uv);
-            parts.linked(mark, at)
+    if plane_idx.is_some() {
+        let cuts = || {
+            rings
+                .turn
+                .crossings
+                .iter()
+                .map(|(_, Crossing { at, .. })| at)
+        };
+        marks.extend(cut_edge(&cuts().map(|v| v.at).collect::<Vec<_>>()));
+        marks.extend(cuts().enumerate().map(|(i, v)| {
+            let mark = with_texel(cut(i, v.at), &cut_symbol(i), v.uv);
+            parts.linked(mark, v)
         }));
     }
     for (i, v) in list.iter().enumerate() {
-        let inside = match state.plane_idx {
-            Some(_) => state.sides.get(i).map(|&(_, inside)| inside),
+        let inside = match plane_idx {
+            Some(_) => rings.turn.sides.get(i).map(|&(_, inside)| inside),
             None => Some(true),
         };
         let mark = with_texel(vertex(i, v.at, inside), &vertex_symbol(i), v.uv);
@@ -255,20 +395,14 @@ fn at_work_marks<L: Variant<OnePolygon>>(
     plane: &Plane,
 ) -> Vec<Mark3> {
     let mut marks: Vec<Mark3> = lost(list, plane).into_iter().collect();
-    if matches!(step.event, Some(Event::Pass { .. })) {
-        marks.extend(kept(&step.state.input, Role::Accent));
+    if matches!(step.event(), Some(Event::Pass { .. })) {
+        marks.extend(kept(step.held.lists.list(), Role::Accent));
     } else {
         marks.push(Mark3::new(Role::Accent, Shape3::Outline(places(list))));
     }
-    match step.event {
-        Some(Event::First { at, distance, .. }) => {
-            marks.extend(distance_mark(plane, at.at, distance));
-        }
-        Some(Event::Test {
-            ends, distances, ..
-        }) => {
-            marks.extend(distance_mark(plane, ends[1].at, distances[1]));
-        }
+    let d = match step.event() {
+        Some(Event::First { distance, .. }) => Some(distance),
+        Some(Event::Test { distances, .. }) => Some(distances[1]),
         Some(
             Event::Plane { .. }
             | Event::Cross { .. }
@@ -277,14 +411,18 @@ fn at_work_marks<L: Variant<OnePolygon>>(
             | Event::Fan { .. }
             | Event::Done { .. },
         )
-        | None => {}
+        | None => None,
+    };
+    let asked = step.event().and_then(|event| asked_vertex(&event));
+    if let Some((v, d)) = asked.zip(d) {
+        marks.extend(distance_mark(plane, v.at, d));
     }
     marks
 }
 
 /// Before the first plane and after the last one: the polygon, and the right one where it is another.
 fn left_marks<L: Variant<OnePolygon>>(step: &Step<'_, Shown<L>>) -> Vec<Mark3> {
-    let list = &step.state.input;
+    let list = step.held.lists.list();
     let right = right_result::<L>(step);
     let role = if right.is_some() {
         Role::Signal
@@ -303,10 +441,10 @@ fn left_marks<L: Variant<OnePolygon>>(step: &Step<'_, Shown<L>>) -> Vec<Mark3> {
 
 /// Once a wrong run is over: the polygon that the right rules leave, where it is another.
 fn right_result<L: Variant<OnePolygon>>(step: &Step<'_, Shown<L>>) -> Option<Vec<SpaceVertex>> {
-    if L::DIFFERS_KEY.is_none() || !step.state.is_done {
+    if L::DIFFERS_KEY.is_none() || !matches!(step.event(), Some(Event::Done { .. })) {
         return None;
     }
-    let right = of_polygon::<Right>(&step.input.own);
+    let right = stages::<IntersectionPolygon<Right>>(step.input);
     let ring = right.last()?.after.first()?.clone();
-    (places(&ring) != places(&step.state.input)).then_some(ring)
+    (places(&ring) != places(step.held.lists.list())).then_some(ring)
 }

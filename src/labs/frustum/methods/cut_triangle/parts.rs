@@ -13,7 +13,8 @@ use super::{
         Scene, Subject,
         part::{Fate, Outcome, crossing_verdict, part_verdict, region},
     },
-    marks::{edge_link, vertex_symbol},
+    marks::edge_link,
+    symbols::vertex_symbol,
 };
 
 /// What a step says.

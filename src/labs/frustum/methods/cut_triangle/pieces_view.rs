@@ -3,13 +3,95 @@
 use std::ops::Range;
 
 use crate::{
-    algo::volume::{AskedTriangle, PlaneAtATimeEvent as Event, PlaneAtATimeState as State},
+    algo::{
+        ring::Crossing,
+        volume::{PlaneAtATime, PlaneAtATimeEvent as Event, SpaceVertex, VolumeRules},
+    },
     figure::{ItemMarker, Link, ListColumn, ListLink, ListRow, Lists, Role},
     labs::words::{name, subscript},
     text::{Formula, Value},
+    trace::Step,
 };
 
-use super::captions::triangle_symbol;
+use super::symbols::triangle_symbol;
+
+/// A triangle of the list against the plane.
+pub struct AskedTriangle {
+    /// In the list.
+    pub triangle_idx: usize,
+    /// Its corners' signed distances from the plane.
+    pub distances: [f64; 3],
+    /// Are they inside?
+    pub inside: [bool; 3],
+}
+
+/// A step: both lists, and what has been told of the plane at work.
+pub struct Pieces<'a> {
+    /// The list that is cut; after a pass the next one, after the end the answer.
+    pub list: &'a [[SpaceVertex; 3]],
+    /// The list that grows.
+    pub next: &'a [[SpaceVertex; 3]],
+    /// After a pass, until the next plane's turn: the list that was cut.
+    pub passed: &'a [[SpaceVertex; 3]],
+    /// The plane whose turn it is.
+    pub plane_idx: Option<usize>,
+    /// Those of the list that this plane has been asked about, the last of them now.
+    pub asked: Vec<AskedTriangle>,
+    /// Which triangle of the list each of the next list comes from.
+    pub origins: Vec<usize>,
+    /// The crossings of the last of them, and between which corners they lie.
+    pub crossings: Vec<([usize; 2], Crossing<SpaceVertex>)>,
+    /// Is there nothing left to do?
+    pub is_done: bool,
+}
+
+impl<'a> Pieces<'a> {
+    pub fn of<L: VolumeRules>(step: &Step<'a, PlaneAtATime<L>>) -> Self {
+        let (list, other) = (&step.held.left.triangles[..], &step.held.next[..]);
+        let is_over = matches!(step.event(), Some(Event::Pass { .. } | Event::Done { .. }));
+        let mut now = Self {
+            list,
+            next: if is_over { &[] } else { other },
+            passed: if is_over { other } else { &[] },
+            plane_idx: None,
+            asked: Vec::new(),
+            origins: Vec::new(),
+            crossings: Vec::new(),
+            is_done: false,
+        };
+        let is_turn = |event: &Event| matches!(event, Event::Plane { .. });
+        let start = step.past.iter().rposition(is_turn).unwrap_or_default();
+        for event in &step.past[start..] {
+            now.hear(*event);
+        }
+        now
+    }
+
+    fn hear(&mut self, event: Event) {
+        match event {
+            Event::Plane { plane_idx, .. } => self.plane_idx = Some(plane_idx),
+            Event::Triangle {
+                triangle_idx,
+                distances,
+                inside,
+            } => {
+                self.asked.push(AskedTriangle {
+                    triangle_idx,
+                    distances,
+                    inside,
+                });
+                self.crossings.clear();
+            }
+            Event::Cross { idx, at, t } => self.crossings.push((idx, Crossing { at, t })),
+            Event::Piece { .. } => {
+                let asked = self.asked.last();
+                self.origins.extend(asked.map(|asked| asked.triangle_idx));
+            }
+            Event::Pass { .. } => self.crossings.clear(),
+            Event::Done { .. } => (self.plane_idx, self.is_done) = (None, true),
+        }
+    }
+}
 
 /// What marks and rows about a triangle of the list have in common.
 pub const fn triangle_link(idx: usize) -> Link {
@@ -22,45 +104,45 @@ fn out_symbol(idx: usize) -> String {
 }
 
 /// Both lists at a step; at the end what is left.
-pub fn pieces(state: &State, event: Option<Event>) -> Lists {
+pub fn pieces(now: &Pieces<'_>, event: Option<Event>) -> Lists {
     let has_passed = matches!(event, Some(Event::Pass { .. }));
     let (n_in, n_out) = if has_passed {
-        (state.passed.len(), state.list.len())
+        (now.passed.len(), now.list.len())
     } else {
-        (state.list.len(), state.next.len())
+        (now.list.len(), now.next.len())
     };
-    if state.is_done {
+    if now.is_done {
         return Lists {
             lists: vec![left(n_in)],
             links: Vec::new(),
             legend: Vec::new(),
         };
     }
-    let current = state.asked.last().filter(|_| !has_passed);
+    let current = now.asked.last().filter(|_| !has_passed);
     let current = current.map(|asked| asked.triangle_idx);
     let reach = ListColumn::reach(n_in, current);
     let out_reach = ListColumn::reach(n_out, n_out.checked_sub(1));
     let is_new = |i: usize| matches!(event, Some(Event::Piece { .. })) && i + 1 == n_out;
-    let links = match state.plane_idx {
-        Some(_) => links(&state.origins, [&reach, &out_reach], is_new),
+    let links = match now.plane_idx {
+        Some(_) => links(&now.origins, [&reach, &out_reach], is_new),
         None => Vec::new(),
     };
     let out_list = out_list((n_out, out_reach), has_passed, is_new);
     Lists {
-        lists: vec![in_list(state, (n_in, reach), current, has_passed), out_list],
+        lists: vec![in_list(now, (n_in, reach), current, has_passed), out_list],
         links,
         legend: Vec::new(),
     }
 }
 
 fn in_list(
-    state: &State,
+    now: &Pieces<'_>,
     (n_in, reach): (usize, Range<usize>),
     current: Option<usize>,
     has_passed: bool,
 ) -> ListColumn {
     let entry = |i: usize| {
-        let asked = state.asked.iter().find(|asked| asked.triangle_idx == i);
+        let asked = now.asked.iter().find(|asked| asked.triangle_idx == i);
         let mut entry = ListRow::new(name(triangle_symbol(i)));
         entry.role = match asked {
             _ if current == Some(i) => Role::Signal,

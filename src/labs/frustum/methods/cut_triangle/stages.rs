@@ -1,12 +1,15 @@
-//! What both methods hold after each plane, from runs of their own: for the small drawings and the totals, which show the whole run
-//! at every step.
+//! What both methods hold after each plane: for the small drawings and the totals, which show the whole run at every step.
+
+use std::convert::Infallible;
 
 use crate::{
     algo::volume::{
-        IntersectionPolygon, IntersectionPolygonEvent, PlaneAtATime, PlaneAtATimeEvent,
-        SpaceVertex, TrianglePlanes, VolumeRules,
+        IntersectionPolygon, IntersectionPolygonEvent, IntersectionPolygonHeld, PlaneAtATime,
+        PlaneAtATimeEvent, PlaneAtATimeHeld, SpaceVertex, TrianglePlanes, VolumeRules,
     },
-    trace::Algorithm,
+    figure::{WatchRow, WatchSection},
+    text::Value,
+    trace::{Listening, Method, Told},
 };
 
 /// A plane's turn.
@@ -26,47 +29,90 @@ pub struct Stage {
     pub n_crossings: usize,
 }
 
-/// Of one polygon: a stage for each plane that there was something left for.
-pub fn of_polygon<L: VolumeRules>(input: &TrianglePlanes) -> Vec<Stage> {
-    let mut stages = Vec::new();
-    let mut state = IntersectionPolygon::<L>::start(input);
-    IntersectionPolygon::<L>::run::<f64>(input, |event| {
-        IntersectionPolygon::<L>::apply(&mut state, event);
-        if let IntersectionPolygonEvent::Pass { .. } = event {
-            let [before, after] = [&state.passed, &state.input];
-            stages.push(Stage {
-                before: vec![before.clone()],
-                after: vec![after.clone()],
-                cuts: state.crossings.iter().map(|(_, at, _)| *at).collect(),
-                counts: [before.len(), after.len()],
-                n_triangles: after.len().saturating_sub(2),
-                n_crossings: state.n_crossings,
-            });
+/// A method that cuts a triangle by planes.
+pub trait ByPlanes: Method<Input = TrianglePlanes> {
+    /// Where an event finds a crossing.
+    fn cut(event: &Self::Event) -> Option<SpaceVertex>;
+
+    /// The stage that an event ends, but for its cuts; `held` is what the method holds after it.
+    fn stage(event: &Self::Event, held: &Self::Held) -> Option<Stage>;
+}
+
+/// A stage for each plane that there was something left for.
+pub fn stages<M: ByPlanes>(input: &TrianglePlanes) -> Vec<Stage> {
+    let (mut stages, mut cuts) = (Vec::new(), Vec::new());
+    let mut listening = Listening(|held: &M::Held, event| {
+        cuts.extend(M::cut(&event));
+        if let Some(stage) = M::stage(&event, held) {
+            let cuts = std::mem::take(&mut cuts);
+            stages.push(Stage { cuts, ..stage });
         }
+        Told::<Infallible>::Continue(())
     });
+    let Told::Continue(()) = M::run::<f64, _>(input, &mut M::begin(input), &mut listening);
     stages
 }
 
-/// Of triangle by triangle.
-pub fn of_triangles<L: VolumeRules>(input: &TrianglePlanes) -> Vec<Stage> {
-    let (mut stages, mut cuts) = (Vec::new(), Vec::new());
-    let mut state = PlaneAtATime::<L>::start(input);
-    PlaneAtATime::<L>::run::<f64>(input, |event| {
-        PlaneAtATime::<L>::apply(&mut state, event);
-        if let PlaneAtATimeEvent::Cross { at, .. } = event {
-            cuts.push(at);
+impl<L: VolumeRules> ByPlanes for IntersectionPolygon<L> {
+    fn cut(event: &IntersectionPolygonEvent) -> Option<SpaceVertex> {
+        if let IntersectionPolygonEvent::Cross { at, .. } = *event {
+            Some(at)
+        } else {
+            None
         }
-        if let PlaneAtATimeEvent::Pass { .. } = event {
-            let rings = |list: &[[SpaceVertex; 3]]| list.iter().map(|t| t.to_vec()).collect();
-            stages.push(Stage {
-                before: rings(&state.passed),
-                after: rings(&state.list),
-                cuts: std::mem::take(&mut cuts),
-                counts: [state.passed.len(), state.list.len()],
-                n_triangles: state.list.len(),
-                n_crossings: state.n_crossings,
-            });
+    }
+
+    fn stage(event: &IntersectionPolygonEvent, held: &IntersectionPolygonHeld) -> Option<Stage> {
+        let [before, after] = [held.lists.other(), held.lists.list()];
+        let is_over = matches!(event, IntersectionPolygonEvent::Pass { .. });
+        is_over.then(|| Stage {
+            before: vec![before.clone()],
+            after: vec![after.clone()],
+            cuts: Vec::new(),
+            counts: [before.len(), after.len()],
+            n_triangles: after.len().saturating_sub(2),
+            n_crossings: held.left.n_crossings,
+        })
+    }
+}
+
+impl<L: VolumeRules> ByPlanes for PlaneAtATime<L> {
+    fn cut(event: &PlaneAtATimeEvent) -> Option<SpaceVertex> {
+        if let PlaneAtATimeEvent::Cross { at, .. } = *event {
+            Some(at)
+        } else {
+            None
         }
-    });
-    stages
+    }
+
+    fn stage(event: &PlaneAtATimeEvent, held: &PlaneAtATimeHeld) -> Option<Stage> {
+        let [before, after] = [&held.next, &held.left.triangles];
+        let rings = |list: &[[SpaceVertex; 3]]| list.iter().map(|t| t.to_vec()).collect();
+        let is_over = matches!(event, PlaneAtATimeEvent::Pass { .. });
+        is_over.then(|| Stage {
+            before: rings(before),
+            after: rings(after),
+            cuts: Vec::new(),
+            counts: [before.len(), after.len()],
+            n_triangles: after.len(),
+            n_crossings: held.left.n_crossings,
+        })
+    }
+}
+
+/// Triangles and crossings of both methods after so many planes, one polygon first.
+pub fn tally(stages: [&[Stage]; 2], n_planes: usize) -> WatchSection {
+    let names = ["tally-one-polygon", "tally-one-by-one"];
+    let row = |(stages, name_key): (&[Stage], &'static str)| {
+        let last = n_planes.min(stages.len()).checked_sub(1);
+        let counts = match last {
+            Some(last) => [stages[last].n_triangles, stages[last].n_crossings],
+            None => [1, 0],
+        };
+        let cells = counts.map(|count| Some(Value::Count(count)));
+        WatchRow::table(Value::Term(name_key), cells.into())
+    };
+    let header = ["tally-triangles", "tally-crossings"].map(Value::Term);
+    let rows = stages.into_iter().zip(names).map(row);
+    WatchSection::titled(header.into(), rows.collect())
 }

@@ -1,21 +1,22 @@
-//! What the steps of each method say of parts of the triangle.
+//! What the events of each method say of parts of the triangle.
 
 use crate::{
     algo::{
-        ring::Rule,
+        ring::{Crossing, Happening, RingEvent, Rule},
         volume::{
-            HomogeneousTriangle, HomogeneousTriangleEvent, IntersectionPolygon,
-            IntersectionPolygonEvent, PlaneAtATime, PlaneAtATimeEvent, SpaceVertex, TrianglePlanes,
-            VolumeRules,
+            HomogeneousTriangleEvent, IntersectionPolygonEvent, PlaneAtATimeEvent, SpaceVertex,
         },
     },
-    trace::Algorithm,
+    geom::VolumeSide,
 };
 
 use super::{
     clip_space::{Uv, Vertex},
     parts::{Parts, Telling, Told},
 };
+
+/// The three edges of a triangle.
+const EDGES: [[usize; 2]; 3] = [[0, 1], [1, 2], [2, 0]];
 
 /// The steps of a run so far.
 struct Teller<V> {
@@ -44,14 +45,21 @@ impl<V: Copy> Teller<V> {
         });
     }
 
-    fn vertex(&mut self, at: V, inside: bool) {
-        let (ends, inside) = ([at; 2], [inside; 2]);
-        self.tell(Telling::Asked { ends, inside });
+    /// What all clippers of rings say.
+    fn hear(&mut self, event: &impl RingEvent<V>) {
+        match event.happening() {
+            Some(Happening::First { at, inside, .. }) => {
+                let (ends, inside) = ([at; 2], [inside; 2]);
+                self.tell(Telling::Asked { ends, inside });
+            }
+            Some(Happening::Test { ends, rule, .. }) => self.edge(ends, rule),
+            Some(Happening::Cross(Crossing { at, .. })) => self.cut(at),
+            Some(Happening::Output(_)) | None => {}
+        }
     }
 
     fn edge(&mut self, ends: [V; 2], rule: Rule) {
-        let ends_inside = rule.ends_inside();
-        let inside = [ends_inside != rule.changes_side(), ends_inside];
+        let inside = [rule.starts_inside(), rule.ends_inside()];
         self.edge = Some(if inside[0] { ends } else { [ends[1], ends[0]] });
         self.tell(Telling::Asked { ends, inside });
     }
@@ -61,97 +69,100 @@ impl<V: Copy> Teller<V> {
             self.tell(Telling::Cut { ends, at });
         }
     }
-}
 
-/// Of one polygon.
-pub fn of_polygon<L: VolumeRules>(input: &TrianglePlanes) -> Parts<SpaceVertex> {
-    use IntersectionPolygonEvent as Event;
-    let mut teller = Teller::new();
-    IntersectionPolygon::<L>::run::<f64>(input, |event| {
-        teller.step += 1;
-        match event {
-            Event::Plane { plane_idx } => teller.plane_idx = plane_idx,
-            Event::First { at, inside, .. } => teller.vertex(at, inside),
-            Event::Test { ends, rule, .. } => teller.edge(ends, rule),
-            Event::Cross { at, .. } => teller.cut(at),
-            Event::Output { .. } | Event::Pass { .. } | Event::Fan { .. } | Event::Done { .. } => {}
-        }
-    });
-    Parts {
-        corners: input.triangle,
-        told: teller.told,
+    fn parts(self, corners: [V; 3]) -> Parts<V> {
+        let told = self.told;
+        Parts { corners, told }
     }
 }
 
+/// Of one polygon.
+pub fn of_polygon(
+    corners: [SpaceVertex; 3],
+    events: &[IntersectionPolygonEvent],
+) -> Parts<SpaceVertex> {
+    let mut teller = Teller::new();
+    for event in events {
+        teller.step += 1;
+        if let IntersectionPolygonEvent::Plane { plane_idx } = *event {
+            teller.plane_idx = plane_idx;
+        }
+        teller.hear(event);
+    }
+    teller.parts(corners)
+}
+
 /// Of triangle by triangle.
-pub fn of_triangles<L: VolumeRules>(input: &TrianglePlanes) -> Parts<SpaceVertex> {
+pub fn of_triangles(corners: [SpaceVertex; 3], events: &[PlaneAtATimeEvent]) -> Parts<SpaceVertex> {
     use PlaneAtATimeEvent as Event;
     let mut teller = Teller::new();
-    let mut state = PlaneAtATime::<L>::start(input);
-    PlaneAtATime::<L>::run::<f64>(input, |event| {
+    let (mut list, mut next) = (vec![corners], Vec::new());
+    let mut asked = (corners, [false; 3]);
+    for event in events {
         teller.step += 1;
-        match event {
+        match *event {
             Event::Plane { plane_idx, .. } => teller.plane_idx = plane_idx,
             Event::Triangle {
                 triangle_idx,
                 inside,
                 ..
             } => {
-                let triangle = state.list[triangle_idx];
-                for idx in [[0, 1], [1, 2], [2, 0]] {
-                    let (ends, inside) = (idx.map(|i| triangle[i]), idx.map(|i| inside[i]));
+                asked = (list[triangle_idx], inside);
+                for idx in EDGES {
+                    let (ends, inside) = (idx.map(|i| asked.0[i]), idx.map(|i| inside[i]));
                     teller.tell(Telling::Asked { ends, inside });
                 }
             }
-            Event::Cross { idx, at, .. } => {
-                let asked = state.asked.last();
-                teller.edge = asked.map(|asked| {
-                    let triangle = state.list[asked.triangle_idx];
-                    let [from, to] = idx;
-                    let idx = if asked.inside[from] { idx } else { [to, from] };
-                    idx.map(|i| triangle[i])
-                });
+            Event::Cross {
+                idx: [from, to],
+                at,
+                ..
+            } => {
+                let (triangle, inside) = asked;
+                let [inner, outer] = if inside[from] { [from, to] } else { [to, from] };
+                teller.edge = Some([triangle[inner], triangle[outer]]);
                 teller.cut(at);
             }
-            Event::Piece { .. } | Event::Pass { .. } | Event::Done { .. } => {}
+            Event::Piece { triangle } => next.push(triangle),
+            Event::Pass { .. } => list = std::mem::take(&mut next),
+            Event::Done { .. } => {}
         }
-        PlaneAtATime::<L>::apply(&mut state, event);
-    });
-    Parts {
-        corners: input.triangle,
-        told: teller.told,
     }
+    teller.parts(corners)
 }
 
 /// Before the divide: codes that have a side in common, or none, decide at once.
-pub fn in_clip_space<L: VolumeRules>(triangle: &[Vertex; 3]) -> Parts<Vertex> {
+pub fn in_clip_space(
+    corners: [Vertex; 3],
+    events: &[HomogeneousTriangleEvent<Uv>],
+) -> Parts<Vertex> {
     use HomogeneousTriangleEvent as Event;
-    let (mut teller, mut corners) = (Teller::new(), *triangle);
-    HomogeneousTriangle::<Uv, L>::run::<f64>(triangle, |event| {
+    let (mut teller, mut corners) = (Teller::new(), corners);
+    let idx_of = |side: VolumeSide| side as usize;
+    for event in events {
         teller.step += 1;
-        match event {
+        match *event {
+            Event::Divide { triangle } => corners = triangle,
             Event::Codes { or, and, .. } => {
-                let decided = and.lowest().map(|side| (side as usize, false));
+                let decided = and.lowest().map(|side| (idx_of(side), false));
                 let decided = decided.or_else(|| or.is_inside().then_some((0, true)));
                 if let Some((plane_idx, inside)) = decided {
                     teller.plane_idx = plane_idx;
-                    for idx in [[0, 1], [1, 2], [2, 0]] {
+                    for idx in EDGES {
                         let ends = idx.map(|i| corners[i]);
                         let inside = [inside; 2];
                         teller.tell(Telling::Asked { ends, inside });
                     }
                 }
             }
-            Event::Side { side } => teller.plane_idx = side as usize,
-            Event::First { at, inside, .. } => teller.vertex(at, inside),
-            Event::Test { ends, rule, .. } => teller.edge(ends, rule),
-            Event::Cross { at, .. } => teller.cut(at),
-            Event::Divide { triangle } => corners = triangle,
-            Event::Output { .. } | Event::Pass { .. } | Event::Done { .. } => {}
+            Event::Side { side } => teller.plane_idx = idx_of(side),
+            Event::First { .. }
+            | Event::Test { .. }
+            | Event::Cross { .. }
+            | Event::Output { .. }
+            | Event::Pass { .. }
+            | Event::Done { .. } => teller.hear(event),
         }
-    });
-    Parts {
-        corners,
-        told: teller.told,
     }
+    teller.parts(corners)
 }

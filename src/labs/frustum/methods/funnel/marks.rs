@@ -7,7 +7,7 @@ use crate::{
     },
     figure::{Mark3, Role, Shape3, View},
     labs::telling::At,
-    trace::told::silent,
+    trace::silent,
 };
 
 use super::{

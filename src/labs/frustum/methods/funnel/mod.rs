@@ -29,7 +29,7 @@ use crate::{
         telling::{At, Named, Recorded, Row, Telling, Watched, rows},
         words::name,
     },
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::{

@@ -3,11 +3,16 @@
 use crate::{
     algo::{
         parameter::End,
-        volume::{ClipSpace, LineInput, LineRow, LineState, plane_distances, side_distances},
+        volume::{ClipSpace, LineInput, plane_distances, side_distances},
     },
-    figure::{Link, Table, View},
+    figure::{Body, View},
     geom::{AlignedBox, Camera, Plane, VolumeSide, planes_from_matrix},
-    labs::{crossing_formulas::upright_in_space, words::name},
+    labs::{
+        crossing_formulas::upright_in_space,
+        segments::{LineKeys, LineLook, LineStep, SeenRow},
+        telling::Named,
+        words::name,
+    },
     text::{Formula, Message, Value},
 };
 
@@ -19,7 +24,7 @@ use super::{
         },
         planes::{plane_link, plane_name, sum_formula},
     },
-    look::{LineLook, PlaneLook, ShownLine},
+    look::{SpaceLine, mean_formula},
     marks::{interval_marks, shadow},
     points::points_table,
     w_lens,
@@ -39,42 +44,29 @@ pub fn face_equation(bounds: &AlignedBox, side: VolumeSide) -> Formula {
     formula.num(bounds.border(side))
 }
 
-impl PlaneLook for VolumeSide {
-    fn idx(self) -> usize {
-        self as usize
-    }
+fn side(side: VolumeSide) -> Named {
+    Named::from(side_name(side)).linked(side_link(side))
+}
 
-    fn name(self, _: Option<&Scenery>) -> Value {
-        side_name(self)
-    }
+const ENDS: &[&str] = &["P₁", "P₂", "Δ", "P₁′", "P₂′"];
 
-    fn link(self) -> Link {
-        side_link(self)
+/// What is said against any bounds in space.
+const fn keys(opening: &'static str) -> LineKeys {
+    LineKeys {
+        opening,
+        delta: "space-line-delta",
+        row: ["space-line-row"; 3],
+        parallel: ["space-line-parallel-inside", "space-line-parallel-outside"],
+        enter: ["space-line-enter", "space-line-enter-idle"],
+        leave: ["space-line-leave", "space-line-leave-idle"],
+        put: "space-line-put",
+        one_point: ["space-line-touch", "space-line-point"],
+        reject: "space-line-reject",
     }
 }
 
-impl PlaneLook for usize {
-    fn idx(self) -> usize {
-        self
-    }
-
-    fn name(self, scenery: Option<&Scenery>) -> Value {
-        plane_name(scenery, self)
-    }
-
-    fn link(self) -> Link {
-        plane_link(self)
-    }
-}
-
-impl LineLook<3> for AlignedBox {
+impl SpaceLine<3> for AlignedBox {
     const SUBJECT: Subject = Subject::BoxedSegment;
-    const SOURCE: &'static str = "Liang & Barsky, 1984";
-    const SYMBOLS: [&'static str; 2] = ["u", "r"];
-    const HEADER: [&'static str; 2] = ["p", "q"];
-    const QUOTIENT: [&'static [&'static str]; 2] = [&["q"], &["p"]];
-    const SIGN: f64 = 1.0;
-    const SHOWS_PLANES: bool = true;
 
     fn input(scene: &Scene) -> LineInput<3, Self> {
         LineInput {
@@ -83,12 +75,32 @@ impl LineLook<3> for AlignedBox {
         }
     }
 
-    fn opening(&self) -> Message {
-        Message::new("space-line-opening-box")
+    fn idx(plane: VolumeSide) -> usize {
+        plane as usize
+    }
+}
+
+impl LineLook<3> for AlignedBox {
+    type Scenery = Scenery;
+
+    const SOURCE: &'static str = "Liang & Barsky, 1984";
+    const SYMBOLS: [&'static str; 2] = ["u", "r"];
+    const HEADER: [&'static str; 2] = ["p", "q"];
+    const QUOTIENT: [&'static [&'static str]; 2] = [&["q"], &["p"]];
+    const KEYS: LineKeys = keys("space-line-opening-box");
+    const WATCHED: &'static [&'static str] = ENDS;
+    const PARALLEL: &'static str = "q = ";
+    const ROWS_VIEW: &'static str = "rows";
+    const NOTES: [&'static str; 2] = ["lb-note-enter", "lb-note-leave"];
+    const WATCHES: [bool; 2] = [false, true];
+    const SIGN: f64 = 1.0;
+
+    fn plane(plane: VolumeSide, _: Option<&Scenery>) -> Named {
+        side(plane)
     }
 
-    fn numbers(&self, _: &[[f64; 3]; 2], row: &LineRow<VolumeSide>) -> [f64; 2] {
-        [row.p, row.q]
+    fn numbers(&self, _: &[[f64; 3]; 2], row: &SeenRow<3, Self>) -> [f64; 2] {
+        [row.numbers.p, row.numbers.q]
     }
 
     fn meaning(side: VolumeSide) -> Option<[String; 2]> {
@@ -100,12 +112,7 @@ impl LineLook<3> for AlignedBox {
         })
     }
 
-    fn row_formulas(
-        &self,
-        ends: &[[f64; 3]; 2],
-        _: &LineState<VolumeSide, 3>,
-        row: &LineRow<VolumeSide>,
-    ) -> Vec<Formula> {
+    fn row_formulas(&self, ends: &[[f64; 3]; 2], row: &SeenRow<3, Self>) -> Vec<Formula> {
         let side = row.plane;
         let [p, q] = Self::meaning(side).unwrap_or_default();
         let (from, border) = (ends[0][side.axis()], self.border(side));
@@ -116,33 +123,38 @@ impl LineLook<3> for AlignedBox {
         };
         let of_q = Formula::default().sym(format!("q = {q} = ")).num(a);
         vec![
-            Formula::default().sym(format!("p = {p}")).equals(row.p),
-            of_q.sym(" − ").operand(b).equals(row.q),
+            Formula::default()
+                .sym(format!("p = {p}"))
+                .equals(row.numbers.p),
+            of_q.sym(" − ").operand(b).equals(row.numbers.q),
         ]
     }
 
     fn put_formulas(
-        &self,
+        shown: &LineStep<'_, 3, Self>,
         _: End,
         side: VolumeSide,
-        ends: &[[f64; 3]; 2],
         at: [f64; 3],
     ) -> Vec<Formula> {
-        upright_in_space(ends, side.axis(), self.border(side), at)
+        let border = shown.input.bounds.border(side);
+        upright_in_space(&shown.ends, side.axis(), border, at)
     }
 
-    fn border(&self, _: Option<&Scenery>, side: VolumeSide) -> Value {
+    fn border(&self, side: VolumeSide, _: Option<&Scenery>) -> Value {
         Value::Formula(face_equation(self, side))
     }
 
-    fn drawing(shown: &ShownLine<'_, 3, Self>, scenery: &Scenery) -> Vec<View> {
+    fn drawing(shown: &LineStep<'_, 3, Self>, scenery: Option<&Scenery>) -> Vec<View> {
+        let Some(scenery) = scenery else {
+            return Vec::new();
+        };
         let ends = &shown.input.ends;
-        let mut marks: Vec<_> = shown.in_hand.into_iter().flat_map(face_at_work).collect();
+        let mut marks: Vec<_> = shown.in_hand().into_iter().flat_map(face_at_work).collect();
         marks.extend(shadow(ends, -1.0));
-        let visible = shown.state.verdict.flatten();
+        let visible = shown.verdict.flatten();
         marks.extend(interval_marks(
             ends,
-            &shown.interval,
+            &shown.interval(Some(scenery)),
             Self::SYMBOLS[1],
             visible,
         ));
@@ -156,14 +168,8 @@ fn planes_of(camera: &Camera) -> [Plane; 6] {
     from_matrix.unwrap_or_else(|_| camera.planes_in_world())
 }
 
-impl LineLook<3> for Vec<Plane> {
+impl SpaceLine<3> for Vec<Plane> {
     const SUBJECT: Subject = Subject::Segment;
-    const SOURCE: &'static str = "Cyrus & Beck, 1978";
-    const SYMBOLS: [&'static str; 2] = ["a", "a"];
-    const HEADER: [&'static str; 2] = ["d₁", "d₂"];
-    const QUOTIENT: [&'static [&'static str]; 2] = [&["n·(p₀ − P₁)"], &["n·(P₂ − P₁)"]];
-    const SIGN: f64 = -1.0;
-    const SHOWS_PLANES: bool = true;
 
     fn input(scene: &Scene) -> LineInput<3, Self> {
         LineInput {
@@ -172,11 +178,31 @@ impl LineLook<3> for Vec<Plane> {
         }
     }
 
-    fn opening(&self) -> Message {
-        Message::new("space-line-opening-planes").with("planes", self.len())
+    fn idx(plane: usize) -> usize {
+        plane
+    }
+}
+
+impl LineLook<3> for Vec<Plane> {
+    type Scenery = Scenery;
+
+    const SOURCE: &'static str = "Cyrus & Beck, 1978";
+    const SYMBOLS: [&'static str; 2] = ["a", "a"];
+    const HEADER: [&'static str; 2] = ["d₁", "d₂"];
+    const QUOTIENT: [&'static [&'static str]; 2] = [&["n·(p₀ − P₁)"], &["n·(P₂ − P₁)"]];
+    const KEYS: LineKeys = keys("space-line-opening-planes");
+    const WATCHED: &'static [&'static str] = ENDS;
+    const PARALLEL: &'static str = "d₁ = ";
+    const ROWS_VIEW: &'static str = "rows";
+    const NOTES: [&'static str; 2] = ["space-line-note-enter", "space-line-note-leave"];
+    const WATCHES: [bool; 2] = [false, true];
+    const SIGN: f64 = -1.0;
+
+    fn plane(plane: usize, scenery: Option<&Scenery>) -> Named {
+        Named::from(plane_name(scenery, plane)).linked(plane_link(plane))
     }
 
-    fn numbers(&self, ends: &[[f64; 3]; 2], row: &LineRow<usize>) -> [f64; 2] {
+    fn numbers(&self, ends: &[[f64; 3]; 2], row: &SeenRow<3, Self>) -> [f64; 2] {
         plane_distances(&self[row.plane], ends)
     }
 
@@ -184,12 +210,7 @@ impl LineLook<3> for Vec<Plane> {
         Some(["n·P₁ + D", "n·P₂ + D"].map(str::to_owned))
     }
 
-    fn row_formulas(
-        &self,
-        ends: &[[f64; 3]; 2],
-        _: &LineState<usize, 3>,
-        row: &LineRow<usize>,
-    ) -> Vec<Formula> {
+    fn row_formulas(&self, ends: &[[f64; 3]; 2], row: &SeenRow<3, Self>) -> Vec<Formula> {
         let plane = &self[row.plane];
         let [d1, d2] = plane_distances::<f64>(plane, ends);
         vec![
@@ -198,24 +219,38 @@ impl LineLook<3> for Vec<Plane> {
         ]
     }
 
-    fn border(&self, scenery: Option<&Scenery>, plane: usize) -> Value {
+    fn put_formulas(
+        shown: &LineStep<'_, 3, Self>,
+        end: End,
+        plane: usize,
+        at: [f64; 3],
+    ) -> Vec<Formula> {
+        vec![mean_formula(shown, end, plane, at)]
+    }
+
+    fn border(&self, plane: usize, scenery: Option<&Scenery>) -> Value {
         let named = Message::new("space-line-the-plane");
         Value::Message(named.with("plane", plane_name(scenery, plane)))
     }
 
-    fn drawing(shown: &ShownLine<'_, 3, Self>, scenery: &Scenery) -> Vec<View> {
+    fn drawing(shown: &LineStep<'_, 3, Self>, scenery: Option<&Scenery>) -> Vec<View> {
+        let Some(scenery) = scenery else {
+            return Vec::new();
+        };
         let ends = &shown.input.ends;
         let camera = scenery.scene().culler();
-        let side = shown.in_hand.and_then(|i| VolumeSide::ALL.get(i).copied());
+        let side = shown
+            .in_hand()
+            .and_then(|i| VolumeSide::ALL.get(i).copied());
         let mut marks: Vec<_> = side
             .into_iter()
             .flat_map(|side| plane_at_work(camera, side))
             .collect();
         marks.extend(shadow(ends, 0.0));
-        let visible = shown.state.verdict.flatten();
+        let visible = shown.verdict.flatten();
         marks.extend(interval_marks(
             ends,
-            &shown.interval,
+            &shown.interval(Some(scenery)),
             Self::SYMBOLS[1],
             visible,
         ));
@@ -223,14 +258,8 @@ impl LineLook<3> for Vec<Plane> {
     }
 }
 
-impl LineLook<4> for ClipSpace {
+impl SpaceLine<4> for ClipSpace {
     const SUBJECT: Subject = Subject::Segment;
-    const SOURCE: &'static str = "Blinn & Newell, 1978";
-    const SYMBOLS: [&'static str; 2] = ["t", "t"];
-    const HEADER: [&'static str; 2] = ["d₁", "d₂"];
-    const QUOTIENT: [&'static [&'static str]; 2] = [&["d₁"], &["d₁", "d₂"]];
-    const SIGN: f64 = 1.0;
-    const SHOWS_PLANES: bool = false;
 
     fn input(scene: &Scene) -> LineInput<4, Self> {
         let clip_from_world = scene.culler().clip_from_world();
@@ -241,11 +270,32 @@ impl LineLook<4> for ClipSpace {
         }
     }
 
-    fn opening(&self) -> Message {
-        Message::new("space-line-opening-clip")
+    fn idx(plane: VolumeSide) -> usize {
+        plane as usize
+    }
+}
+
+impl LineLook<4> for ClipSpace {
+    type Scenery = Scenery;
+
+    const SOURCE: &'static str = "Blinn & Newell, 1978";
+    const SYMBOLS: [&'static str; 2] = ["t", "t"];
+    const HEADER: [&'static str; 2] = ["d₁", "d₂"];
+    const QUOTIENT: [&'static [&'static str]; 2] = [&["d₁"], &["d₁", "d₂"]];
+    const KEYS: LineKeys = keys("space-line-opening-clip");
+    const WATCHED: &'static [&'static str] = ENDS;
+    const PARALLEL: &'static str = "d₁ = ";
+    const ROWS_VIEW: &'static str = "rows";
+    const NOTES: [&'static str; 2] = ["space-line-note-enter", "space-line-note-leave"];
+    const WATCHES: [bool; 2] = [false, true];
+    const SIGN: f64 = 1.0;
+    const SHOWS_PLANES: bool = false;
+
+    fn plane(plane: VolumeSide, _: Option<&Scenery>) -> Named {
+        side(plane)
     }
 
-    fn numbers(&self, ends: &[[f64; 4]; 2], row: &LineRow<VolumeSide>) -> [f64; 2] {
+    fn numbers(&self, ends: &[[f64; 4]; 2], row: &SeenRow<4, Self>) -> [f64; 2] {
         side_distances(row.plane, ends)
     }
 
@@ -254,12 +304,7 @@ impl LineLook<4> for ClipSpace {
         Some(SUBSCRIPTS.map(|i| format!("w{i} {sign} {axis}{i}")))
     }
 
-    fn row_formulas(
-        &self,
-        ends: &[[f64; 4]; 2],
-        _: &LineState<VolumeSide, 4>,
-        row: &LineRow<VolumeSide>,
-    ) -> Vec<Formula> {
+    fn row_formulas(&self, ends: &[[f64; 4]; 2], row: &SeenRow<4, Self>) -> Vec<Formula> {
         let side = row.plane;
         let distances = side_distances::<f64>(side, ends);
         let meanings = Self::meaning(side).unwrap_or_default();
@@ -272,16 +317,25 @@ impl LineLook<4> for ClipSpace {
         vec![formula(0), formula(1)]
     }
 
-    fn border(&self, _: Option<&Scenery>, side: VolumeSide) -> Value {
+    fn put_formulas(
+        shown: &LineStep<'_, 4, Self>,
+        end: End,
+        plane: VolumeSide,
+        at: [f64; 4],
+    ) -> Vec<Formula> {
+        vec![mean_formula(shown, end, plane, at)]
+    }
+
+    fn border(&self, side: VolumeSide, _: Option<&Scenery>) -> Value {
         let sign = if side.is_high() { "" } else { "−" };
         name(format!("{} = {sign}w", AXES[side.axis()]))
     }
 
-    fn points(shown: &ShownLine<'_, 4, Self>) -> Option<Table> {
-        Some(points_table(shown))
+    fn rows(shown: &LineStep<'_, 4, Self>) -> Option<Body> {
+        Some(Body::Table(points_table(shown)))
     }
 
-    fn drawing(shown: &ShownLine<'_, 4, Self>, scenery: &Scenery) -> Vec<View> {
-        w_lens::views(shown, scenery)
+    fn drawing(shown: &LineStep<'_, 4, Self>, scenery: Option<&Scenery>) -> Vec<View> {
+        scenery.map_or_else(Vec::new, |scenery| w_lens::views(shown, scenery))
     }
 }

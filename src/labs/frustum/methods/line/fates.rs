@@ -3,20 +3,20 @@
 use crate::{
     algo::{
         parameter::End,
-        volume::{LineClip, LineInput, LineRules},
+        segment::{EventOf, Given, LineClip, LineEvent as Event, LineRules},
     },
     geom::VolumeSide,
-    trace::Algorithm,
+    trace::Recording,
 };
 
 use super::{
     super::super::part::{Fate, Outcome},
-    look::{Event, LineLook, PlaneLook},
+    look::SpaceLine,
 };
 
 /// Of an end, or of the whole segment; none where the run never says.
-pub fn fate<const N: usize, B: LineLook<N>, L: LineRules>(
-    input: &LineInput<N, B>,
+pub fn fate<const N: usize, B: SpaceLine<N>, L: LineRules>(
+    input: &B::Input,
     end: Option<End>,
 ) -> Option<Fate> {
     match end {
@@ -26,21 +26,14 @@ pub fn fate<const N: usize, B: LineLook<N>, L: LineRules>(
 }
 
 /// The first plane that an end lies beyond decides; of one that is kept, the last.
-fn end_fate<const N: usize, B: LineLook<N>, L: LineRules>(
-    LineInput { bounds, ends }: &LineInput<N, B>,
+fn end_fate<const N: usize, B: SpaceLine<N>, L: LineRules>(
+    input: &B::Input,
     end: End,
 ) -> Option<Fate> {
-    let (input, mut ends) = (
-        LineInput {
-            bounds: bounds.clone(),
-            ends: *ends,
-        },
-        *ends,
-    );
-    let (mut step, mut fate) = (0, None);
-    let mut is_lost = false;
-    LineClip::<N, B, L>::run::<f64>(&input, |event| {
-        step += 1;
+    let (bounds, mut ends) = (input.bounds(), input.ends());
+    let (mut fate, mut is_lost) = (None, false);
+    for (i, event) in events::<N, B, L>(input).into_iter().enumerate() {
+        let step = i + 1;
         let outcome = match event {
             Event::Depths { ends: now, behind } => {
                 ends = now;
@@ -50,7 +43,7 @@ fn end_fate<const N: usize, B: LineLook<N>, L: LineRules>(
             Event::Row { plane, .. } => {
                 let is_outside = bounds.distances(plane, &ends)[end.idx()] < 0.0;
                 Some(if is_outside {
-                    Outcome::Lost(plane.idx())
+                    Outcome::Lost(B::idx(plane))
                 } else {
                     Outcome::Kept
                 })
@@ -68,17 +61,20 @@ fn end_fate<const N: usize, B: LineLook<N>, L: LineRules>(
             is_lost = outcome != Outcome::Kept;
             fate = Some(Fate { step, outcome });
         }
-    });
+    }
     fate
 }
 
+fn events<const N: usize, B: SpaceLine<N>, L: LineRules>(input: &B::Input) -> Vec<EventOf<N, B>> {
+    let recording = Recording::<LineClip<N, B, L>>::new(input.clone());
+    recording.events().to_vec()
+}
+
 /// The test after which nothing is left; else the first plane that takes something, or the last look at the interval.
-fn whole_fate<const N: usize, B: LineLook<N>, L: LineRules>(
-    input: &LineInput<N, B>,
-) -> Option<Fate> {
-    let (mut step, mut looked, mut fate) = (0, 0, None);
-    LineClip::<N, B, L>::run::<f64>(input, |event| {
-        step += 1;
+fn whole_fate<const N: usize, B: SpaceLine<N>, L: LineRules>(input: &B::Input) -> Option<Fate> {
+    let (mut looked, mut fate) = (0, None);
+    for (i, event) in events::<N, B, L>(input).into_iter().enumerate() {
+        let step = i + 1;
         let outcome = match event {
             Event::Enter {
                 plane,
@@ -89,9 +85,9 @@ fn whole_fate<const N: usize, B: LineLook<N>, L: LineRules>(
                 plane,
                 lowers: true,
                 ..
-            } => Some(Outcome::Cut(plane.idx())).filter(|_| fate.is_none()),
+            } => Some(Outcome::Cut(B::idx(plane))).filter(|_| fate.is_none()),
             Event::Reject { plane } => {
-                let plane = plane.map_or(VolumeSide::Near as usize, PlaneLook::idx);
+                let plane = plane.map_or(VolumeSide::Near as usize, B::idx);
                 let (step, outcome) = (looked, Outcome::Lost(plane));
                 fate = Some(Fate { step, outcome });
                 None
@@ -114,6 +110,6 @@ fn whole_fate<const N: usize, B: LineLook<N>, L: LineRules>(
         if let Some(outcome) = outcome {
             fate = Some(Fate { step, outcome });
         }
-    });
+    }
     fate
 }

@@ -2,15 +2,15 @@
 
 use crate::{
     algo::volume::{ClipSpace, faulty::DividesFirst},
-    labs::{CodeLine, but_for},
+    labs::{
+        CodeLine, but_for,
+        segments::{LineVariant, inequalities::START},
+    },
 };
 
-use super::{
-    look::Variant,
-    variants::{HOMOGENEOUS, START},
-};
+use super::variants::HOMOGENEOUS;
 
-impl Variant<4, ClipSpace> for DividesFirst {
+impl LineVariant<4, ClipSpace> for DividesFirst {
     const ID: &'static str = "faulty-divide-first";
     const NAME_KEY: &'static str = "alg-faulty-divide-first";
     const CODE: &'static [CodeLine] = &but_for(

@@ -7,41 +7,49 @@ use crate::{
     },
     figure::{Cell, Role, Table, TableRow},
     geom::VolumeSide,
-    labs::words::{end_link, end_name, end_name_now},
+    labs::{
+        segments::LineStep,
+        words::{end_link, end_name, end_name_now},
+    },
     text::{Formula, Value},
 };
 
-use super::{look::ShownLine, marks::on_line};
+use super::marks::on_line;
 
 /// The ends of what is left, to be shown before they are put: on the side that set each, as they will be.
-pub fn left_so_far(shown: &ShownLine<'_, 4, ClipSpace>) -> [[f64; 4]; 2] {
+pub fn left_so_far(shown: &LineStep<'_, 4, ClipSpace>) -> [[f64; 4]; 2] {
     End::BOTH.map(|end| {
         let i = end.idx();
-        let mut at = on_line(&shown.state.ends, shown.interval.bounds[i]);
-        if let Some(side) = shown.state.set_by[i] {
+        let mut at = on_line(&shown.ends, shown.bounds[i]);
+        if let Some(side) = shown.set_by[i] {
             at[side.axis()] = if side.is_high() { at[3] } else { 0.0 - at[3] };
         }
-        shown.state.put[i].unwrap_or(at)
+        shown.put[i].unwrap_or(at)
     })
 }
 
+/// Is nothing of it left?
+pub fn is_rejected(shown: &LineStep<'_, 4, ClipSpace>) -> bool {
+    shown.verdict == Some(None) || shown.bounds[0] > shown.bounds[1]
+}
+
 /// Both ends, and what they have become: of the coordinate across the side in hand, else of x.
-pub fn points_table(shown: &ShownLine<'_, 4, ClipSpace>) -> Table {
-    let side = shown.in_hand.unwrap_or(VolumeSide::Right);
+pub fn points_table(shown: &LineStep<'_, 4, ClipSpace>) -> Table {
+    let side = shown.in_hand().unwrap_or(VolumeSide::Right);
     let axis = ["x", "y", "z"][side.axis()];
     let sign = if side.is_high() { "−" } else { "+" };
     let symbol = |symbol: String| Formula::default().sym(symbol);
-    let ends = &shown.state.ends;
+    let ends = &shown.ends;
     let given = End::BOTH.map(|end| {
         let is_behind = ends[end.idx()][3] < 0.0;
         let role = if is_behind { Role::Signal } else { Role::Ink };
         let link = Some(end_link(end));
         row(end_name(end), ends[end.idx()], side, role, link)
     });
-    let is_left = !shown.interval.is_rejected && !shown.interval.is_crossed_over();
+    let is_left = !is_rejected(shown);
     let left = left_so_far(shown);
     let moved = End::BOTH.into_iter().filter(|end| {
-        let bound = shown.interval.bounds[end.idx()];
+        let bound = shown.bounds[end.idx()];
         is_left && bound != [0.0, 1.0][end.idx()]
     });
     let moved = moved.map(|end| {

@@ -3,21 +3,14 @@
 use crate::{
     algo::{ring::Right, volume::ClipSpace},
     geom::{AlignedBox, Plane},
-    labs::{CodeLine, code_line},
+    labs::{
+        CodeLine, code_line,
+        segments::{LineVariant, inequalities::N_LINES},
+    },
 };
 
-use super::look::Variant;
-
-pub const START: usize = 0;
-pub const EACH: usize = 1;
-pub const PARALLEL: usize = 2;
-pub const ENTER: usize = 3;
-pub const LEAVE: usize = 4;
-pub const EMPTY: usize = 5;
-pub const ACCEPT: usize = 6;
-
 /// The pseudocode of any variant.
-pub type Pseudocode = [CodeLine; ACCEPT + 1];
+pub type Pseudocode = [CodeLine; N_LINES];
 
 /// In clip space, by the right rules.
 pub const HOMOGENEOUS: Pseudocode = [
@@ -30,7 +23,7 @@ pub const HOMOGENEOUS: Pseudocode = [
     code_line(0, "code-hl-accept", "words-hl-accept"),
 ];
 
-impl Variant<3, AlignedBox> for Right {
+impl LineVariant<3, AlignedBox> for Right {
     const ID: &'static str = "liang-barsky-3d";
     const NAME_KEY: &'static str = "alg-liang-barsky-3d";
     const CODE: &'static [CodeLine] = &[
@@ -44,7 +37,7 @@ impl Variant<3, AlignedBox> for Right {
     ];
 }
 
-impl Variant<3, Vec<Plane>> for Right {
+impl LineVariant<3, Vec<Plane>> for Right {
     const ID: &'static str = "plane-line";
     const NAME_KEY: &'static str = "alg-plane-line";
     const CODE: &'static [CodeLine] = &[
@@ -58,7 +51,7 @@ impl Variant<3, Vec<Plane>> for Right {
     ];
 }
 
-impl Variant<4, ClipSpace> for Right {
+impl LineVariant<4, ClipSpace> for Right {
     const ID: &'static str = "homogeneous-line";
     const NAME_KEY: &'static str = "alg-homogeneous-line";
     const CODE: &'static [CodeLine] = &HOMOGENEOUS;

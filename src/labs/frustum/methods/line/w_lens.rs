@@ -15,16 +15,18 @@ use crate::{
     },
     figure::{Body, Mark, Mark3, Role, Screen, Screens, Shape, Shape3, View},
     geom::{Camera, Sight},
-    labs::words::{end_link, name},
+    labs::{
+        segments::{LineLook, LineStep},
+        words::{end_link, name},
+    },
     text::{Formula, Message, Value},
     trace::silent,
 };
 
 use super::{
     super::super::stage::{Fate, Scenery, plane_at_work},
-    look::{LineLook, ShownLine},
     marks::{interval_marks, on_line},
-    points::left_so_far,
+    points::{is_rejected, left_so_far},
 };
 
 const SCREENS_VIEW: &str = "screens";
@@ -36,10 +38,10 @@ const SQUARE: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0
 type Ends = [[f64; 4]; 2];
 
 /// The observer's view, and the screen by both ways.
-pub fn views(shown: &ShownLine<'_, 4, ClipSpace>, scenery: &Scenery) -> Vec<View> {
+pub fn views(shown: &LineStep<'_, 4, ClipSpace>, scenery: &Scenery) -> Vec<View> {
     let lens = WLens::new(shown, scenery.scene().culler());
     let mut marks = lens.wedge();
-    if let Some(side) = shown.in_hand {
+    if let Some(side) = shown.in_hand() {
         marks.extend(plane_at_work(lens.camera, side));
     }
     let world = scenery.scene().places.segment();
@@ -94,7 +96,7 @@ const CUT: [&str; 2] = ["P₁′", "P₂′"];
 const CUT_DIVIDED: [&str; 2] = ["P₁′ / w", "P₂′ / w"];
 
 struct WLens<'a> {
-    shown: &'a ShownLine<'a, 4, ClipSpace>,
+    shown: &'a LineStep<'a, 4, ClipSpace>,
     camera: &'a Camera,
     /// By the right rules, the whole run.
     right: VisibleLine<4>,
@@ -103,7 +105,7 @@ struct WLens<'a> {
 }
 
 impl<'a> WLens<'a> {
-    fn new(shown: &'a ShownLine<'a, 4, ClipSpace>, camera: &'a Camera) -> Self {
+    fn new(shown: &'a LineStep<'a, 4, ClipSpace>, camera: &'a Camera) -> Self {
         let [from, to] = shown.input.ends.map(image);
         Self {
             shown,
@@ -167,9 +169,9 @@ impl<'a> WLens<'a> {
         if shown.is_divided {
             return super::marks::segment_marks(world, world, None);
         }
-        let visible = shown.state.verdict.flatten();
-        let visible = visible.map(|_| shown.interval.bounds.map(|u| on_line(world, u)));
-        interval_marks(world, &shown.interval, ClipSpace::SYMBOLS[1], visible)
+        let visible = shown.verdict.flatten();
+        let visible = visible.map(|_| shown.bounds.map(|u| on_line(world, u)));
+        interval_marks(world, &shown.interval(None), ClipSpace::SYMBOLS[1], visible)
     }
 
     /// Lines of sight and where they meet the screen, with what lies between the images.
@@ -177,7 +179,7 @@ impl<'a> WLens<'a> {
         if self.camera.volume().sight() == Sight::Parallel {
             return Vec::new();
         }
-        let wrong = if self.shown.in_hand.is_some() && !self.shown.is_divided {
+        let wrong = if self.shown.in_hand().is_some() && !self.shown.is_divided {
             Role::Discarded
         } else {
             Role::Signal
@@ -257,11 +259,9 @@ impl<'a> WLens<'a> {
             marks.push(whole_of.linked("segment"));
             let [a, b] = joined.map(|[x, y]| [x, y, 0.0, 1.0]);
             if self.shown.is_divided {
-                let ends = self.shown.interval.bounds.map(|u| on_line(&[a, b], u));
+                let ends = self.shown.bounds.map(|u| on_line(&[a, b], u));
                 let left = ends.map(|[x, y, ..]| [x, y]);
-                let is_left =
-                    !self.shown.interval.is_rejected && !self.shown.interval.is_crossed_over();
-                if is_left {
+                if !is_rejected(self.shown) {
                     marks.push(Mark::new(role, Shape::Segment(left)));
                     for (end, at) in End::BOTH.into_iter().zip(left) {
                         let cut = Mark::new(role, Shape::Dot(at)).labelled(name(CUT[end.idx()]));
@@ -297,15 +297,14 @@ impl<'a> WLens<'a> {
     fn clipped_screen(&self) -> Screen {
         let shown = self.shown;
         let given = &shown.input.ends;
-        let is_rejected = shown.interval.is_rejected || shown.interval.is_crossed_over();
         let left: Option<Ends> = if shown.is_divided {
             self.right
-        } else if is_rejected {
+        } else if is_rejected(shown) {
             None
         } else {
             Some(left_so_far(shown))
         };
-        let is_done = shown.is_divided || shown.state.verdict.is_some();
+        let is_done = shown.is_divided || shown.verdict.is_some();
         let mut marks = Self::square();
         let discarded = |ends| {
             images_of(ends)

@@ -26,7 +26,7 @@ use crate::{
         words::name,
     },
     text::{Formula, Value},
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::super::{

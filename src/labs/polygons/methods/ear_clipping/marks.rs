@@ -8,7 +8,7 @@ use crate::{
         polygons::methods::triangles::{cut_off_marks, points_of, vertex_mark},
         words::vertex_name,
     },
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::{corner, is_done, vertex_link};

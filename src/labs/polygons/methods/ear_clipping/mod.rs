@@ -23,7 +23,7 @@ use crate::{
         words::{vertex_name, vertex_symbol},
     },
     text::{Formula, Value},
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::triangles::{named_triangles, part_of, triangle_link, triangle_name, triangles_json};
@@ -54,8 +54,8 @@ rows! { |event, step: EarClipping|
     blocked: Event::Blocked { .. } =>
         Row::new(Test, EMPTY, "ear-blocked").so(SIDES).answers_as("ear", "ear-not-empty").keeps("vertex");
     ear: Event::Ear { .. } => Row::new(Test, EMPTY, "ear-ear").answers("ear").drops("vertex");
-    cut: Event::Cut { .. } => Row::new(Cut, CUT, "ear-cut").keeps("triangle");
-    last: Event::Last { .. } => Row::new(Cut, LAST, "ear-last").keeps("triangle");
+    cut: Event::Cut { .. } => Row::new(Cut, CUT, "ear-cut").about("triangle");
+    last: Event::Last { .. } => Row::new(Cut, LAST, "ear-last").about("triangle");
     done: Event::Done { .. } => Row::new(Accept, LAST, "ear-done").so(COUNT);
 }
 

@@ -10,7 +10,7 @@ use crate::{
         words::{name, vertex_name},
     },
     text::Value,
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::{asked, corner, corner_name, cuts, is_done, vertex_link};

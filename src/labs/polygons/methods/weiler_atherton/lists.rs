@@ -12,10 +12,11 @@ use crate::{
     figure::{self, ItemMarker, ListLink, Lists, Role},
     labs::words::name,
     text::Value,
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::{
+    named::label as label_value,
     names,
     standing::{self, BOTH, Standing},
 };
@@ -52,7 +53,7 @@ const fn marker(label: IntersectionLabel) -> ItemMarker {
 /// Entering and leaving always, the others where there are any.
 fn legend(step: &Step<'_, WeilerAtherton>) -> Vec<(ItemMarker, Value)> {
     let has = |label: IntersectionLabel| step.held.labels.iter().any(|known| known.label == label);
-    let said = |label: IntersectionLabel| (marker(label), super::label(label));
+    let said = |label: IntersectionLabel| (marker(label), label_value(label));
     let rare = [IntersectionLabel::Touching, IntersectionLabel::Pinching]
         .into_iter()
         .filter(|&label| has(label));

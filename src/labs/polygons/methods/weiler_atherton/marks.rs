@@ -10,7 +10,7 @@ use crate::{
     figure::{Mark, Role, Shape},
     geom::{Point, orientation},
     labs::words::name,
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::{

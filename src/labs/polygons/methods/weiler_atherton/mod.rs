@@ -2,6 +2,7 @@
 
 mod lists;
 mod marks;
+mod named;
 mod names;
 mod standing;
 #[cfg(test)]
@@ -10,34 +11,32 @@ mod tests;
 use serde_json::{Value as Json, json};
 
 use crate::{
-    algo::{
-        line::Ratio,
-        polygon::weiler_atherton::{
-            Contact,
-            IntersectionLabel::{self, Entering, Leaving, Pinching, Touching},
-            List::{self, Clip, Subject},
-            Relation,
-            RingKind::{Hole, Outer, Sliver},
-            Side, WeilerAtherton, WeilerAthertonEvent as Event, WeilerAthertonInput as Input,
-            WeilerAthertonOutput,
-        },
+    algo::polygon::weiler_atherton::{
+        Contact,
+        IntersectionLabel::{Entering, Leaving, Pinching, Touching},
+        List::{self, Clip, Subject},
+        Relation,
+        RingKind::{Hole, Outer, Sliver},
+        Side, WeilerAtherton, WeilerAthertonEvent as Event, WeilerAthertonInput as Input,
+        WeilerAthertonOutput,
     },
     figure::{
         Body,
         Tick::{self, Accept, Cut, Phase, Reject, Test},
         View, Watch, WatchRow, WatchSection,
     },
-    geom::{Axis, GeomError, Point, Polygon, Region, SimplePolygon},
+    geom::{GeomError, Point, Polygon, Region, SimplePolygon},
     labs::{
         Answer, CodeLine, code_line,
         polygons::{PolygonTelling, Scene, ScenePart, UnfitScene},
         telling::{At, Named, Row, Telling, Watched, rows},
-        words::{along, axis_symbol, name},
+        words::name,
     },
     text::{Formula, Value},
-    trace::told::Step,
+    trace::Step,
 };
 
+use named::{found_named, label, node_named, opening_named, ring_named};
 use standing::place_of;
 
 const FIND: usize = 0;
@@ -115,7 +114,7 @@ rows! { |event, step: WeilerAtherton|
         Row::new(Accept, WHOLE, "wa-whole-clip-kept").answers("whole clip");
     clip_dropped: Event::Whole { list: Clip, kind: None, .. } =>
         Row::new(Reject, WHOLE, "wa-whole-clip-dropped").answers("whole clip");
-    hole: Event::Hole { .. } => Row::new(Test, HOLES, "wa-hole").picks("ring", "outer rings");
+    hole: Event::Hole { .. } => Row::new(Test, HOLES, "wa-hole");
     disjoint: Event::Done { relation: Relation::Disjoint } => done(Reject, "wa-done-disjoint");
     touch: Event::Done { relation: Relation::Touching } => done(Reject, "wa-done-touching");
     in_clip: Event::Done { relation: Relation::SubjectInside } => done(Accept, "wa-done-subject");
@@ -307,11 +306,7 @@ impl Telling for WeilerAtherton {
             "nodes" => (0..held.lists.nodes.len())
                 .map(|node_idx| names::node(node_idx as u32).into())
                 .collect(),
-            _ => {
-                let rings = held.rings.iter().enumerate();
-                let outer = rings.filter(|(_, ring)| ring.kind == Outer);
-                outer.map(|(i, _)| names::ring(i).into()).collect()
-            }
+            _ => Vec::new(),
         }
     }
 
@@ -330,141 +325,6 @@ impl Telling for WeilerAtherton {
     }
 }
 
-fn opening_named(input: &Input, name: &str) -> Option<Named> {
-    let border = match name {
-        "n" => Subject,
-        "m" => Clip,
-        _ => return None,
-    };
-    Some(names::border(input, border).points().len().into())
-}
-
-/// Two edges meet: where along each, and where in the plane.
-fn found_named(input: &Input, event: &Event, name: &str) -> Option<Named> {
-    let Event::Found {
-        node_idx,
-        edges: [s, c],
-        contact,
-        at,
-        t,
-        u,
-        along: list,
-    } = *event
-    else {
-        return None;
-    };
-    let edges = [s, c].map(|idx| idx as usize);
-    let edge = |list: List| names::edge(input, list, edges[list.idx()]).into();
-    let vertex = |list: List| names::vertex(input, list, edges[list.idx()]).into();
-    let mean = |axis| {
-        let ratio = [t, u][list.idx()];
-        mean(
-            axis,
-            names::border(input, list).edge(edges[list.idx()]),
-            ratio,
-            at,
-        )
-        .into()
-    };
-    Some(match (name, contact) {
-        ("node", _) => names::node(node_idx).into(),
-        ("subject", Contact::BothVertices) => vertex(Subject),
-        ("clip", Contact::BothVertices) => vertex(Clip),
-        ("vertex", Contact::SubjectVertex) => vertex(Subject),
-        ("vertex", _) => vertex(Clip),
-        ("edge", Contact::SubjectVertex) | ("clip" | "clip-edge", _) => edge(Clip),
-        ("edge" | "subject" | "subject-edge", _) => edge(Subject),
-        ("at", _) => at.to_array().into(),
-        ("t", _) => quotient(t),
-        ("u", _) => quotient(u),
-        ("x", _) => mean(Axis::X),
-        ("y", _) => mean(Axis::Y),
-        _ => return None,
-    })
-}
-
-/// Of a step at an intersection that has been found already.
-fn node_named(
-    step: &Step<'_, WeilerAtherton>,
-    event: Event,
-    node_idx: u32,
-    name: &str,
-) -> Option<Named> {
-    let node = step.held.lists.nodes.get(node_idx as usize)?;
-    let clip_edge = node.edges[1] as usize;
-    let is_crossing = node.meeting.contact == Contact::Crossing;
-    Some(match (name, event) {
-        ("node", _) => Named::from(names::node(node_idx)).linked(names::node_link(node_idx)),
-        ("vertex", _) => names::vertex(step.input, Clip, clip_edge).into(),
-        ("edge", _) => names::edge(step.input, Clip, clip_edge).into(),
-        ("u", _) => quotient(node.meeting.u),
-        ("at", Event::Labelled { .. }) if is_crossing => return None,
-        ("at", _) => node.meeting.at.to_array().into(),
-        ("label", Event::Labelled { label: it, .. }) => label(it).into(),
-        ("before", Event::Labelled { before, .. }) => names::side(before).into(),
-        ("after", Event::Labelled { after, .. }) => names::side(after).into(),
-        ("a₁", _) if is_crossing => node.meeting.t.num.into(),
-        ("a₂", _) if is_crossing => other_distance(node.meeting.t).into(),
-        ("order", Event::Labelled { label, .. }) => {
-            let order = if label == Entering {
-                " < 0 < "
-            } else {
-                " > 0 > "
-            };
-            order.to_owned().into()
-        }
-        _ => return None,
-    })
-}
-
-/// Of a vertex that goes into a list, of a walk's step, of a ring, and of the end.
-fn ring_named(step: &Step<'_, WeilerAtherton>, event: Event, name: &str) -> Option<Named> {
-    let (held, input) = (step.held, step.input);
-    let last = held.rings.last();
-    Some(match (name, event) {
-        (
-            "vertex",
-            Event::Vertex {
-                list, vertex_idx, ..
-            },
-        ) => names::vertex(input, list, vertex_idx as usize).into(),
-        (
-            "edge",
-            Event::Vertex {
-                list, vertex_idx, ..
-            },
-        ) => names::edge(input, list, vertex_idx as usize).into(),
-        ("at", Event::Vertex { at, .. } | Event::Visit { at, .. }) => at.to_array().into(),
-        ("entry", Event::Visit { list, place, .. }) => {
-            let entry = held.lists.entries[list.idx()].get(place as usize)?;
-            let vertex = entry
-                .vertex()
-                .map(|idx| names::vertex_link(list, idx as usize));
-            let link = vertex.or(entry.node().map(names::node_link));
-            let named = Named::from(names::entry(input, list, entry));
-            Named { link, ..named }
-        }
-        ("n", Event::Visit { corner, .. }) => (held.walk.path.len() + usize::from(!corner)).into(),
-        ("n", Event::Closed { .. }) => last?.points.len().into(),
-        ("n", Event::Done { .. }) => held
-            .rings
-            .iter()
-            .filter(|it| it.kind == Outer)
-            .count()
-            .into(),
-        ("at", Event::Closed { .. }) => last?.points.first()?.to_array().into(),
-        ("ring", Event::Closed { .. }) => names::ring(held.rings.len() - 1).into(),
-        ("ring", Event::Whole { kind, .. }) => {
-            names::ring(held.rings.len() - usize::from(kind.is_some())).into()
-        }
-        ("ring", Event::Hole { outer_idx, .. }) => names::ring(outer_idx as usize).into(),
-        ("hole", Event::Hole { hole_idx, .. }) => names::ring(hole_idx as usize).into(),
-        ("hole", Event::Whole { ring_idx, .. }) => (ring_idx as usize).into(),
-        ("side", Event::Whole { side, .. }) => names::side(side).into(),
-        _ => return None,
-    })
-}
-
 /// The intersection that an event is about.
 const fn node_of(event: Event) -> Option<u32> {
     match event {
@@ -480,45 +340,6 @@ const fn node_of(event: Event) -> Option<u32> {
         | Event::Hole { .. }
         | Event::Done { .. } => None,
     }
-}
-
-/// As an answer.
-const fn label(label: IntersectionLabel) -> Value {
-    Value::Term(match label {
-        Entering => "wa-mark-entering",
-        Leaving => "wa-mark-leaving",
-        Touching | Pinching => names::label_key(label),
-    })
-}
-
-fn quotient(Ratio { num, den }: Ratio) -> Named {
-    Value::Ratio { num, den }.into()
-}
-
-/// Of the edge's other end.
-fn other_distance(Ratio { num, den }: Ratio) -> f64 {
-    num - den
-}
-
-/// `x = (0 · 2 + 6 · 4) / (4 + 2) = 4`: the mean of an edge's ends, weighted by their distances from the other one; where
-/// both are 0 there is nothing to compute.
-fn mean(axis: Axis, ends: [Point; 2], ratio: Ratio, at: Point) -> Formula {
-    let [o1, o2] = ends.map(|p| along(p, axis)[0]);
-    if [o1, o2] == [0.0, 0.0] {
-        return Formula::default()
-            .sym(axis_symbol(axis))
-            .sym(" = ")
-            .num(0.0);
-    }
-    let (w1, w2) = (ratio.num.abs(), other_distance(ratio).abs());
-    let part = Formula::default;
-    let weighted = |f: Formula, o: f64, w: f64| f.operand(o).sym(" · ").num(w);
-    let sum = part().num(o1).sym(" · ").num(w2).sym(" + ");
-    part()
-        .sym(axis_symbol(axis))
-        .sym(" = ")
-        .over(weighted(sum, o2, w1), part().num(w1).sym(" + ").num(w2))
-        .equals(along(at, axis)[0])
 }
 
 /// Both lists side by side: of long ones the page that is being worked on.

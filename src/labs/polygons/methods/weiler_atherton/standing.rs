@@ -9,7 +9,7 @@ use crate::{
         WeilerAthertonHeld as Held,
     },
     figure::Role,
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::names;

@@ -105,24 +105,20 @@ pub fn is_built(past: &[Event]) -> bool {
 
 /// Where the eye is, as seen from the nodes visited so far, in order.
 pub fn visited(past: &[Event]) -> impl Iterator<Item = (u32, BspSide)> {
-    past.iter().filter_map(|event| match *event {
-        Event::Visit { node, eye } => Some((node, eye)),
-        Event::Node { .. }
-        | Event::Ask { .. }
-        | Event::Built { .. }
-        | Event::Paint { .. }
-        | Event::Done => None,
+    past.iter().filter_map(|event| {
+        let Event::Visit { node, eye } = *event else {
+            return None;
+        };
+        Some((node, eye))
     })
 }
 
 /// Pieces painted so far, in order.
 pub fn painted(past: &[Event]) -> impl Iterator<Item = u32> {
-    past.iter().filter_map(|event| match *event {
-        Event::Paint { piece, .. } => Some(piece),
-        Event::Node { .. }
-        | Event::Ask { .. }
-        | Event::Built { .. }
-        | Event::Visit { .. }
-        | Event::Done => None,
+    past.iter().filter_map(|event| {
+        let Event::Paint { piece, .. } = *event else {
+            return None;
+        };
+        Some(piece)
     })
 }

@@ -207,19 +207,13 @@ struct Waiting {
 
 /// Is this step about that piece, or one that it is a part of?
 fn is_sorted(event: Option<Event>, piece: u32) -> bool {
-    match event {
-        Some(Event::Ask {
-            piece: asked,
-            parts,
-            ..
-        }) => asked == piece || parts.is_some_and(|parts| parts.contains(&piece)),
-        Some(
-            Event::Node { .. }
-            | Event::Built { .. }
-            | Event::Visit { .. }
-            | Event::Paint { .. }
-            | Event::Done,
-        )
-        | None => false,
-    }
+    let Some(Event::Ask {
+        piece: asked,
+        parts,
+        ..
+    }) = event
+    else {
+        return false;
+    };
+    asked == piece || parts.is_some_and(|parts| parts.contains(&piece))
 }

@@ -30,7 +30,7 @@ use crate::{
         },
         telling::{At, Named, Recorded, Row, Telling, Watched, rows},
     },
-    trace::told::{Step, silent},
+    trace::{Step, silent},
 };
 
 use super::on_raster::depth_list;
@@ -79,7 +79,7 @@ impl<L: Variant> SpaceTelling for DepthBuffer<L> {
         let reversed = const {
             &MethodCard {
                 code: L::REVERSED,
-                ..MethodCard::told::<Self>()
+                ..MethodCard::of::<Self>()
             }
         };
         scene.raster.format.is_reversed.then_some(reversed)
@@ -166,30 +166,4 @@ impl<L: Variant> Telling for DepthBuffer<L> {
     fn views(at: &At<'_, Self>) -> Vec<View> {
         views::views(at)
     }
-}
-
-/// The triangle whose turn it is.
-fn current<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Option<u32> {
-    match at.step.event()? {
-        Event::Triangle { id, .. } | Event::Span { id, .. } => Some(id),
-        Event::Fragment { fragment, .. } => Some(fragment.id),
-        Event::Clear { .. } | Event::Done => None,
-    }
-}
-
-/// The fragment that has been asked.
-fn fragment_of<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Option<Fragment> {
-    match at.step.event()? {
-        Event::Fragment { fragment, .. } => Some(fragment),
-        Event::Clear { .. } | Event::Triangle { .. } | Event::Span { .. } | Event::Done => None,
-    }
-}
-
-/// The pixel that the step is about.
-fn pixel_of<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Option<[u32; 2]> {
-    let input = at.step.input;
-    let [width, height] = input.surfaces.size();
-    let pixel = fragment_of(at).map(|fragment| fragment.pixel);
-    let pixel = pixel.or(input.pixel);
-    pixel.filter(|&[column, row]| column < width && row < height)
 }

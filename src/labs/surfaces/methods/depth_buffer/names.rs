@@ -1,7 +1,7 @@
 //! What the names stand for at a step.
 
 use crate::{
-    algo::surface::{DepthBuffer, DepthBufferEvent as Event, FragmentTally, Rays},
+    algo::surface::{DepthBuffer, DepthBufferEvent as Event, Fragment, FragmentTally, Rays},
     figure::{Link, Raster, Tick::Accept},
     labs::{
         space::Tones,
@@ -13,9 +13,7 @@ use crate::{
 };
 
 use super::{
-    current, fragment_of,
     numbers::{t_of, value},
-    pixel_of,
     variant::{COMPARE, Variant},
 };
 
@@ -74,6 +72,32 @@ pub fn named<L: Variant>(at: &At<'_, DepthBuffer<L>>, name: &str) -> Option<Name
         ("watch-pixels", _) => count(tally.pixels),
         _ => return on_raster::named(&input.surfaces, at.scenery, name),
     })
+}
+
+/// The triangle whose turn it is.
+pub fn current<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Option<u32> {
+    match at.step.event()? {
+        Event::Triangle { id, .. } | Event::Span { id, .. } => Some(id),
+        Event::Fragment { fragment, .. } => Some(fragment.id),
+        Event::Clear { .. } | Event::Done => None,
+    }
+}
+
+/// The fragment that has been asked.
+pub fn fragment_of<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Option<Fragment> {
+    let Event::Fragment { fragment, .. } = at.step.event()? else {
+        return None;
+    };
+    Some(fragment)
+}
+
+/// The pixel that the step is about.
+pub fn pixel_of<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Option<[u32; 2]> {
+    let input = at.step.input;
+    let [width, height] = input.surfaces.size();
+    let pixel = fragment_of(at).map(|fragment| fragment.pixel);
+    let pixel = pixel.or(input.pixel);
+    pixel.filter(|&[column, row]| column < width && row < height)
 }
 
 /// What had been counted one step before.

@@ -13,7 +13,7 @@ use crate::{
 };
 
 use super::{
-    current, fragment_of,
+    names::{current, fragment_of},
     numbers::{against, value},
     variant::Variant,
 };

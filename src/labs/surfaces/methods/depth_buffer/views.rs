@@ -14,15 +14,13 @@ use crate::{
         telling::At,
     },
     text::Value,
-    trace::told::silent,
+    trace::silent,
 };
 
 use super::{
-    current,
     curve::curves,
-    fragment_of,
+    names::{current, fragment_of, pixel_of},
     numbers::{InPixels, t_of},
-    pixel_of,
     shades::Shades,
     story::story,
     variant::Variant,

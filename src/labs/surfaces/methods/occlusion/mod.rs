@@ -19,10 +19,12 @@ use crate::{
         space::{Scene, SpaceTelling, Subject, soup::surfaces_on_raster, stage::Scenery},
         telling::{At, Named, Row, Telling, Watched, rows},
     },
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::on_raster::depth_list;
+
+pub use occluders::with_occluders;
 
 const OCCLUDERS: usize = 0;
 const OTHERS: usize = 1;
@@ -35,8 +37,7 @@ impl Answer for OcclusionOutput {
         json!({
             "ids": self.picture,
             "depth": depth_list(&self.depth),
-            "n_drawn": self.n_drawn,
-            "n_skipped": self.n_skipped,
+            "skipped": self.skipped,
         })
     }
 }
@@ -121,7 +122,7 @@ mod tests {
             space::{Model, Object, street},
             surfaces::first_scene,
         },
-        trace::told::silent,
+        trace::silent,
     };
 
     fn cube(at: [f64; 3], size: f64) -> Object {
@@ -152,7 +153,7 @@ mod tests {
             "{occluders:?}"
         );
         let output = silent::<Occlusion>(&input);
-        assert_eq!((output.n_drawn, output.n_skipped), (3, 1));
+        assert_eq!((output.drawn.len(), output.skipped.len()), (3, 1));
     }
 
     #[test]
@@ -167,7 +168,7 @@ mod tests {
             let (some, all) = (silent::<Occlusion>(&input), silent::<DepthBuffer>(&all));
             assert_eq!(some.picture, all.picture);
             assert_eq!(some.depth, all.depth);
-            n_skipped += some.n_skipped;
+            n_skipped += some.skipped.len();
         }
         assert!(n_skipped > 10, "{n_skipped}");
     }

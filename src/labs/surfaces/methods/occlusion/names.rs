@@ -58,24 +58,27 @@ pub fn current(past: &[Event]) -> Option<usize> {
 /// The corners of the box of that object and the answer, once it is asked.
 pub fn answer(past: &[Event]) -> Option<(Option<[[f64; 3]; 2]>, QueryResult)> {
     let current = current(past)?;
-    past.iter().rev().take(2).find_map(|event| match *event {
-        Event::Query {
-            object_idx,
-            bounds,
-            result,
-        } => (object_idx == current).then_some((bounds, result)),
-        Event::Skip { .. } | Event::Draw { .. } | Event::Done => None,
-    })
+    let (object_idx, bounds, result) = past.iter().rev().take(2).find_map(query)?;
+    (object_idx == current).then_some((bounds, result))
 }
 
 /// Every object that has been asked, in order, and the answer.
 pub fn answers(past: &[Event]) -> impl Iterator<Item = (usize, QueryResult)> {
-    past.iter().filter_map(|event| match *event {
-        Event::Query {
-            object_idx, result, ..
-        } => Some((object_idx, result)),
-        Event::Skip { .. } | Event::Draw { .. } | Event::Done => None,
-    })
+    let queries = past.iter().filter_map(query);
+    queries.map(|(object_idx, _, result)| (object_idx, result))
+}
+
+/// The object that is asked, the corners of its box, and the answer.
+const fn query(event: &Event) -> Option<(usize, Option<[[f64; 3]; 2]>, QueryResult)> {
+    let &Event::Query {
+        object_idx,
+        bounds,
+        result,
+    } = event
+    else {
+        return None;
+    };
+    Some((object_idx, bounds, result))
 }
 
 /// As many triangles as these objects have.

@@ -12,11 +12,20 @@ const MOST_OBJECTS: usize = 300;
 
 /// The first objects of a scene, whose triangles these are, one after the other.
 pub fn objects_of(scene: &Scene, surfaces: &Surfaces) -> Vec<OcclusionObject> {
+    let objects = scene.objects().iter().take(MOST_OBJECTS);
+    let counts = objects.map(|object| object.model().mesh().faces().len());
+    with_occluders(surfaces, counts)
+}
+
+/// Objects of so many triangles each, one after the other.
+pub fn with_occluders(
+    surfaces: &Surfaces,
+    counts: impl Iterator<Item = usize>,
+) -> Vec<OcclusionObject> {
     let mut first = 0;
-    let counts = scene.objects().iter().take(MOST_OBJECTS);
     let mut objects: Vec<OcclusionObject> = counts
-        .map(|object| {
-            let n_triangles = object.model().mesh().faces().len() as u32;
+        .map(|count| {
+            let n_triangles = count as u32;
             let object = OcclusionObject {
                 first,
                 n_triangles,

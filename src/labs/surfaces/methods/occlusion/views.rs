@@ -61,19 +61,19 @@ fn raster(at: &At<'_, Occlusion>) -> Raster {
     // Objects are in the order of their triangles.
     let object_of = |id: u32| input.objects.partition_point(|object| object.first <= id) as u32 - 1;
     let picture = at.step.held.drawing.so_far.picture.renamed(object_of);
-    let drawn = match event {
-        Some(Event::Draw { object_idx, .. }) => Some(object_idx as u32),
-        Some(Event::Query { .. } | Event::Skip { .. } | Event::Done) | None => None,
+    let drawn = if let Some(Event::Draw { object_idx, .. }) = event {
+        Some(object_idx as u32)
+    } else {
+        None
     };
     let edges = asked_box(at).into_iter().flat_map(|it| it.edges());
     let mut over: Vec<RasterMark> = edges
         .filter_map(|ends| segment(&input.surfaces, ends, Role::Signal))
         .collect();
-    let asked: &[([u32; 2], bool)] = match event {
-        Some(Event::Done) => &[],
-        Some(Event::Query { .. } | Event::Skip { .. } | Event::Draw { .. }) | None => {
-            &at.step.held.asked
-        }
+    let asked: &[([u32; 2], bool)] = if event == Some(Event::Done) {
+        &[]
+    } else {
+        &at.step.held.asked
     };
     over.extend(asked.iter().filter(|_| drawn.is_none()).map(mark));
     let names = lettered(&picture, |object| name_of(at.scenery, object as usize));
@@ -128,14 +128,11 @@ fn lists(at: &At<'_, Occlusion>) -> Lists {
             ..ListRow::new(name_of(at.scenery, object_idx))
         }
     };
-    let reach = ListColumn::reach(objects.len(), focus);
     let columns = ["occlusion-asked", "occlusion-passed", "story-fate"];
+    let title = Value::Term("occlusion-objects");
     let column = ListColumn {
         columns: columns.map(Value::Term).to_vec(),
-        n_before: reach.start,
-        n_after: objects.len() - reach.end,
-        focus: focus.map(|at| at - reach.start),
-        ..ListColumn::new(Value::Term("occlusion-objects"), reach.map(row).collect())
+        ..ListColumn::about(title, objects.len(), focus, row)
     };
     Lists {
         lists: vec![column],

@@ -27,7 +27,7 @@ use crate::{
         },
         telling::{At, Named, Recorded, Row, Telling, Watched, rows},
     },
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::on_raster;

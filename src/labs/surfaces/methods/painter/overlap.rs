@@ -3,7 +3,7 @@
 use crate::{
     algo::surface::{DepthBuffer, DepthBufferInput, DepthSteps, Rays, Surfaces},
     labs::surfaces::methods::on_raster::middle,
-    trace::told::silent,
+    trace::silent,
 };
 
 /// Of more triangles the reasons are not looked for: their names only are seen.

@@ -114,18 +114,10 @@ fn lists<L: Variant>(at: &At<'_, Painter<L>>, scene: &Scene) -> Lists {
         let range = Formula::decimals().num(far).sym(" … ").num(near);
         Some(Value::Formula(range))
     };
-    let focus = |ids: &[u32]| ids.iter().position(|&id| now[0] == Some(id));
     let column = |title, ids: &[u32], detail: &dyn Fn(u32) -> Option<Value>| {
-        let at = focus(ids);
-        let reach = ListColumn::reach(ids.len(), at);
-        let (first, last) = (reach.start, reach.end);
-        let entries = ids[reach].iter().map(|&id| row(id, detail(id))).collect();
-        ListColumn {
-            n_before: first,
-            n_after: ids.len() - last,
-            focus: at.map(|at| at - first),
-            ..ListColumn::new(Value::Term(title), entries)
-        }
+        let focus = ids.iter().position(|&id| now[0] == Some(id));
+        let entry = |place: usize| row(ids[place], detail(ids[place]));
+        ListColumn::about(Value::Term(title), ids.len(), focus, entry)
     };
     let sorted = ListColumn {
         columns: vec![Value::Name("z".to_owned())],

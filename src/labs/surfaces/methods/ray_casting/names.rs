@@ -84,17 +84,19 @@ fn of_turn(past: &[Event]) -> &[Event] {
 
 /// The pixel in hand, or the last one, and its ray.
 pub fn turn(past: &[Event]) -> Option<([u32; 2], Ray)> {
-    match of_turn(past).first()? {
-        Event::Pixel { pixel, ray } => Some((*pixel, *ray)),
-        Event::Ask { .. } | Event::Seen { .. } | Event::Done => None,
-    }
+    let Event::Pixel { pixel, ray } = *of_turn(past).first()? else {
+        return None;
+    };
+    Some((pixel, ray))
 }
 
 /// Every triangle that this ray has been asked about, in order, and what was found.
 pub fn asked(past: &[Event]) -> impl DoubleEndedIterator<Item = (u32, PlaneHit)> {
-    of_turn(past).iter().filter_map(|event| match *event {
-        Event::Ask { id, found, .. } => Some((id, found)),
-        Event::Pixel { .. } | Event::Seen { .. } | Event::Done => None,
+    of_turn(past).iter().filter_map(|event| {
+        let Event::Ask { id, found, .. } = *event else {
+            return None;
+        };
+        Some((id, found))
     })
 }
 
@@ -104,15 +106,14 @@ pub fn hits(past: &[Event]) -> impl DoubleEndedIterator<Item = RayHit> {
 }
 
 fn hit_of(event: &Event) -> Option<RayHit> {
-    match *event {
-        Event::Ask {
-            id, found, depth, ..
-        } => {
-            let (t, depth) = found.t.zip(depth)?;
-            Some(RayHit { id, t, depth })
-        }
-        Event::Pixel { .. } | Event::Seen { .. } | Event::Done => None,
-    }
+    let Event::Ask {
+        id, found, depth, ..
+    } = *event
+    else {
+        return None;
+    };
+    let (t, depth) = found.t.zip(depth)?;
+    Some(RayHit { id, t, depth })
 }
 
 /// What was the nearest hit before the triangle that is asked.

@@ -63,10 +63,10 @@ fn cast(at: &At<'_, RayCasting>) -> Option<([u32; 2], Ray)> {
 
 /// The triangle that is asked at this step.
 fn now(at: &At<'_, RayCasting>) -> Option<u32> {
-    match at.step.event() {
-        Some(Event::Ask { id, .. }) => Some(id),
-        None | Some(Event::Pixel { .. } | Event::Seen { .. } | Event::Done) => None,
-    }
+    let Event::Ask { id, .. } = at.step.event()? else {
+        return None;
+    };
+    Some(id)
 }
 
 /// The ray as far as it has been followed, and where it meets planes: the nearest hit filled, others hollow.

@@ -1,0 +1,282 @@
+//! A segment against any planes, in any number of dimensions: one inequality a plane for the parameter.
+//!
+//! ```text
+//!   P(u) = P₁ + u (P₂ − P₁) is inside a plane where  u·p ≤ q       q: how far P₁ lies inside
+//!                                                                  p: how much of that the way to P₂ takes away
+//!   p < 0  the line comes in,   u ≥ r = q/p
+//!   p > 0  it goes out,         u ≤ r              0 ──[u_min ━━━━━ u_max]── 1
+//!   p = 0  parallel: inside if q ≥ 0
+//! ```
+//!
+//! What Liang and Barsky do with a window is the same with the six faces of a box, with planes that stand obliquely, and with
+//! the sides x = ±w of clip space: only p, q and the place of a crossing depend on what is clipped against ([`Bounds`]).
+//!
+//! 1. Start with the whole segment: u_min = 0, u_max = 1.
+//! 2. For each plane, compute p and q. Parallel and outside: reject. Otherwise r = q/p raises u_min or lowers u_max.
+//! 3. Reject as soon as u_min > u_max. Otherwise the answer is P(u_min) to P(u_max).
+//!
+//! *Exact*: `max`, `min` and `>` on parameters ([`Param::compare`]), so that a touch is told from nothing beyond rounding and
+//! both directions decide alike; an end that was inside comes back bit for bit; swapping the ends swaps the answer's, bit for
+//! bit. Where u_min = u_max both ends are the same point. *Bound*: what begins the run, three events a plane, two ends, a
+//! verdict.
+//!
+//! *Source*: You-Dong Liang and Brian A. Barsky, "A New Concept and Method for Line Clipping", ACM Transactions on Graphics
+//! 3(1), 1984, pp. 1–22, doi:10.1145/357332.357333; sections 5 and 6 have three dimensions and perspective.
+
+use std::{fmt::Debug, marker::PhantomData};
+
+use serde::Serialize;
+
+use crate::{
+    algo::{
+        parameter::{End, Interval, Param},
+        ring::Right,
+    },
+    trace::{Method, Real, Tell, Told},
+};
+
+use super::{LineEvent, LineRules, RowNumbers, VisibleLine};
+
+/// An event of clipping against the bounds `B`.
+pub type EventOf<const N: usize, B> = LineEvent<<B as Bounds<N>>::Plane, N, <B as Bounds<N>>::Row>;
+
+/// What a segment of `N` coordinates is clipped against.
+pub trait Bounds<const N: usize>: Clone + PartialEq + Debug + 'static {
+    /// One of its planes. Of two that are crossed at the same place the lesser is that which the point is put on.
+    type Plane: Copy + Ord + Debug + Serialize + 'static;
+    /// The numbers of a plane's row.
+    type Row: RowNumbers;
+    /// What is worked out once for all planes.
+    type Once<R: Real>: Copy;
+    /// What a program gives: a segment and these bounds.
+    type Input: Given<N, Self>;
+    /// What it gets.
+    type Output: Clone + PartialEq;
+
+    /// What a program gets.
+    fn answer(visible: VisibleLine<N>) -> Self::Output;
+
+    /// In the order in which they are asked.
+    fn planes(&self) -> impl Iterator<Item = Self::Plane>;
+
+    /// Before the first plane: what is told, and what is worked out; `None` where nothing can be visible. The wrong rules change
+    /// the ends here.
+    fn begin<R: Real, L: LineRules>(
+        &self,
+        ends: &mut [[f64; N]; 2],
+    ) -> (Option<EventOf<N, Self>>, Option<Self::Once<R>>);
+
+    /// p and q, and the row that shows them.
+    fn inequality<R: Real>(
+        &self,
+        plane: Self::Plane,
+        ends: &[[f64; N]; 2],
+        once: &Self::Once<R>,
+    ) -> ([R; 2], Self::Row);
+
+    /// q as an event shows it: a zero has no sign.
+    fn shown(q: f64) -> f64 {
+        q + 0.0
+    }
+
+    /// Does the line go out? p is not 0.
+    fn is_leaving<R: Real>(p: R) -> bool {
+        p > R::new(0.0)
+    }
+
+    /// q / p, p not being 0.
+    fn quotient<R: Real>(&self, plane: Self::Plane, ends: &[[f64; N]; 2], p_and_q: [R; 2]) -> R;
+
+    /// Signed distances of both ends, inside positive: their signs and their ratio count.
+    fn distances(&self, plane: Self::Plane, ends: &[[f64; N]; 2]) -> [f64; 2];
+
+    /// Of two planes that are crossed at the same place the first sets the bound, unless the other wins.
+    fn wins_tie(&self, _other: Self::Plane, _first: Self::Plane) -> bool {
+        false
+    }
+
+    /// The two planes that meet where the line touches, which is all that is left of it.
+    fn touched<R: Real>(
+        &self,
+        interval: &Interval<R, Self::Plane>,
+        ends: &[[f64; N]; 2],
+    ) -> Option<[Self::Plane; 2]> {
+        let is_touch = interval.is_touch(|plane| self.distances(plane, ends));
+        interval.borders().filter(|_| is_touch)
+    }
+
+    /// Where the segment crosses a plane, known to be inside of all: on this plane, and on the `touched` one where it meets
+    /// both there.
+    fn crossing<R: Real>(
+        &self,
+        plane: Self::Plane,
+        touched: Option<Self::Plane>,
+        ends: &[[f64; N]; 2],
+    ) -> [f64; N];
+}
+
+/// What a program gives.
+pub trait Given<const N: usize, B>: Clone + PartialEq + Debug + 'static {
+    /// What is clipped against.
+    fn bounds(&self) -> &B;
+
+    /// P₁ and P₂, finite.
+    fn ends(&self) -> [[f64; N]; 2];
+}
+
+/// The algorithm, against the bounds `B` and by the rules of `L`; see the module.
+#[derive(Clone, Copy, Debug)]
+pub struct LineClip<const N: usize, B, L = Right>(PhantomData<(B, L)>);
+
+/// What is clipped, and against what.
+#[derive(Clone, PartialEq, Debug)]
+pub struct LineInput<const N: usize, B> {
+    /// Closed.
+    pub bounds: B,
+    /// P₁ and P₂, finite.
+    pub ends: [[f64; N]; 2],
+}
+
+impl<const N: usize, B: Bounds<N>> Given<N, B> for LineInput<N, B> {
+    fn bounds(&self) -> &B {
+        &self.bounds
+    }
+
+    fn ends(&self) -> [[f64; N]; 2] {
+        self.ends
+    }
+}
+
+impl<const N: usize, B: Bounds<N>, L: LineRules> Method for LineClip<N, B, L> {
+    type Input = B::Input;
+    type Held = VisibleLine<N>;
+    type Output = B::Output;
+    type Event = EventOf<N, B>;
+
+    #[inline]
+    fn begin(_: &B::Input) -> VisibleLine<N> {
+        None
+    }
+
+    #[inline]
+    fn run<R: Real, T: Tell<Self>>(
+        input: &B::Input,
+        held: &mut VisibleLine<N>,
+        tell: &mut T,
+    ) -> Told<T::Stop> {
+        use LineEvent as Event;
+        let (bounds, mut ends) = (input.bounds(), input.ends());
+        let (first, once) = bounds.begin::<R, L>(&mut ends);
+        if let Some(event) = first {
+            tell.tell(held, event)?;
+        }
+        let Some(once) = once else {
+            return tell.tell(held, Event::Reject { plane: None });
+        };
+        let mut interval = Interval::whole();
+        for plane in bounds.planes() {
+            let ([p, q], row) = bounds.inequality(plane, &ends, &once);
+            tell.tell(held, Event::Row { plane, row })?;
+            let visible = if p == R::new(0.0) {
+                let inside = q >= R::new(0.0);
+                let q = B::shown(q.get());
+                tell.tell(held, Event::Parallel { plane, q, inside })?;
+                inside
+            } else {
+                let param = Param {
+                    u: bounds.quotient(plane, &ends, [p, q]),
+                    border: Some(plane),
+                    leaving: B::is_leaving(p),
+                };
+                let distances = |plane| bounds.distances(plane, &ends);
+                let wins_tie = |first| bounds.wins_tie(plane, first);
+                let moves = interval.shrink(param, distances, wins_tie);
+                tell.tell(held, bound_event(plane, &param, moves, interval.values()))?;
+                let empty = interval.is_empty(distances);
+                let [u_min, u_max] = interval.values();
+                let event = Event::Interval {
+                    u_min,
+                    u_max,
+                    empty,
+                };
+                tell.tell(held, event)?;
+                !empty
+            };
+            if !visible {
+                return tell.tell(held, Event::Reject { plane: Some(plane) });
+            }
+        }
+        let visible = put::<N, B, L, R, T>(bounds, &ends, &interval, held, tell)?;
+        *held = Some(visible);
+        tell.tell(held, Event::Accept { ends: visible })
+    }
+
+    #[inline]
+    fn output(held: VisibleLine<N>) -> B::Output {
+        B::answer(held)
+    }
+
+    /// What begins; three for each plane; two ends; a verdict.
+    fn max_events(input: &B::Input) -> usize {
+        1 + 3 * input.bounds().planes().count() + 2 + 1
+    }
+}
+
+/// Both ends at their parameters; where the line only touches, both at the same point.
+#[inline]
+fn put<const N: usize, B, L, R, T>(
+    bounds: &B,
+    ends: &[[f64; N]; 2],
+    interval: &Interval<R, B::Plane>,
+    held: &VisibleLine<N>,
+    tell: &mut T,
+) -> Told<T::Stop, [[f64; N]; 2]>
+where
+    B: Bounds<N>,
+    L: LineRules,
+    R: Real,
+    T: Tell<LineClip<N, B, L>>,
+{
+    let touched = bounds.touched(interval, ends);
+    let mut visible = *ends;
+    for end in End::BOTH {
+        let param = &interval.bounds[end.idx()];
+        let at = match (param.border, touched) {
+            (None, _) => ends[end.idx()],
+            (Some(_), Some([a, b])) => bounds.crossing::<R>(a.min(b), Some(a.max(b)), ends),
+            (Some(plane), None) => bounds.crossing::<R>(plane, None, ends),
+        };
+        visible[end.idx()] = at;
+        let (u, plane) = (param.u.get(), param.border);
+        tell.tell(held, LineEvent::Put { end, u, plane, at })?;
+    }
+    Told::Continue(visible)
+}
+
+/// Raises u_min, or lowers u_max, or does not.
+#[inline]
+fn bound_event<R: Real, P: Copy, const N: usize, W>(
+    plane: P,
+    param: &Param<R, P>,
+    moves: bool,
+    [u_min, u_max]: [f64; 2],
+) -> LineEvent<P, N, W> {
+    let r = param.u.get();
+    if param.leaving {
+        let lowers = moves;
+        LineEvent::Leave {
+            plane,
+            r,
+            lowers,
+            u_max,
+        }
+    } else {
+        let raises = moves;
+        LineEvent::Enter {
+            plane,
+            r,
+            raises,
+            u_min,
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! What `clipscope trace --schema` prints.
+
+use serde_json::{Map, Value as Json, json};
+
+use crate::input::{Field, Shape, of_fields, of_shape};
+
+use super::{Code, Solver, Solvers};
+
+/// The version of cases and answers that the schema describes.
+const VERSION: u32 = 2;
+
+impl Solvers {
+    /// `version`, and a JSON Schema of the cases and of the answers of every algorithm; `refused` is that of the answer to
+    /// a case that is refused.
+    #[must_use]
+    pub fn schema(self) -> Json {
+        let schemas = |solver: &Solver| {
+            let schemas = json!({ "case": of_cases(solver), "answer": of_answers(solver) });
+            (solver.id().to_owned(), schemas)
+        };
+        let algorithms: Map<String, Json> = self.iter().map(schemas).collect();
+        let error = [
+            ("code", json!({ "enum": Code::ids() })),
+            ("field", of_shape(&Shape::Text)),
+            ("message", of_shape(&Shape::Text)),
+        ];
+        let refused = [("id", json!({})), ("error", of_object(error, None))];
+        json!({
+            "version": VERSION,
+            "algorithms": algorithms,
+            "refused": of_object(refused, None),
+        })
+    }
+}
+
+/// An object of these properties and no others, of which all but one must be there.
+fn of_object<const N: usize>(
+    properties: [(&'static str, Json); N],
+    optional: Option<&str>,
+) -> Json {
+    let names = properties.iter().map(|(name, _)| *name);
+    let required: Vec<&str> = names.filter(|name| Some(*name) != optional).collect();
+    let properties = properties.map(|(name, schema)| (name.to_owned(), schema));
+    json!({
+        "type": "object",
+        "properties": Map::from_iter(properties),
+        "required": required,
+        "additionalProperties": false,
+    })
+}
+
+fn of_cases(solver: &Solver) -> Json {
+    let mut schema = of_fields(solver.fields());
+    schema["$schema"] = "https://json-schema.org/draft/2020-12/schema".into();
+    schema["properties"]["id"] = json!({});
+    schema["properties"]["algorithm"] = json!({ "const": solver.id() });
+    if let Some(required) = schema["required"].as_array_mut() {
+        required.push("algorithm".into());
+    }
+    schema
+}
+
+fn of_answers(solver: &Solver) -> Json {
+    const COUNTS: [Field; 4] = [
+        Field::required("add", &Shape::COUNT),
+        Field::required("mul", &Shape::COUNT),
+        Field::required("div", &Shape::COUNT),
+        Field::required("cmp", &Shape::COUNT),
+    ];
+    // What else it says depends on the kind of event.
+    let event = json!({
+        "type": "object",
+        "properties": { "event": of_shape(&Shape::Text) },
+        "required": ["event"],
+    });
+    let properties = [
+        ("id", json!({})),
+        ("algorithm", json!({ "const": solver.id() })),
+        ("output", of_fields(solver.output())),
+        ("counts", of_fields(&COUNTS)),
+        ("events", json!({ "type": "array", "items": event })),
+    ];
+    of_object(properties, Some("events"))
+}

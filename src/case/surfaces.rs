@@ -1,0 +1,235 @@
+//! The surfaces lab's cases: triangles in view space on a raster.
+
+use serde_json::{Value as Json, json};
+
+use crate::{
+    algo::surface::{
+        Bsp, BspChoice, BspInput, BspOutput, BspTooLarge, DepthBuffer, DepthBufferInput,
+        DepthBufferOutput, Occlusion, OcclusionInput, OcclusionOutput, Painter, PainterAnswer,
+        PainterOutput, Picture, RayCasting, RayCastingInput, RayCastingOutput, Surfaces,
+    },
+    input::{CULL, Dim, FRUSTUM, Fault, Field, Given, Got, Part, SIZE, Shape},
+    labs::surfaces::with_occluders,
+    text::{Formula, Message, Value},
+};
+
+use super::{Code, Detail, Fields, Refusal, Solve, Solver};
+
+/// The lab's methods, those that are wrong on purpose left out.
+pub(super) static SOLVERS: [Solver; 5] = [
+    Solver::of::<DepthBuffer>(),
+    Solver::of::<RayCasting>(),
+    Solver::of::<Painter>(),
+    Solver::of::<Bsp>(),
+    Solver::of::<Occlusion>(),
+];
+
+type Triangle = [[f64; 3]; 3];
+
+const TRIANGLES_SHAPE: Shape = Shape::Numbers(&[Dim::ANY, Dim::Exactly(3), Dim::Exactly(3)]);
+
+/// In view space.
+const TRIANGLES: Part<Vec<Triangle>> = Part::new("triangles", &TRIANGLES_SHAPE, |got| {
+    Ok(got.rows().as_chunks().0.to_vec())
+})
+.told(|got| vec![triangles_told("object-triangles", got.rows().as_chunks().0)]);
+
+/// Triangles that belong together, in view space.
+const OBJECTS: Part<Vec<Vec<Triangle>>> =
+    Part::new("objects", &Shape::List(&TRIANGLES_SHAPE), |got| {
+        let object = |got: &Got| got.rows().as_chunks().0.to_vec();
+        Ok(got.list().iter().map(object).collect())
+    })
+    .told(|got| {
+        let object = |got: &Got| triangles_told("object-object", got.rows().as_chunks().0);
+        got.list().iter().map(object).collect()
+    });
+
+/// Each with its id.
+fn triangles_told(name_key: &'static str, triangles: &[Triangle]) -> Given {
+    let triangle = |(id, &[a, b, c]): (usize, &Triangle)| {
+        let formula = Formula::default().sym(format!("{id}: "));
+        let formula = formula.place(a).sym(" ").place(b).sym(" ").place(c);
+        Value::Formula(formula)
+    };
+    Given::new(name_key, triangles.iter().enumerate().map(triangle))
+}
+
+const ON_RASTER: [Field; 4] = [
+    SIZE.required(),
+    FRUSTUM.required(),
+    TRIANGLES.required(),
+    CULL.optional,
+];
+
+const IDS: Field = Field::required("ids", &Shape::Wholes(&[Dim::ANY], -1, i64::MAX));
+const SEEN: [Field; 2] = [
+    IDS,
+    Field::required("depth", &Shape::List(&Shape::OrNull(&Shape::Number))),
+];
+
+/// What is seen, by whom, and with how many pixels.
+fn surfaces(fields: &Fields<'_>) -> Result<Surfaces, Refusal> {
+    let on_raster = raster(fields)?;
+    let triangles = fields.need(&TRIANGLES)?;
+    on_raster(triangles, fields.get(&CULL)?.unwrap_or(false))
+        .ok_or_else(|| too_many_triangles(fields, &TRIANGLES))
+}
+
+/// The raster and the volume that triangles are put on.
+fn raster(
+    fields: &Fields<'_>,
+) -> Result<impl FnOnce(Vec<Triangle>, bool) -> Option<Surfaces>, Refusal> {
+    let viewport = fields.need(&SIZE)?;
+    let n_pixels: usize = viewport.size().map(|side| side as usize).iter().product();
+    if n_pixels > fields.detail().limit(Detail::MOST_STEPS) {
+        let problem = Message::new("case-too-many-raster-pixels")
+            .with("found", n_pixels)
+            .with("max", Detail::MOST_STEPS);
+        return Err(fields.refuse(&SIZE, Fault::new(Code::TooLarge.id(), problem)));
+    }
+    let volume = fields.need(&FRUSTUM)?;
+    Ok(
+        move |triangles, culls_backs| {
+            Surfaces::new(viewport.size(), volume, triangles, culls_backs)
+        },
+    )
+}
+
+/// Sides and numbers have been looked at: what makes no surfaces can only be too many triangles, more than a line holds.
+fn too_many_triangles<T>(fields: &Fields<'_>, part: &Part<T>) -> Refusal {
+    let problem = Message::new("case-too-many-steps")
+        .with("found", Surfaces::MOST_TRIANGLES)
+        .with("max", Detail::MOST_STEPS);
+    fields.refuse(part, Fault::new(Code::TooLarge.id(), problem))
+}
+
+impl Solve for DepthBuffer {
+    const FIELDS: &'static [Field] = &ON_RASTER;
+    const OUTPUT: &'static [Field] = &SEEN;
+    const LONG_BY: Option<&'static str> = Some(TRIANGLES.name());
+
+    fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
+        Ok(DepthBufferInput::new(surfaces(fields)?).into())
+    }
+
+    fn verdict(output: &DepthBufferOutput) -> Message {
+        seen(&output.picture)
+    }
+}
+
+impl Solve for RayCasting {
+    const FIELDS: &'static [Field] = &ON_RASTER;
+    const OUTPUT: &'static [Field] = &SEEN;
+    const LONG_BY: Option<&'static str> = Some(TRIANGLES.name());
+
+    fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
+        let (surfaces, pixel) = (surfaces(fields)?, None);
+        Ok(RayCastingInput { surfaces, pixel }.into())
+    }
+
+    fn verdict(output: &RayCastingOutput) -> Message {
+        seen(&output.picture)
+    }
+}
+
+impl Solve for Painter {
+    const FIELDS: &'static [Field] = &ON_RASTER;
+    const OUTPUT: &'static [Field] = &[
+        Field::optional("ids", IDS.shape),
+        Field::choice("order", &Shape::COUNTS),
+        Field::choice("cycle", &Shape::COUNTS),
+    ];
+    const LONG_BY: Option<&'static str> = Some(TRIANGLES.name());
+
+    fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
+        surfaces(fields).map(Into::into)
+    }
+
+    fn verdict(output: &PainterOutput) -> Message {
+        match &output.answer {
+            PainterAnswer::Order { order, .. } => {
+                Message::new("case-painted").with("ids", listed(order))
+            }
+            PainterAnswer::Cycle { cycle } => {
+                Message::new("case-painter-cycle").with("ids", listed(cycle))
+            }
+        }
+    }
+}
+
+impl Solve for Bsp {
+    const FIELDS: &'static [Field] = &ON_RASTER;
+    const OUTPUT: &'static [Field] = &[IDS, Field::required("n_pieces", &Shape::COUNT)];
+    const LONG_BY: Option<&'static str> = Some(TRIANGLES.name());
+
+    fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
+        let input = BspInput::new(surfaces(fields)?, BspChoice::First);
+        let input = input.map_err(|BspTooLarge| {
+            let problem = Message::new("case-bsp-too-large")
+                .with("pieces", BspTooLarge::MOST_PIECES)
+                .with("questions", BspTooLarge::MOST_QUESTIONS);
+            fields.refuse(&TRIANGLES, Fault::new(Code::TooLarge.id(), problem))
+        })?;
+        Ok(input.into())
+    }
+
+    fn verdict(output: &BspOutput) -> Message {
+        with_seen(Message::new("case-bsp-pieces"), &output.picture).with("pieces", output.n_pieces)
+    }
+}
+
+impl Solve for Occlusion {
+    const FIELDS: &'static [Field] = &[SIZE.required(), FRUSTUM.required(), OBJECTS.required()];
+    const OUTPUT: &'static [Field] = &[IDS, Field::required("skipped", &Shape::COUNTS)];
+    const LONG_BY: Option<&'static str> = Some(OBJECTS.name());
+
+    fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
+        let on_raster = raster(fields)?;
+        let objects = fields.need(&OBJECTS)?;
+        let counts: Vec<usize> = objects.iter().map(Vec::len).collect();
+        let surfaces = on_raster(objects.concat(), false)
+            .ok_or_else(|| too_many_triangles(fields, &OBJECTS))?;
+        let objects = with_occluders(&surfaces, counts.into_iter());
+        Ok(OcclusionInput { surfaces, objects })
+    }
+
+    fn verdict(output: &OcclusionOutput) -> Message {
+        with_seen(Message::new("case-occlusion"), &output.picture)
+            .with("skipped", output.skipped.len())
+            .with("objects", output.drawn.len() + output.skipped.len())
+    }
+
+    /// The objects seen instead of their triangles, and those that were skipped.
+    fn told_output(input: &Self::Input, of_run: Json) -> Json {
+        let OcclusionInput { objects, .. } = input;
+        let object_of = |id: &Json| {
+            let id = id.as_u64()?;
+            let is_after = |first: u32| u64::from(first) > id;
+            Some(objects.partition_point(|object| !is_after(object.first)) - 1)
+        };
+        let ids = of_run["ids"].as_array().into_iter().flatten();
+        let ids: Vec<i64> = ids
+            .map(|id| object_of(id).map_or(-1, |i| i as i64))
+            .collect();
+        json!({ "ids": ids, "skipped": of_run["skipped"] })
+    }
+}
+
+fn seen(picture: &Picture) -> Message {
+    with_seen(Message::new("case-surfaces-seen"), picture)
+}
+
+/// How many pixels show a surface.
+fn with_seen(message: Message, picture: &Picture) -> Message {
+    let ids = picture.ids();
+    let n_seen = ids.iter().filter(|id| **id != Picture::BACKGROUND);
+    message
+        .with("seen", n_seen.count())
+        .with("pixels", ids.len())
+}
+
+fn listed(ids: &[u32]) -> String {
+    let ids: Vec<String> = ids.iter().map(u32::to_string).collect();
+    ids.join(", ")
+}

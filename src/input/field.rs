@@ -1,0 +1,146 @@
+//! Kinds of input, and the fields that they stand in.
+
+use super::{Fault, Given, Got, Shape};
+
+/// Must a field be there?
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Presence {
+    /// Always.
+    Required,
+    /// Exactly one of the fields of this kind.
+    Choice,
+    /// It may be left out.
+    Optional,
+}
+
+/// A field of a case, of an answer, or of a table in one.
+#[derive(Clone, Copy, Debug)]
+pub struct Field {
+    /// As files spell it.
+    pub name: &'static str,
+    /// Must it be there?
+    pub need: Presence,
+    /// What its value looks like.
+    pub shape: &'static Shape,
+    /// What is told of its value.
+    tell: fn(&Got) -> Vec<Given>,
+    /// What is told where it is left out.
+    tell_absent: fn() -> Vec<Given>,
+}
+
+impl Field {
+    /// A field of which nothing is told.
+    #[must_use]
+    pub const fn new(name: &'static str, need: Presence, shape: &'static Shape) -> Self {
+        Self {
+            name,
+            need,
+            shape,
+            tell: |_| Vec::new(),
+            tell_absent: Vec::new,
+        }
+    }
+
+    /// One that must be there.
+    #[must_use]
+    pub const fn required(name: &'static str, shape: &'static Shape) -> Self {
+        Self::new(name, Presence::Required, shape)
+    }
+
+    /// One of several of which exactly one must be there.
+    #[must_use]
+    pub const fn choice(name: &'static str, shape: &'static Shape) -> Self {
+        Self::new(name, Presence::Choice, shape)
+    }
+
+    /// One that may be left out.
+    #[must_use]
+    pub const fn optional(name: &'static str, shape: &'static Shape) -> Self {
+        Self::new(name, Presence::Optional, shape)
+    }
+
+    /// The same, with what is told of its value.
+    #[must_use]
+    pub const fn told(self, tell: fn(&Got) -> Vec<Given>) -> Self {
+        Self { tell, ..self }
+    }
+
+    /// What is told of this value, or of its absence.
+    #[must_use]
+    pub fn given(&self, got: Option<&Got>) -> Vec<Given> {
+        got.map_or_else(self.tell_absent, self.tell)
+    }
+}
+
+/// A kind of input: how it is spelt, what it means and what is told of it.
+#[derive(Clone, Copy, Debug)]
+pub struct Part<T> {
+    /// Its field, which may be left out.
+    pub optional: Field,
+    /// What a value of its shape means.
+    pub make: fn(&Got) -> Result<T, Fault>,
+    /// Catalogue key of what was expected, as a mistake in a lesson file is told.
+    pub expect: &'static str,
+}
+
+impl<T> Part<T> {
+    /// One of which nothing is told.
+    #[must_use]
+    pub const fn new(
+        name: &'static str,
+        shape: &'static Shape,
+        make: fn(&Got) -> Result<T, Fault>,
+    ) -> Self {
+        Self {
+            optional: Field::optional(name, shape),
+            make,
+            expect: "expect-number",
+        }
+    }
+
+    /// The same, with what a mistake in a lesson file says was expected.
+    #[must_use]
+    pub const fn expecting(self, expect: &'static str) -> Self {
+        Self { expect, ..self }
+    }
+
+    /// The same, with what is told of it.
+    #[must_use]
+    pub const fn told(mut self, tell: fn(&Got) -> Vec<Given>) -> Self {
+        self.optional = self.optional.told(tell);
+        self
+    }
+
+    /// The same, with what is told where it is left out.
+    #[must_use]
+    pub const fn told_absent(mut self, tell_absent: fn() -> Vec<Given>) -> Self {
+        self.optional.tell_absent = tell_absent;
+        self
+    }
+
+    /// As files spell its field.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        self.optional.name
+    }
+
+    /// Its field, which must be there.
+    #[must_use]
+    pub const fn required(&self) -> Field {
+        let need = Presence::Required;
+        Field {
+            need,
+            ..self.optional
+        }
+    }
+
+    /// Its field, or another one in its place.
+    #[must_use]
+    pub const fn choice(&self) -> Field {
+        let need = Presence::Choice;
+        Field {
+            need,
+            ..self.optional
+        }
+    }
+}

@@ -1,0 +1,172 @@
+//! The crossings that brute force computes, and what they were good for.
+
+use crate::{
+    algo::line::{BruteForce, BruteForceEvent as Event, End, Ratio, WindowInput},
+    figure::{Cell, Role, Table, TableNote, TableRow},
+    geom::{Edge, Point},
+    labs::words::{along, edge_link, end_symbol, name},
+    text::{Formula, Message, Value},
+    trace::Step,
+};
+
+use super::shared::side_key;
+
+/// What a crossing was good for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Fate {
+    /// There is none.
+    Parallel,
+    /// It was not needed, or not in the end.
+    InVain,
+    /// This end stands on it.
+    Replaces(End),
+}
+
+/// What all events so far have found.
+#[derive(Default)]
+pub struct Shown {
+    /// The crossings, by side, with the parameter.
+    pub crossings: [Option<(Point, Ratio)>; 4],
+    /// What became of them, by side, once it is decided.
+    pub fates: [Option<Fate>; 4],
+    /// The answer, once known.
+    pub is_visible: Option<bool>,
+}
+
+impl Shown {
+    pub fn of(step: &Step<'_, BruteForce>) -> Self {
+        let mut shown = Self::default();
+        for event in step.past {
+            shown.see(*event);
+        }
+        shown
+    }
+
+    fn see(&mut self, event: Event) {
+        match event {
+            Event::Intersect { edge, u, at } => self.crossings[edge as usize] = Some((at, u)),
+            Event::Parallel { edge } => self.fates[edge as usize] = Some(Fate::Parallel),
+            Event::Keep { edge } => {
+                self.fates[edge as usize].get_or_insert(Fate::InVain);
+            }
+            Event::Cut { end, edge, .. } => {
+                // The crossing that this end stood on until now is of no use after all.
+                for fate in self.fates.iter_mut().flatten() {
+                    if *fate == Fate::Replaces(end) {
+                        *fate = Fate::InVain;
+                    }
+                }
+                self.fates[edge as usize] = Some(Fate::Replaces(end));
+            }
+            Event::Accept { .. } => self.is_visible = Some(true),
+            Event::Reject { .. } => self.is_visible = Some(false),
+        }
+    }
+}
+
+/// t and P(t), once computed.
+pub fn crossing_values(shown: &Shown, edge: Edge) -> [Option<Value>; 2] {
+    let crossing = shown.crossings[edge as usize];
+    [
+        crossing.map(|(_, Ratio { num, den })| Value::Ratio { num, den }),
+        crossing.map(|(at, _)| Value::Point(at.to_array())),
+    ]
+}
+
+/// Before the first crossing: the four tests that make a window, on both ends. What fails stands out.
+pub fn tests_table(WindowInput { window, segment }: &WindowInput) -> Table {
+    let test = |end: End, edge: Edge| {
+        let ([x, _], c) = (along(end.of(segment), edge.axis()), window.border(edge));
+        let (fails, relation) = match edge.is_max() {
+            true if x > c => (true, " > "),
+            true => (false, " ≤ "),
+            false if x < c => (true, " < "),
+            false => (false, " ≥ "),
+        };
+        let said = Formula::default().num(x).sym(relation).num(c);
+        let role = if fails { Role::Signal } else { Role::Ink };
+        Cell::new(role, Some(said))
+    };
+    let row = |edge: Edge| TableRow {
+        name: Value::Term(side_key(edge)),
+        cells: End::BOTH.map(|end| test(end, edge)).to_vec(),
+        is_current: false,
+        link: Some(edge_link(edge)),
+    };
+    Table {
+        header: vec![
+            Formula::default().term("table-edge"),
+            Formula::default().sym(end_symbol(End::P1)),
+            Formula::default().sym(end_symbol(End::P2)),
+        ],
+        rows: Edge::ALL.map(row).to_vec(),
+        notes: vec![TableNote {
+            text: Message::new("bf-note-tests"),
+            applies: true,
+        }],
+    }
+}
+
+/// Every crossing, and what it was good for.
+pub fn crossing_table(step: &Step<'_, BruteForce>) -> Table {
+    let (shown, event) = (Shown::of(step), step.event());
+    let current = current_edge(event);
+    let of_edge = |edge: Edge| {
+        let fate = shown.fates[edge as usize];
+        let role = match fate {
+            _ if current == Some(edge) => Role::Signal,
+            Some(Fate::InVain | Fate::Parallel) => Role::Soft,
+            Some(Fate::Replaces(_)) | None => Role::Ink,
+        };
+        let found_now = matches!(event, Some(Event::Intersect { .. }));
+        let found = if found_now || role == Role::Soft {
+            role
+        } else {
+            Role::Ink
+        };
+        let mut cells: Vec<Cell> = crossing_values(&shown, edge)
+            .into_iter()
+            .map(|value| Cell::new(found, value))
+            .collect();
+        cells.push(Cell::new(role, fate.map(fate_word)));
+        TableRow {
+            name: Value::Term(side_key(edge)),
+            cells,
+            is_current: current == Some(edge),
+            link: Some(edge_link(edge)),
+        }
+    };
+    Table {
+        header: vec![
+            Formula::default().term("table-edge"),
+            Formula::default().sym("t"),
+            Formula::default().sym("P(t)"),
+            Formula::default(),
+        ],
+        rows: Edge::ALL.map(of_edge).to_vec(),
+        notes: Vec::new(),
+    }
+}
+
+/// "in vain", or the end that the crossing replaces.
+fn fate_word(fate: Fate) -> Value {
+    match fate {
+        Fate::Parallel => Value::Term("verdict-parallel"),
+        Fate::InVain => Value::Term("bf-in-vain"),
+        Fate::Replaces(end) => name(format!("→ {}′", end_symbol(end))),
+    }
+}
+
+/// The side that the step is about.
+pub const fn current_edge(event: Option<Event>) -> Option<Edge> {
+    match event {
+        Some(
+            Event::Intersect { edge, .. }
+            | Event::Parallel { edge }
+            | Event::Keep { edge }
+            | Event::Cut { edge, .. }
+            | Event::Reject { edge },
+        ) => Some(edge),
+        Some(Event::Accept { .. }) | None => None,
+    }
+}
