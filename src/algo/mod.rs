@@ -2,6 +2,11 @@
 //!
 //! Nothing here draws, says or formats anything: an algorithm takes validated input, returns its answer,
 //! and reports small events on the way (see [`crate::trace`]).
+#![warn(
+    missing_docs,
+    clippy::must_use_candidate,
+    clippy::return_self_not_must_use
+)]
 
 pub mod cull;
 pub mod line;

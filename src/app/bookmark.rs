@@ -19,7 +19,6 @@ pub struct Bookmark {
 
 impl Bookmark {
     /// At the first step of the first lesson.
-    #[must_use]
     pub const fn new(course: Course) -> Self {
         Self {
             course,
@@ -30,19 +29,16 @@ impl Bookmark {
     }
 
     /// Every lesson.
-    #[must_use]
     pub fn lessons(&self) -> &[Lesson] {
         &self.course.lessons
     }
 
     /// The lab whose free scene is open.
-    #[must_use]
     pub const fn free(&self) -> Option<&'static dyn Lab> {
         self.free
     }
 
     /// The open page.
-    #[must_use]
     pub fn page(&self) -> Option<Page> {
         match self.free {
             Some(lab) => Some(Page::Free(lab.id().to_owned())),
@@ -51,7 +47,6 @@ impl Bookmark {
     }
 
     /// The page of a step, by its indices.
-    #[must_use]
     pub fn page_of(&self, lesson_idx: usize, step_idx: usize) -> Option<Page> {
         let lesson = self.course.lessons.get(lesson_idx)?;
         let step = lesson.steps.get(step_idx)?;
@@ -59,20 +54,17 @@ impl Bookmark {
     }
 
     /// The step with these ids.
-    #[must_use]
     pub fn step_of(&self, lesson: &str, step: &str) -> Option<&LessonStep> {
         let lesson = self.course.lessons.iter().find(|l| l.id == lesson)?;
         lesson.steps.get(lesson.step_index(step)?)
     }
 
     /// The open lesson, or the one to come back to.
-    #[must_use]
     pub fn lesson(&self) -> Option<&Lesson> {
         self.course.lessons.get(self.lesson_idx)
     }
 
     /// The open step; none in a free scene.
-    #[must_use]
     pub fn step(&self) -> Option<&LessonStep> {
         match self.free {
             Some(_) => None,
@@ -81,13 +73,11 @@ impl Bookmark {
     }
 
     /// The open step's title.
-    #[must_use]
     pub fn title(&self, lang: Lang) -> Option<&str> {
         self.lesson()?.step_title(&self.step()?.id, lang)
     }
 
     /// Indices of the open lesson and step.
-    #[must_use]
     pub const fn indices(&self) -> [usize; 2] {
         [self.lesson_idx, self.step_idx]
     }

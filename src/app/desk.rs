@@ -53,7 +53,6 @@ pub struct Desk {
 
 impl Desk {
     /// A desk on which these pages were open last.
-    #[must_use]
     pub const fn new(last: BTreeMap<String, Page>) -> Self {
         Self {
             works: BTreeMap::new(),
@@ -72,7 +71,6 @@ impl Desk {
     }
 
     /// Is the scene that was put away there another than the page's own?
-    #[must_use]
     pub fn is_changed(&self, page: &Page) -> bool {
         self.works.get(page).is_some_and(|work| work.is_changed)
     }
@@ -88,13 +86,11 @@ impl Desk {
     }
 
     /// The page of the lab that was open last.
-    #[must_use]
     pub fn last(&self, lab_id: &str) -> Option<&Page> {
         self.last.get(lab_id)
     }
 
     /// The pages that were open last, by their labs' ids.
-    #[must_use]
     pub const fn all_last(&self) -> &BTreeMap<String, Page> {
         &self.last
     }

@@ -19,7 +19,6 @@ pub enum Dialog {
 
 impl Dialog {
     /// The file that it is about.
-    #[must_use]
     pub const fn target(&self) -> Option<&Target> {
         match self {
             Self::Help => None,
@@ -47,7 +46,6 @@ pub struct Target {
 
 impl Target {
     /// A file that has not been asked about.
-    #[must_use]
     pub const fn new(path: String) -> Self {
         Self {
             path,
@@ -98,7 +96,6 @@ impl Figures {
     pub const SIZES: [[u32; 2]; 3] = [[1280, 720], [1920, 1080], [3840, 2160]];
 
     /// A slide of the step that is shown.
-    #[must_use]
     pub const fn slide(theme: ThemeKind, lang: Lang) -> Self {
         Self {
             size_px: Self::SIZES[1],

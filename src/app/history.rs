@@ -32,7 +32,6 @@ pub struct History<S> {
 
 impl<S: Clone + PartialEq> History<S> {
     /// A document without a past.
-    #[must_use]
     pub const fn new(now: S) -> Self {
         Self {
             now,
@@ -44,13 +43,11 @@ impl<S: Clone + PartialEq> History<S> {
     }
 
     /// As it is.
-    #[must_use]
     pub const fn now(&self) -> &S {
         &self.now
     }
 
     /// Another number after every change: what is cached under it is still true.
-    #[must_use]
     pub const fn revision(&self) -> u64 {
         self.revision
     }
@@ -100,7 +97,6 @@ impl<S: Clone + PartialEq> History<S> {
     }
 
     /// Is something being dragged?
-    #[must_use]
     pub const fn is_in_gesture(&self) -> bool {
         matches!(self.open, Some((UndoGroup::Drag(_), _)))
     }
@@ -111,13 +107,11 @@ impl<S: Clone + PartialEq> History<S> {
     }
 
     /// Is there something to undo?
-    #[must_use]
     pub const fn can_undo(&self) -> bool {
         !self.past.is_empty()
     }
 
     /// Is there something to redo?
-    #[must_use]
     pub const fn can_redo(&self) -> bool {
         !self.future.is_empty()
     }

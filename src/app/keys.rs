@@ -19,7 +19,6 @@ pub enum Focus {
 
 impl Focus {
     /// What has the focus now; `stages` and `handles` are the ids of what stands on the stage.
-    #[must_use]
     pub fn now(ctx: &Context, stages: &[Id], handles: &[Id]) -> Self {
         if ctx.text_edit_focused() {
             return Self::Text;
@@ -50,7 +49,6 @@ impl Focus {
 }
 
 /// Takes the presses out of the input that are commands, in their order.
-#[must_use]
 pub fn commands(ctx: &Context, focus: Focus) -> Vec<Command> {
     let mut commands = Vec::new();
     ctx.input_mut(|input| {

@@ -108,7 +108,6 @@ impl Drop for MeshLoading {
 }
 
 /// Is it a mesh, by the ending of its name?
-#[must_use]
 pub fn is_mesh(path: &Path) -> bool {
     let ending = path.extension();
     ending.is_some_and(|ending| ending.eq_ignore_ascii_case("obj"))

@@ -149,7 +149,6 @@ struct Shown {
 
 impl App {
     /// The app on a course, where it was left.
-    #[must_use]
     pub fn new(course: Course, settings: Settings) -> Self {
         Self::with_kit(course, settings, Kit::default())
     }
@@ -158,7 +157,6 @@ impl App {
     ///
     /// # Panics
     /// Where there is none.
-    #[must_use]
     pub fn with_kit(course: Course, mut settings: Settings, kit: Kit) -> Self {
         let mut bookmark = Bookmark::new(course);
         let first = kit.panels.first().expect("a window has a lab").lab();
@@ -209,14 +207,12 @@ impl App {
     }
 
     /// With files of this kind to save to.
-    #[must_use]
     pub fn with_platform(mut self, platform: impl Platform + 'static) -> Self {
         self.platform = Box::new(platform);
         self
     }
 
     /// On this file's scene, in the free scene of its lab: what `clipscope open scene.toml` shows.
-    #[must_use]
     pub fn with_scene(mut self, file: &str, opened: SceneFile) -> Self {
         self.open_scene(file, opened, 0.0);
         self
@@ -228,7 +224,6 @@ impl App {
     }
 
     /// What is remembered until the next time.
-    #[must_use]
     pub fn settings(&self) -> Settings {
         Settings {
             page: self.bookmark.page(),
@@ -241,20 +236,17 @@ impl App {
     }
 
     /// The document.
-    #[must_use]
     pub const fn scene(&self) -> &Scene {
         self.history.now()
     }
 
     /// The step of the run that is shown.
-    #[must_use]
     pub const fn position(&self) -> usize {
         self.playback.transport().position()
     }
 
     /// Where a point of the world lies on the (last) stage: for whoever drives the app from outside. `None`
     /// before the first frame.
-    #[must_use]
     pub fn on_screen(&self, world: [f64; 2]) -> Option<Pos2> {
         self.stage.on_screen([world[0], world[1], 0.0])
     }

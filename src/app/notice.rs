@@ -17,7 +17,6 @@ pub struct Notice {
 
 impl Notice {
     /// Stays until it is dismissed.
-    #[must_use]
     pub const fn problem(text: String) -> Self {
         Self {
             text,
@@ -27,7 +26,6 @@ impl Notice {
     }
 
     /// Stays while something goes on.
-    #[must_use]
     #[cfg(not(target_arch = "wasm32"))]
     pub const fn lasting(text: String) -> Self {
         Self {
@@ -38,7 +36,6 @@ impl Notice {
     }
 
     /// Goes away by itself.
-    #[must_use]
     pub const fn passing(text: String, now: f64) -> Self {
         Self {
             text,
@@ -67,13 +64,11 @@ impl Notices {
     }
 
     /// Is there none?
-    #[must_use]
     pub const fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
     /// Oldest first.
-    #[must_use]
     pub fn shown(&self) -> &[Notice] {
         &self.0
     }

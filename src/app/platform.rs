@@ -106,7 +106,6 @@ pub struct Desktop {
 #[cfg(not(target_arch = "wasm32"))]
 impl Desktop {
     /// With the dialogs of the system, where it has any: else every path is typed.
-    #[must_use]
     pub fn with_dialogs() -> Self {
         Self {
             chooser: Some(Chooser::default()),

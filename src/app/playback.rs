@@ -47,7 +47,6 @@ const PATIENCE: usize = 3;
 
 impl Playback {
     /// Records the scene's methods, with the cursor at `position`.
-    #[must_use]
     pub fn record(scene: &Scene, position: usize) -> Self {
         let (main, beside, difference) = runs(scene);
         let mut playback = Self {
@@ -99,13 +98,11 @@ impl Playback {
     }
 
     /// Is what is recorded of an earlier scene?
-    #[must_use]
     pub const fn is_late(&self) -> bool {
         self.is_late
     }
 
     /// Where the cursor stands, and how fast it goes.
-    #[must_use]
     pub const fn transport(&self) -> &Transport {
         &self.transport
     }
@@ -116,7 +113,6 @@ impl Playback {
     }
 
     /// The run of the scene's method.
-    #[must_use]
     pub fn main(&self) -> &dyn Run {
         &*self.main
     }
@@ -127,25 +123,21 @@ impl Playback {
     }
 
     /// Another number whenever the scene has been recorded again.
-    #[must_use]
     pub const fn recording(&self) -> u64 {
         self.recording
     }
 
     /// Where the methods that stand side by side first differ, if one of them is wrong on purpose.
-    #[must_use]
     pub const fn difference(&self) -> Option<Difference> {
         self.difference
     }
 
     /// Steps at which a phase begins: at most a few hundred.
-    #[must_use]
     pub fn phases(&self) -> &[usize] {
         &self.phases
     }
 
     /// The next step, in this direction, at which a phase begins; the end where there is none.
-    #[must_use]
     pub fn phase(&self, direction: isize) -> usize {
         let n_steps = self.transport.n_steps();
         let mut step = self.transport.position();
@@ -179,13 +171,11 @@ impl Playback {
     }
 
     /// The furthest step that has been shown: what comes after it is not known yet to whoever has been asked.
-    #[must_use]
     pub const fn reached(&self) -> usize {
         self.reached
     }
 
     /// Of each run, where it stands and how many steps it has.
-    #[must_use]
     pub fn steps(&self) -> Vec<[usize; 2]> {
         let position = self.transport.position();
         let stand = |run: &dyn Run| [run.beside(&*self.main, position), run.n_steps()];
@@ -193,19 +183,16 @@ impl Playback {
     }
 
     /// What the views of each run want, at all its steps.
-    #[must_use]
     pub fn needs(&self) -> &[Vec<Need>] {
         &self.needs
     }
 
     /// The present step's, the scene's method first; empty before [`Playback::prepare`].
-    #[must_use]
     pub fn frames(&self) -> &[Frame] {
         &self.frames
     }
 
     /// Cost so far and in the end, of the scene's method and of those beside it.
-    #[must_use]
     pub fn costs(&self) -> Vec<[Counts; 2]> {
         let runs = self.runs().zip(self.steps());
         runs.map(|(run, [step, n_steps])| [run.counts_at(step), run.counts_at(n_steps)])
@@ -213,7 +200,6 @@ impl Playback {
     }
 
     /// A method to compare with where none stands beside, and its cost in all.
-    #[must_use]
     pub const fn baseline(&self) -> Option<(&'static MethodCard, Counts)> {
         self.baseline
     }

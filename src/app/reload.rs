@@ -29,7 +29,6 @@ pub struct Reload {
 
 impl Reload {
     /// Watches a folder; every change wakes the window.
-    #[must_use]
     pub fn new(folder: Folder, ctx: Context) -> Self {
         let (sender, receiver) = channel();
         let (raw_sender, raw) = channel::<()>();

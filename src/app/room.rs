@@ -20,14 +20,12 @@ pub enum Room {
 
 impl Room {
     /// Opens a place, or the stage where it is open already.
-    #[must_use]
     pub fn toggled(self, to: Self) -> Self {
         if self == to { Self::Stage } else { to }
     }
 }
 
 /// Is a window of this size narrow?
-#[must_use]
 pub fn is_narrow(size: Vec2) -> bool {
     size.x < NARROW
 }
@@ -51,13 +49,11 @@ pub enum CoursePart {
 }
 
 /// Do the panels, as wide as this theme's text wants them, leave the stage too little of such a window?
-#[must_use]
 pub fn wants_strip(theme: &Theme, width: f32) -> bool {
     (COURSE + INSPECTOR) * panel_scale(theme) > BESIDE * width
 }
 
 /// Larger text wants wider panels.
-#[must_use]
 pub fn panel_scale(theme: &Theme) -> f32 {
     theme.text_scale.sqrt()
 }
@@ -66,7 +62,6 @@ pub fn panel_scale(theme: &Theme) -> f32 {
 pub const BESIDE_TRANSPORT: i8 = 4;
 
 /// Is there room in `width` for the transport, a timeline and what stands after it?
-#[must_use]
 pub fn transport_has_room(width: f32) -> bool {
     width > transport_width() + 260.0
 }

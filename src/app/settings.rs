@@ -56,7 +56,6 @@ impl Default for Settings {
 
 impl Settings {
     /// As on a first start: in the language that `locales` asks for, the most wanted one first.
-    #[must_use]
     pub fn for_locales<'a>(locales: impl IntoIterator<Item = &'a str>) -> Self {
         let lang = locales.into_iter().find_map(Lang::from_locale);
         Self {
@@ -67,7 +66,6 @@ impl Settings {
 
     /// As on a first start, in the system's language.
     #[cfg(not(target_arch = "wasm32"))]
-    #[must_use]
     pub fn of_system() -> Self {
         // As gettext reads them.
         let names = ["LANGUAGE", "LC_ALL", "LC_MESSAGES", "LANG"];

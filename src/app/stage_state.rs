@@ -92,7 +92,6 @@ struct Layers {
 
 impl StageState {
     /// A stage that shows all of a scene.
-    #[must_use]
     pub fn new(scene: &Scene) -> Self {
         Self {
             bounds: scene.document().bounds(),

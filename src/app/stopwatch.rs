@@ -7,13 +7,11 @@ pub struct Stopwatch(Instant);
 
 impl Stopwatch {
     /// Starts it.
-    #[must_use]
     pub fn start() -> Self {
         Self(Instant::now())
     }
 
     /// Since the start.
-    #[must_use]
     pub fn secs(&self) -> f64 {
         self.0.elapsed().as_secs_f64()
     }

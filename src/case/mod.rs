@@ -26,6 +26,11 @@
 //!     br#"{"id":null,"algorithm":"cohen-sutherland","output":{"visible":true,"segment":[-1.0,-0.375,1.0,0.875]}"#
 //! ));
 //! ```
+#![warn(
+    missing_docs,
+    clippy::must_use_candidate,
+    clippy::return_self_not_must_use
+)]
 
 mod answer;
 mod fields;

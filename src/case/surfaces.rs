@@ -110,7 +110,7 @@ impl Solve for DepthBuffer {
     const LONG_BY: Option<&'static str> = Some(TRIANGLES.name());
 
     fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
-        Ok(DepthBufferInput::new(surfaces(fields)?).into())
+        Ok(DepthBufferInput::new(surfaces(fields)?))
     }
 
     fn verdict(output: &DepthBufferOutput) -> Message {
@@ -125,7 +125,7 @@ impl Solve for RayCasting {
 
     fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
         let (surfaces, pixel) = (surfaces(fields)?, None);
-        Ok(RayCastingInput { surfaces, pixel }.into())
+        Ok(RayCastingInput { surfaces, pixel })
     }
 
     fn verdict(output: &RayCastingOutput) -> Message {
@@ -143,7 +143,7 @@ impl Solve for Painter {
     const LONG_BY: Option<&'static str> = Some(TRIANGLES.name());
 
     fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
-        surfaces(fields).map(Into::into)
+        surfaces(fields)
     }
 
     fn verdict(output: &PainterOutput) -> Message {
@@ -171,7 +171,7 @@ impl Solve for Bsp {
                 .with("questions", BspTooLarge::MOST_QUESTIONS);
             fields.refuse(&TRIANGLES, Fault::new(Code::TooLarge.id(), problem))
         })?;
-        Ok(input.into())
+        Ok(input)
     }
 
     fn verdict(output: &BspOutput) -> Message {

@@ -70,7 +70,6 @@ enum Command {
 }
 
 /// Does what the command line asks for.
-#[must_use]
 pub fn run() -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,

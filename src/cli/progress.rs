@@ -16,7 +16,6 @@ pub struct Progress {
 
 impl Progress {
     /// Of `total` pieces.
-    #[must_use]
     pub fn new(total: u64) -> Self {
         let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::hidden());
         if let Ok(style) = ProgressStyle::with_template("{bar:40} {percent:>3} %  {eta}") {

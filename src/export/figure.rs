@@ -77,7 +77,6 @@ pub struct Studio {
 
 impl Studio {
     /// One that has drawn nothing yet.
-    #[must_use]
     pub fn new(theme: ThemeKind) -> Self {
         Self {
             table: Headless::new(theme),
@@ -91,7 +90,6 @@ impl Studio {
     }
 
     /// Draws a figure.
-    #[must_use]
     pub fn draw(&mut self, picture: &Picture<'_>) -> Image {
         self.drawn(picture).0
     }

@@ -58,7 +58,6 @@ pub struct Job<'a> {
 }
 
 /// The pictures of these lessons, in the order of the course.
-#[must_use]
 pub fn jobs<'a>(lessons: impl IntoIterator<Item = &'a Lesson>, steps: Steps) -> Vec<Job<'a>> {
     let mut jobs = Vec::new();
     for lesson in lessons {
@@ -85,7 +84,6 @@ pub fn jobs<'a>(lessons: impl IntoIterator<Item = &'a Lesson>, steps: Steps) -> 
 }
 
 /// The pictures of a scene file, under this name.
-#[must_use]
 pub fn jobs_of_file<'a>(name: &str, file: &'a SceneFile, steps: Steps) -> Vec<Job<'a>> {
     let job = |position, path| Job {
         source: Source::File(file),
@@ -107,7 +105,6 @@ fn n_steps(scene: &Scene) -> usize {
 
 impl Job<'_> {
     /// The scene that it shows.
-    #[must_use]
     pub fn scene(&self) -> &Scene {
         match self.source {
             Source::Step(_, step) => &step.scene,
@@ -116,7 +113,6 @@ impl Job<'_> {
     }
 
     /// The idea in words, where a lesson says it.
-    #[must_use]
     pub fn title(&self, lang: Lang) -> Option<&str> {
         match self.source {
             Source::Step(lesson, step) => lesson.step_title(&step.id, lang),
@@ -125,7 +121,6 @@ impl Job<'_> {
     }
 
     /// The picture as PNG.
-    #[must_use]
     pub fn png(&self, studio: &mut Studio, options: &Options) -> Vec<u8> {
         let picture = Picture {
             title: self.title(options.lang),

@@ -18,7 +18,6 @@ struct Visit {
 
 impl CodeLinks {
     /// Of a run; of a long one some steps are asked.
-    #[must_use]
     pub fn of(run: &dyn Run) -> Self {
         let asked = Asked::of(run, MOST_ASKED);
         let mut visits = Vec::new();
@@ -34,7 +33,6 @@ impl CodeLinks {
     }
 
     /// What a line was about when it was reached last, or else will be about first: seen from `step`.
-    #[must_use]
     pub fn of_line(&self, line: usize, step: usize) -> Option<Link> {
         let visits = self.0.iter();
         let mut visits = visits.filter(|visit| visit.line == line && !visit.links.is_empty());
@@ -44,7 +42,6 @@ impl CodeLinks {
     }
 
     /// The lines that are about this at some step.
-    #[must_use]
     pub fn lines(&self, link: Link) -> Vec<usize> {
         let visits = self.0.iter();
         let about = visits.filter(|visit| visit.links.contains(&link));

@@ -60,7 +60,6 @@ pub struct Need {
 
 impl View {
     /// What this view wants at this step.
-    #[must_use]
     pub fn need(&self) -> Need {
         let (stand, least, natural) = match &self.body {
             Body::Plane(_) => (Stand::Drawing, DRAWING[0], DRAWING[1]),
@@ -187,7 +186,6 @@ fn lists_need(lists: &Lists) -> (Stand, [f32; 2], [f32; 2]) {
 
 /// What the views of a run want, in the order in which a step shows them: enough for every step, so that nothing moves
 /// from one to the next.
-#[must_use]
 pub fn needs(run: &dyn Run) -> Vec<Need> {
     let mut needs: Vec<Need> = Vec::new();
     ask(run, MOST_ASKED, |shown| {
@@ -203,7 +201,6 @@ pub fn needs(run: &dyn Run) -> Vec<Need> {
 }
 
 /// The sentences of a run, of a longer one some: so that each has the room of the highest.
-#[must_use]
 pub fn sentences(run: &dyn Run) -> Vec<Caption> {
     let mut said = Vec::new();
     ask(run, MOST_SAID, |shown| said.push(shown.caption()));
@@ -211,7 +208,6 @@ pub fn sentences(run: &dyn Run) -> Vec<Caption> {
 }
 
 /// What is watched in a run, of a longer one at some of its steps: so that the table has room for the longest.
-#[must_use]
 pub fn watches(run: &dyn Run) -> Vec<Watch> {
     let mut watched = Vec::new();
     ask(run, MOST_SAID, |shown| watched.push(unseen(&shown.watch())));

@@ -24,7 +24,6 @@ pub struct Caption {
 
 impl Caption {
     /// A decision without arithmetic yet.
-    #[must_use]
     pub const fn new(decision: Message) -> Self {
         Self {
             decision,
@@ -33,7 +32,6 @@ impl Caption {
     }
 
     /// With one more formula.
-    #[must_use]
     pub fn so(mut self, formula: Formula) -> Self {
         self.arithmetic.push(formula);
         self
@@ -57,7 +55,6 @@ pub struct Frame {
 
 impl Frame {
     /// The marks of the drawing in the plane; none where there is no such view.
-    #[must_use]
     pub fn marks(&self) -> &[Mark] {
         let plane = self.views.iter().find_map(|view| match &view.body {
             Body::Plane(marks) if view.id == ViewId::PLANE => Some(&marks[..]),
@@ -67,7 +64,6 @@ impl Frame {
     }
 
     /// The space that is the drawing, where it is one.
-    #[must_use]
     pub fn space(&self) -> Option<&Space> {
         self.views.first().and_then(|view| match &view.body {
             Body::Space(space) => Some(space),

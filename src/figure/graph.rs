@@ -100,7 +100,6 @@ pub enum ArrowKind {
 impl Graph {
     /// Of more nodes that stand freely no more are drawn than these, in their order: this step's, what they have arrows to, and then
     /// those nearest to the first of them.
-    #[must_use]
     pub fn near(&self, most: usize) -> Vec<usize> {
         let n = self.nodes.len();
         if n <= most {

@@ -76,7 +76,6 @@ pub struct Layout {
 impl Sheet {
     /// Lays out as many columns as there are lists of needs. Their drawings have the same size, so that both show the
     /// same place at the same scale.
-    #[must_use]
     pub fn lay_out(&self, needs: &[Vec<Need>]) -> Layout {
         let mut rest = self.area;
         let mut title = rest.take_top(self.title);

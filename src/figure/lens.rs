@@ -28,7 +28,6 @@ impl From<Seer> for Lens {
 
 impl Lens {
     /// Where a world point is drawn; `None` where it is behind the eye.
-    #[must_use]
     pub fn drawing_from_world(&self, at: [f64; 3]) -> Option<[f64; 2]> {
         let Some(optics) = Optics::of(self) else {
             return Some([at[0], at[1]]);
@@ -38,7 +37,6 @@ impl Lens {
     }
 
     /// The world point of a place on the drawing, as far away as `beside`.
-    #[must_use]
     pub fn world_from_drawing(&self, at: [f64; 2], beside: [f64; 3]) -> [f64; 3] {
         let Some(optics) = Optics::of(self) else {
             return [at[0], at[1], 0.0];
@@ -51,7 +49,6 @@ impl Lens {
 
     /// A world point moved away from the eye, on its sight line, as far as `by` is on the drawing at its depth; on the plane,
     /// which is not seen from anywhere, it stays.
-    #[must_use]
     pub fn deeper(&self, at: [f64; 3], by: f64) -> [f64; 3] {
         let Some(optics) = Optics::of(self).filter(|_| by != 0.0) else {
             return at;
@@ -63,7 +60,6 @@ impl Lens {
     }
 
     /// Width over height of what is seen, where that is settled.
-    #[must_use]
     pub fn aspect(&self) -> Option<f64> {
         match self {
             Self::Plane | Self::Eye(_) => None,
@@ -90,7 +86,6 @@ pub struct Optics {
 
 impl Optics {
     /// Of a lens in space.
-    #[must_use]
     pub fn of(lens: &Lens) -> Option<Self> {
         Some(match lens {
             Lens::Plane => return None,
@@ -114,35 +109,30 @@ impl Optics {
     }
 
     /// From the world to its own axes.
-    #[must_use]
     pub fn view_from_world(&self, at: DVec3) -> DVec3 {
         let from_eye = at - self.position;
         self.axes.map(|axis| axis.dot(from_eye)).into()
     }
 
     /// And back.
-    #[must_use]
     pub fn world_from_view(&self, at: DVec3) -> DVec3 {
         let [right, up, back] = self.axes;
         self.position + right * at.x + up * at.y + back * at.z
     }
 
     /// Where on the picture a point is that is farther away than `near`.
-    #[must_use]
     pub fn picture_from_view(&self, at: DVec3) -> [f64; 2] {
         let scale = self.half_height_at(at.z);
         [at.x / scale, at.y / scale]
     }
 
     /// The point at this depth that is seen at a place of the picture.
-    #[must_use]
     pub fn view_from_picture(&self, [x, y]: [f64; 2], z: f64) -> DVec3 {
         let scale = self.half_height_at(z);
         DVec3::new(x * scale, y * scale, z)
     }
 
     /// From a point towards where it is seen from.
-    #[must_use]
     pub fn toward_eye(&self, at: DVec3) -> DVec3 {
         match self.sight {
             Sight::Perspective => -at,
@@ -151,7 +141,6 @@ impl Optics {
     }
 
     /// The sight line that meets the picture in a place: a point on it, and its direction away from the eye.
-    #[must_use]
     pub fn sight_line(&self, at: [f64; 2]) -> (DVec3, DVec3) {
         match self.sight {
             Sight::Perspective => (DVec3::ZERO, self.view_from_picture(at, -1.0)),
@@ -160,7 +149,6 @@ impl Optics {
     }
 
     /// To clip space, for the part of the picture from `min` to `max`, and for depths between two distances.
-    #[must_use]
     pub fn clip_from_world(
         &self,
         [min, max]: [[f64; 2]; 2],
@@ -193,13 +181,11 @@ impl Optics {
     }
 
     /// Do sight lines run side by side?
-    #[must_use]
     pub fn is_parallel(&self) -> bool {
         self.sight == Sight::Parallel
     }
 
     /// Half of the picture's height at this depth, in the world.
-    #[must_use]
     pub fn half_height_at(&self, z: f64) -> f64 {
         match self.sight {
             Sight::Perspective => -z * self.half_height,

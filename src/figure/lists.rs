@@ -44,7 +44,6 @@ impl ListColumn {
     const MOST: usize = 40;
 
     /// All of these entries, of which none leads back.
-    #[must_use]
     pub const fn new(title: Value, entries: Vec<ListRow>) -> Self {
         Self {
             title,
@@ -59,7 +58,6 @@ impl ListColumn {
     }
 
     /// Of a list of `len` the entries about `focus`.
-    #[must_use]
     pub fn about(
         title: Value,
         len: usize,
@@ -76,7 +74,6 @@ impl ListColumn {
     }
 
     /// The places of a list of `len` that are to be given as entries: those about `focus`, or its first ones.
-    #[must_use]
     pub fn reach(len: usize, focus: Option<usize>) -> Range<usize> {
         let first = focus.unwrap_or(0).saturating_sub(Self::MOST / 2);
         let first = first.min(len.saturating_sub(Self::MOST));
@@ -128,7 +125,6 @@ pub struct ListLink {
 
 impl ListRow {
     /// An entry of little weight.
-    #[must_use]
     pub fn new(name: impl Into<Value>) -> Self {
         Self {
             name: name.into(),

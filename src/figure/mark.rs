@@ -94,7 +94,6 @@ pub struct Weight {
 
 impl Mark {
     /// Without label or link.
-    #[must_use]
     pub const fn new(role: Role, shape: Shape) -> Self {
         Self {
             shape,
@@ -108,35 +107,30 @@ impl Mark {
     }
 
     /// With lines of this weight.
-    #[must_use]
     pub const fn weighing(mut self, weight: Weight) -> Self {
         self.weight = Some(weight);
         self
     }
 
     /// Drawn with dashes, in its role's colour.
-    #[must_use]
     pub const fn dashed(mut self) -> Self {
         self.is_dashed = true;
         self
     }
 
     /// With a label in the text face.
-    #[must_use]
     pub fn labelled(mut self, text: impl Into<Value>) -> Self {
         self.label = Some(Label::new(text, false));
         self
     }
 
     /// With a label in the monospaced face.
-    #[must_use]
     pub fn coded(mut self, text: impl Into<Value>) -> Self {
         self.label = Some(Label::new(text, true));
         self
     }
 
     /// Its label set semibold.
-    #[must_use]
     pub fn strong(mut self) -> Self {
         if let Some(label) = &mut self.label {
             label.strong = true;
@@ -145,7 +139,6 @@ impl Mark {
     }
 
     /// Its label in this direction from it, in the world.
-    #[must_use]
     pub const fn toward(mut self, direction: [f64; 2]) -> Self {
         if let Some(label) = &mut self.label {
             label.toward = Some(direction);
@@ -154,7 +147,6 @@ impl Mark {
     }
 
     /// With one character of its label in the signal's colour.
-    #[must_use]
     pub const fn lit(mut self, character: usize) -> Self {
         if let Some(label) = &mut self.label {
             label.lit = Some(character);
@@ -163,7 +155,6 @@ impl Mark {
     }
 
     /// About `link`.
-    #[must_use]
     pub fn linked(mut self, link: impl Into<Link>) -> Self {
         self.link = Some(link.into());
         self

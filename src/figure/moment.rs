@@ -24,7 +24,6 @@ pub enum Moment {
 
 impl Moment {
     /// The same of any event of that name.
-    #[must_use]
     pub fn of_any_kind(&self) -> Self {
         match self {
             Self::Start => Self::Start,

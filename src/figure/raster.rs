@@ -33,7 +33,6 @@ pub struct RasterMark {
 
 impl RasterMark {
     /// A line stands under what is stored, so that both can be read.
-    #[must_use]
     pub const fn is_line(&self) -> bool {
         matches!(self.shape, RasterShape::Line(_))
     }
@@ -75,7 +74,6 @@ impl Raster {
     pub const LINK: &'static str = "raster-pixel";
 
     /// The pixel in this column and row.
-    #[must_use]
     pub fn at(&self, [column, row]: [usize; 2]) -> Option<&Pixel> {
         let is_within = column < self.size[0] && row < self.size[1];
         self.pixels

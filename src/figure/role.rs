@@ -29,19 +29,16 @@ pub struct Link {
 
 impl Link {
     /// About the one thing of this name.
-    #[must_use]
     pub const fn to(name: &'static str) -> Self {
         Self { name, nth: None }
     }
 
     /// Which of many of this name it is about.
-    #[must_use]
     pub fn number_of(self, name: &str) -> Option<usize> {
         self.nth.filter(|_| self.name == name)
     }
 
     /// About one of many: vertex 3, edge 0.
-    #[must_use]
     pub const fn nth(name: &'static str, idx: usize) -> Self {
         Self {
             name,

@@ -130,7 +130,9 @@ pub trait Run {
 
 impl dyn Run + '_ {
     /// What the step shows: values that differ from the step before are marked.
-    #[must_use]
+    ///
+    /// # Panics
+    /// Where the run, made again, does not tell what it told: a law that every method is tested for.
     pub fn frame(&self, step: usize) -> Frame {
         let mut seen = None;
         self.frames([step, step], |_| true, |_, frame| seen = Some(frame));
@@ -174,18 +176,19 @@ impl dyn Run + '_ {
     }
 
     /// The sentence of the step alone.
-    #[must_use]
     pub fn caption(&self, step: usize) -> Caption {
         self.shown(step, |shown| shown.caption())
     }
 
     /// The values that are alive at the step, alone: none is marked as changed.
-    #[must_use]
     pub fn watch(&self, step: usize) -> Watch {
         self.shown(step, |shown| shown.watch())
     }
 
     /// What one step shows, or a part of that.
+    ///
+    /// # Panics
+    /// Where the run, made again, does not tell what it told: a law that every method is tested for.
     pub fn shown<T>(&self, step: usize, look: impl FnOnce(&dyn Shown) -> T) -> T {
         let (mut look, mut seen) = (Some(look), None);
         self.visit([step, step], &mut |_, shown| {
@@ -196,7 +199,6 @@ impl dyn Run + '_ {
     }
 
     /// The last step that decides about a thing; none where no step does.
-    #[must_use]
     pub fn why(&self, thing: Link) -> Option<usize> {
         let mut found = None;
         self.visit([1, self.n_steps()], &mut |step, shown| {

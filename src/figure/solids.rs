@@ -29,7 +29,6 @@ pub struct Solids {
 
 impl Solids {
     /// The outlines of the faces that show their outer side, on the picture; of those in front of the eye.
-    #[must_use]
     pub fn faces(&self) -> Vec<Vec<[f64; 2]>> {
         let Some(optics) = Optics::of(&self.lens) else {
             return Vec::new();
@@ -49,7 +48,6 @@ impl Solids {
     }
 
     /// What is seen at a place of the picture is about this.
-    #[must_use]
     pub fn link_at(&self, at: [f64; 2]) -> Option<Link> {
         let optics = Optics::of(&self.lens)?;
         let distances = self.facets.iter().filter_map(|facet| {
@@ -102,7 +100,6 @@ pub struct SolidMesh {
 
 impl SolidMesh {
     /// Each facet as a fan; what is in one place is one vertex.
-    #[must_use]
     pub fn of(facets: &[Facet]) -> Self {
         let n_corners = facets.iter().map(|facet| facet.corners.len()).sum();
         let mut mesh = Self {
@@ -192,7 +189,6 @@ impl<'a> SolidPicture<'a> {
     pub const MAX_SIDE: u32 = Viewport::MAX_SIDE;
 
     /// The part of the picture from `min` to `max`, in so many columns and rows. `None` where there is nothing to see.
-    #[must_use]
     pub fn new(
         mesh: &'a SolidMesh,
         lens: &Lens,
@@ -216,7 +212,6 @@ impl<'a> SolidPicture<'a> {
     }
 
     /// So many are drawn.
-    #[must_use]
     pub const fn n_triangles(&self) -> usize {
         match &self.triangles {
             Drawable::Plain(triangles) => triangles.len(),
@@ -225,7 +220,6 @@ impl<'a> SolidPicture<'a> {
     }
 
     /// Nothing is seen in others than these rows.
-    #[must_use]
     pub fn rows(&self) -> Range<u32> {
         fn of<const N: usize>(triangles: &[ScreenTriangle<N>]) -> Range<u32> {
             let rows = triangles.iter().map(ScreenTriangle::rows);
@@ -239,7 +233,6 @@ impl<'a> SolidPicture<'a> {
     }
 
     /// Is anything on it painted with a texture?
-    #[must_use]
     pub const fn has_skin(&self) -> bool {
         match &self.triangles {
             Drawable::Plain(_) => false,

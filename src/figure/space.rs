@@ -122,7 +122,6 @@ pub enum Shape3 {
 
 impl Mark3 {
     /// Without label or link.
-    #[must_use]
     pub const fn new(role: Role, shape: Shape3) -> Self {
         Self {
             shape,
@@ -136,21 +135,18 @@ impl Mark3 {
     }
 
     /// One edge of an outline, drawn as that.
-    #[must_use]
     pub const fn edge(mut self) -> Self {
         self.is_edge = true;
         self
     }
 
     /// With a label in the text face.
-    #[must_use]
     pub fn labelled(mut self, text: impl Into<Value>) -> Self {
         self.label = Some(Label::new(text, false));
         self
     }
 
     /// Its label set semibold.
-    #[must_use]
     pub fn strong(mut self) -> Self {
         if let Some(label) = &mut self.label {
             label.strong = true;
@@ -159,21 +155,18 @@ impl Mark3 {
     }
 
     /// A line of construction.
-    #[must_use]
     pub const fn fine(mut self) -> Self {
         self.is_fine = true;
         self
     }
 
     /// Drawn with dashes, in its role's colour.
-    #[must_use]
     pub const fn dashed(mut self) -> Self {
         self.is_dashed = true;
         self
     }
 
     /// About `link`.
-    #[must_use]
     pub fn linked(mut self, link: impl Into<Link>) -> Self {
         self.link = Some(link.into());
         self
@@ -185,7 +178,6 @@ impl Edge3 {
     const FLAT: f64 = 0.94;
 
     /// The edges of facets that meet corner on corner, each once. Where they meet at more than 20° it is a crease.
-    #[must_use]
     pub fn of(facets: &[Facet]) -> Vec<Self> {
         let mut known: HashMap<[[u64; 3]; 2], usize> = HashMap::new();
         let mut edges: Vec<Self> = Vec::new();
@@ -217,7 +209,6 @@ impl Edge3 {
 
 impl Facet {
     /// Where in its texture a place of its plane lies; a facet without one, or without an area, says nothing.
-    #[must_use]
     pub fn uv_at(&self, at: [f64; 3]) -> [f32; 2] {
         let (Some(skin), [a, b, c, ..]) = (&self.skin, &self.corners[..]) else {
             return [0.0; 2];
@@ -238,7 +229,6 @@ impl Facet {
     }
 
     /// A part of it, in its plane.
-    #[must_use]
     pub fn part(&self, corners: Vec<[f64; 3]>) -> Self {
         let skin = self.skin.as_ref().filter(|_| corners.len() >= 3);
         let skin = skin.map(|skin| Skin {
@@ -254,7 +244,6 @@ impl Facet {
     }
 
     /// Away from the solid, of length 1; zero of a facet without an area.
-    #[must_use]
     pub fn normal(&self) -> DVec3 {
         let Some((&first, rest)) = self.corners.split_first() else {
             return DVec3::ZERO;

@@ -80,7 +80,6 @@ pub struct TableNote {
 
 impl Cell {
     /// A value that is there, or is not yet.
-    #[must_use]
     pub fn new(role: Role, value: Option<impl Into<Value>>) -> Self {
         let value = value.map(Into::into);
         Self {
@@ -91,7 +90,6 @@ impl Cell {
     }
 
     /// Set semibold: among what is in its row, the one that changed.
-    #[must_use]
     pub const fn strong(mut self) -> Self {
         self.strong = true;
         self

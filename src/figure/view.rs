@@ -35,7 +35,6 @@ pub struct View {
 
 impl View {
     /// The drawing in the plane.
-    #[must_use]
     pub const fn plane(marks: Vec<Mark>) -> Self {
         Self {
             id: ViewId::PLANE,
@@ -44,7 +43,6 @@ impl View {
     }
 
     /// A view under this name.
-    #[must_use]
     pub const fn new(id: &'static str, body: Body) -> Self {
         let id = ViewId(id);
         Self { id, body }
@@ -101,7 +99,6 @@ pub enum Side {
 
 impl Side {
     /// Of a line that is inside a border for u·p ≤ q, p not being 0.
-    #[must_use]
     pub fn of(p: f64) -> Self {
         if p < 0.0 {
             Self::Entering
@@ -154,7 +151,6 @@ impl NumberLine {
     const MOST: f64 = 0.2;
 
     /// The part of an axis that shows all these crossings, as far as they are not too far out.
-    #[must_use]
     pub fn showing(crossings: impl IntoIterator<Item = f64>) -> [f64; 2] {
         let near = |u: &f64| (-Self::MOST..=1.0 + Self::MOST).contains(u);
         let widened = |[low, high]: [f64; 2], u: f64| [low.min(u), high.max(u)];

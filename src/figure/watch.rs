@@ -21,13 +21,11 @@ pub struct WatchRow {
 
 impl WatchRow {
     /// A name and one value.
-    #[must_use]
     pub fn new(name: impl Into<Value>, cell: Option<Value>) -> Self {
         Self::table(name, vec![cell])
     }
 
     /// A name and several values.
-    #[must_use]
     pub fn table(name: impl Into<Value>, cells: Vec<Option<Value>>) -> Self {
         Self {
             name: name.into(),
@@ -39,20 +37,17 @@ impl WatchRow {
     }
 
     /// Did any of its cells change at this step?
-    #[must_use]
     pub fn has_changed(&self) -> bool {
         self.changed.contains(&true)
     }
 
     /// With a word on the value.
-    #[must_use]
     pub fn noted(mut self, note: impl Into<Value>) -> Self {
         self.note = Some(note.into());
         self
     }
 
     /// About `link`.
-    #[must_use]
     pub fn linked(mut self, link: impl Into<Link>) -> Self {
         self.link = Some(link.into());
         self
@@ -83,20 +78,17 @@ pub struct ListPart {
 
 impl WatchSection {
     /// A plain list.
-    #[must_use]
     pub const fn list(rows: Vec<WatchRow>) -> Self {
         Self::titled(Vec::new(), rows)
     }
 
     /// A table whose columns are headed by symbols, the same in every language: `t`, `n·D`.
-    #[must_use]
     pub fn table(header: Vec<&'static str>, rows: Vec<WatchRow>) -> Self {
         let symbol = |symbol: &str| Value::Name(symbol.to_owned());
         Self::titled(header.into_iter().map(symbol).collect(), rows)
     }
 
     /// A table whose columns are headed by words of the catalogue, or anything else that can be said.
-    #[must_use]
     pub const fn titled(header: Vec<Value>, rows: Vec<WatchRow>) -> Self {
         Self {
             header,
@@ -107,7 +99,6 @@ impl WatchSection {
     }
 
     /// As a part of a list of `of` entries, from the one at `first`.
-    #[must_use]
     pub const fn part(mut self, first: usize, of: usize) -> Self {
         self.part = Some(ListPart { first, of });
         self
@@ -124,7 +115,6 @@ impl WatchSection {
     }
 
     /// Shown in the view of this name.
-    #[must_use]
     pub const fn seen_in(mut self, view: &'static str) -> Self {
         self.seen_in = Some(ViewId(view));
         self
@@ -135,7 +125,6 @@ impl WatchSection {
 pub type Watch = Vec<WatchSection>;
 
 /// What stands in no view.
-#[must_use]
 pub fn unseen(watch: &Watch) -> Watch {
     let unseen = |section: &&WatchSection| section.seen_in.is_none();
     watch.iter().filter(unseen).cloned().collect()

@@ -34,13 +34,11 @@ impl Words {
     }
 
     /// The name alone.
-    #[must_use]
     pub fn name(&self) -> Self {
         self.iter().take(1).collect()
     }
 
     /// The same name, and all other words of `wanted` among these?
-    #[must_use]
     pub fn include(&self, wanted: &Self) -> bool {
         let mut rest = wanted.iter();
         rest.next() == self.iter().next() && rest.all(|word| self.iter().skip(1).any(|w| w == word))

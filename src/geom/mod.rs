@@ -3,6 +3,11 @@
 //! Conventions: y is up; every window is closed (on the border is inside); every half-plane's normal
 //! points inside; a front-facing outline runs counter-clockwise. Coordinates are `f64` in world units. Space is
 //! right-handed; a camera looks down −z of its own axes.
+#![warn(
+    missing_docs,
+    clippy::must_use_candidate,
+    clippy::return_self_not_must_use
+)]
 
 mod aligned_box;
 mod camera;

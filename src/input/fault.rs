@@ -27,7 +27,6 @@ pub struct Fault {
 
 impl Fault {
     /// Of a value as a whole, by this code.
-    #[must_use]
     pub fn new(code: &'static str, message: Message) -> Self {
         Self {
             at: At::Whole,
@@ -36,7 +35,6 @@ impl Fault {
     }
 
     /// The same elsewhere in the value.
-    #[must_use]
     pub fn at(self, at: At) -> Self {
         Self { at, ..self }
     }

@@ -30,7 +30,6 @@ pub struct Field {
 
 impl Field {
     /// A field of which nothing is told.
-    #[must_use]
     pub const fn new(name: &'static str, need: Presence, shape: &'static Shape) -> Self {
         Self {
             name,
@@ -42,31 +41,26 @@ impl Field {
     }
 
     /// One that must be there.
-    #[must_use]
     pub const fn required(name: &'static str, shape: &'static Shape) -> Self {
         Self::new(name, Presence::Required, shape)
     }
 
     /// One of several of which exactly one must be there.
-    #[must_use]
     pub const fn choice(name: &'static str, shape: &'static Shape) -> Self {
         Self::new(name, Presence::Choice, shape)
     }
 
     /// One that may be left out.
-    #[must_use]
     pub const fn optional(name: &'static str, shape: &'static Shape) -> Self {
         Self::new(name, Presence::Optional, shape)
     }
 
     /// The same, with what is told of its value.
-    #[must_use]
     pub const fn told(self, tell: fn(&Got) -> Vec<Given>) -> Self {
         Self { tell, ..self }
     }
 
     /// What is told of this value, or of its absence.
-    #[must_use]
     pub fn given(&self, got: Option<&Got>) -> Vec<Given> {
         got.map_or_else(self.tell_absent, self.tell)
     }
@@ -85,7 +79,6 @@ pub struct Part<T> {
 
 impl<T> Part<T> {
     /// One of which nothing is told.
-    #[must_use]
     pub const fn new(
         name: &'static str,
         shape: &'static Shape,
@@ -99,33 +92,28 @@ impl<T> Part<T> {
     }
 
     /// The same, with what a mistake in a lesson file says was expected.
-    #[must_use]
     pub const fn expecting(self, expect: &'static str) -> Self {
         Self { expect, ..self }
     }
 
     /// The same, with what is told of it.
-    #[must_use]
     pub const fn told(mut self, tell: fn(&Got) -> Vec<Given>) -> Self {
         self.optional = self.optional.told(tell);
         self
     }
 
     /// The same, with what is told where it is left out.
-    #[must_use]
     pub const fn told_absent(mut self, tell_absent: fn() -> Vec<Given>) -> Self {
         self.optional.tell_absent = tell_absent;
         self
     }
 
     /// As files spell its field.
-    #[must_use]
     pub const fn name(&self) -> &'static str {
         self.optional.name
     }
 
     /// Its field, which must be there.
-    #[must_use]
     pub const fn required(&self) -> Field {
         let need = Presence::Required;
         Field {
@@ -135,7 +123,6 @@ impl<T> Part<T> {
     }
 
     /// Its field, or another one in its place.
-    #[must_use]
     pub const fn choice(&self) -> Field {
         let need = Presence::Choice;
         Field {

@@ -27,6 +27,7 @@ impl Given {
     }
 
     /// All that is told: these values.
+    #[must_use]
     pub fn only<const N: usize>(name_key: &'static str, values: [Value; N]) -> Vec<Self> {
         vec![Self::new(name_key, values.into_iter())]
     }

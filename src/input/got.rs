@@ -19,7 +19,6 @@ pub enum Got {
 
 impl Got {
     /// The number.
-    #[must_use]
     pub const fn number(&self) -> f64 {
         match self {
             Self::Number(x) => *x,
@@ -28,7 +27,6 @@ impl Got {
     }
 
     /// The text.
-    #[must_use]
     pub fn text(&self) -> &str {
         match self {
             Self::Text(text) => text,
@@ -37,7 +35,6 @@ impl Got {
     }
 
     /// All the numbers.
-    #[must_use]
     pub fn numbers(&self) -> &[f64] {
         match self {
             Self::Numbers(numbers) => numbers,
@@ -46,25 +43,21 @@ impl Got {
     }
 
     /// The first `N` of the numbers.
-    #[must_use]
     pub fn array<const N: usize>(&self) -> [f64; N] {
         self.numbers().first_chunk().copied().unwrap_or([0.0; N])
     }
 
     /// The numbers, `N` in a row.
-    #[must_use]
     pub fn rows<const N: usize>(&self) -> &[[f64; N]] {
         self.numbers().as_chunks().0
     }
 
     /// The first `R` rows of `N` numbers.
-    #[must_use]
     pub fn matrix<const R: usize, const N: usize>(&self) -> [[f64; N]; R] {
         self.rows().first_chunk().copied().unwrap_or([[0.0; N]; R])
     }
 
     /// The whole numbers, `N` in a row.
-    #[must_use]
     pub fn whole_rows<const N: usize>(&self) -> &[[i64; N]] {
         match self {
             Self::Wholes(wholes) => wholes.as_chunks().0,
@@ -73,13 +66,11 @@ impl Got {
     }
 
     /// The first `N` of the whole numbers.
-    #[must_use]
     pub fn wholes<const N: usize>(&self) -> [i64; N] {
         self.whole_rows().first().copied().unwrap_or([0; N])
     }
 
     /// The fields of the table that were given.
-    #[must_use]
     pub fn fields(&self) -> &[(&'static str, Self)] {
         match self {
             Self::Table(fields) => fields,
@@ -88,20 +79,17 @@ impl Got {
     }
 
     /// A field of the table, where it was given.
-    #[must_use]
     pub fn get(&self, name: &str) -> Option<&Self> {
         let field = self.fields().iter().find(|(given, _)| *given == name);
         field.map(|(_, got)| got)
     }
 
     /// The number in this field of the table.
-    #[must_use]
     pub fn number_in(&self, name: &str) -> f64 {
         self.get(name).map_or(0.0, Self::number)
     }
 
     /// The entries of the list.
-    #[must_use]
     pub fn list(&self) -> &[Self] {
         match self {
             Self::List(list) => list,

@@ -192,6 +192,7 @@ fn opening(got: &Got) -> Opening {
 }
 
 /// `V₁ = (0, 0)`, `V₂ = …`
+#[must_use]
 pub fn outline_told(name_key: &'static str, got: &Got) -> Vec<Given> {
     let vertex = |(i, &at): (usize, &[f64; 2])| {
         let formula = Formula::default().sym(vertex_symbol(i)).sym(" = ");
@@ -215,7 +216,6 @@ fn clip_told(vertices: &[Point]) -> Vec<Given> {
 }
 
 /// `−1 ≤ x ≤ 1`
-#[must_use]
 pub fn between(low: f64, symbol: &'static str, high: f64) -> Value {
     Value::Formula(Formula::default().num(low).sym(symbol).num(high))
 }

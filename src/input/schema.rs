@@ -5,7 +5,6 @@ use serde_json::{Map, Value as Json, json};
 use super::{Dim, Field, Presence, Shape};
 
 /// The schema of a value.
-#[must_use]
 pub fn of_shape(shape: &Shape) -> Json {
     match shape {
         Shape::Bool => json!({ "type": "boolean" }),
@@ -22,7 +21,6 @@ pub fn of_shape(shape: &Shape) -> Json {
 }
 
 /// The schema of an object that has these fields and no others.
-#[must_use]
 pub fn of_fields(fields: &[Field]) -> Json {
     let properties: Map<String, Json> = fields
         .iter()

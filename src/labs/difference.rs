@@ -18,7 +18,6 @@ pub struct Difference {
 
 impl Difference {
     /// Of the methods on stage and their runs; `None` unless exactly one is wrong on purpose, and another is not.
-    #[must_use]
     pub fn between(methods: &[&MethodCard], runs: &[&dyn Run]) -> Option<Self> {
         let mut wrong = (0..methods.len()).filter(|&i| methods[i].is_faulty);
         let column = wrong.next()?;
@@ -30,7 +29,6 @@ impl Difference {
     }
 
     /// "differs from step 7 on", for the title of that column.
-    #[must_use]
     pub fn message(self) -> Message {
         match self.step {
             Some(step) => Message::new("differs-from").with("step", Value::Count(step)),

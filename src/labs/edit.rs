@@ -27,13 +27,11 @@ pub enum Edit {
 
 impl Edit {
     /// A change that only one lab knows.
-    #[must_use]
     pub fn own(change: impl Change + 'static) -> Self {
         Self::Own(Arc::new(change))
     }
 
     /// Does the change bring a scene that should be seen whole?
-    #[must_use]
     pub fn brings_another(&self) -> bool {
         match self {
             Self::Replace(_) => true,

@@ -37,7 +37,6 @@ pub struct HandleKind {
 
 impl HandleKind {
     /// One that moves in the plane to a place of its own.
-    #[must_use]
     pub const fn new(
         id: &'static str,
         group: &'static str,
@@ -56,7 +55,6 @@ impl HandleKind {
     }
 
     /// The handle with this number, or numbers.
-    #[must_use]
     pub const fn at(&'static self, idx: [usize; 2]) -> Handle {
         Handle { kind: self, idx }
     }
@@ -79,37 +77,31 @@ impl Eq for Handle {}
 
 impl Handle {
     /// What is known of its kind.
-    #[must_use]
     pub const fn kind(self) -> &'static HandleKind {
         self.kind
     }
 
     /// Is it of this kind?
-    #[must_use]
     pub fn is(self, kind: &HandleKind) -> bool {
         self.kind.id == kind.id
     }
 
     /// Which of its kind.
-    #[must_use]
     pub const fn idx(self) -> [usize; 2] {
         self.idx
     }
 
     /// The group that a lesson can lock it with.
-    #[must_use]
     pub const fn group(self) -> &'static str {
         self.kind.group
     }
 
     /// What it is, for a screen reader.
-    #[must_use]
     pub fn name(self) -> Message {
         (self.kind.name)(self.idx)
     }
 
     /// What marks and rows about it are linked by, if they are.
-    #[must_use]
     pub fn link(self) -> Option<Link> {
         self.kind.link.map(|link| link(self.idx))
     }

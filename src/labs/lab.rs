@@ -162,26 +162,22 @@ pub struct Scene(Box<dyn Document>);
 
 impl Scene {
     /// What it can do whichever lab it is of.
-    #[must_use]
     pub fn document(&self) -> &dyn Document {
         &*self.0
     }
 
     /// To change it.
-    #[must_use]
     pub fn document_mut(&mut self) -> &mut dyn Document {
         &mut *self.0
     }
 
     /// The document of a lab, if it is that lab's: for the lab's own rooms.
-    #[must_use]
     pub fn get<D: Document>(&self) -> Option<&D> {
         let any: &dyn Any = &*self.0;
         any.downcast_ref()
     }
 
     /// To change what only that lab knows.
-    #[must_use]
     pub fn get_mut<D: Document>(&mut self) -> Option<&mut D> {
         let any: &mut dyn Any = &mut *self.0;
         any.downcast_mut()
@@ -237,14 +233,12 @@ pub struct Lock(&'static str);
 
 impl Lock {
     /// The group of this name in a lab.
-    #[must_use]
     pub fn of(lab: &dyn Lab, name: &str) -> Option<Self> {
         let mut groups = lab.lock_groups().iter();
         groups.find(|&&known| known == name).copied().map(Self)
     }
 
     /// Is this handle in one of these groups?
-    #[must_use]
     pub fn any_holds(locks: &[Self], handle: Handle) -> bool {
         locks.iter().any(|lock| lock.0 == handle.group())
     }

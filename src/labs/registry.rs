@@ -23,19 +23,16 @@ pub struct Method<I: 'static>(&'static MethodEntry<I>);
 
 impl<I> Method<I> {
     /// The method of this line of the table.
-    #[must_use]
     pub const fn of(entry: &'static MethodEntry<I>) -> Self {
         Self(entry)
     }
 
     /// What only its lab knows of it.
-    #[must_use]
     pub const fn info(self) -> &'static I {
         &self.0.info
     }
 
     /// Its names, source and pseudocode.
-    #[must_use]
     pub const fn card(self) -> &'static MethodCard {
         &self.0.card
     }
@@ -48,7 +45,6 @@ impl<I: Listed> Method<I> {
     }
 
     /// The method with this id.
-    #[must_use]
     pub fn by_id(id: &str) -> Option<Self> {
         Self::all().find(|method| method.card().id == id)
     }

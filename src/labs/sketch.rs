@@ -13,7 +13,6 @@ pub struct Sketch {
 
 impl Sketch {
     /// Without a point yet.
-    #[must_use]
     pub const fn new(kind: &'static OutlineKind) -> Self {
         Self {
             kind,
@@ -22,7 +21,6 @@ impl Sketch {
     }
 
     /// What was placed so far.
-    #[must_use]
     pub fn points(&self) -> &[[f64; 2]] {
         &self.points
     }
@@ -40,19 +38,16 @@ impl Sketch {
     }
 
     /// Could it be closed?
-    #[must_use]
     pub fn can_close(&self) -> bool {
         self.points.len() >= 3
     }
 
     /// The change that it comes to, once it has three points.
-    #[must_use]
     pub fn change(&self) -> Option<Own> {
         (self.kind.close)(&self.points)
     }
 
     /// What to do next.
-    #[must_use]
     pub fn hint(&self) -> Message {
         let key = if self.can_close() {
             "draw-close"

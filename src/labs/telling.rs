@@ -53,7 +53,6 @@ pub trait Telling: Method<Output: Answer, Event: Serialize> + 'static {
 
     /// The row of a step where it is said in another way because of what is drawn around the run; tick and line are those of
     /// [`row`](Self::row).
-    #[must_use]
     fn row_at(at: &At<'_, Self>) -> &'static Row {
         Self::row(&at.step)
     }
@@ -62,13 +61,11 @@ pub trait Telling: Method<Output: Answer, Event: Serialize> + 'static {
     fn opening(at: &At<'_, Self>) -> &'static Row;
 
     /// The line of pseudocode of a row; mistakes may have other lines than the method that they get wrong.
-    #[must_use]
     fn line(row: &Row) -> usize {
         row.line
     }
 
     /// The shape of the tick of a row; a method may show the steps of its parts in another way than these do.
-    #[must_use]
     fn tick(row: &Row) -> Tick {
         row.tick
     }
@@ -77,16 +74,19 @@ pub trait Telling: Method<Output: Answer, Event: Serialize> + 'static {
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named>;
 
     /// The values of a list at a step.
+    #[must_use]
     fn listed(_: &At<'_, Self>, _list: &str) -> Vec<Named> {
         Vec::new()
     }
 
     /// Of a list that is only a part of what it stands for: the place of its first entry, and how long all of it is.
+    #[must_use]
     fn part(_: &At<'_, Self>, _list: &str) -> Option<[usize; 2]> {
         None
     }
 
     /// The watch table. Only a method with a table of several columns says it in another way.
+    #[must_use]
     fn watch(at: &At<'_, Self>) -> Watch {
         Self::WATCH
             .iter()
@@ -100,7 +100,6 @@ pub trait Telling: Method<Output: Answer, Event: Serialize> + 'static {
 
 impl MethodCard {
     /// The card of a method that can be told.
-    #[must_use]
     pub const fn of<M: Telling>() -> Self {
         Self {
             id: M::ID,
@@ -152,7 +151,6 @@ impl<V: Into<Value>> From<V> for Named {
 
 impl Named {
     /// A name that is alive and has no value yet: an empty cell.
-    #[must_use]
     pub const fn empty() -> Self {
         Self {
             value: None,
@@ -163,27 +161,23 @@ impl Named {
     }
 
     /// A value that may not be known yet.
-    #[must_use]
     pub fn maybe(value: Option<impl Into<Value>>) -> Self {
         value.map_or(Self::empty(), Self::from)
     }
 
     /// About `link`.
-    #[must_use]
     pub fn linked(self, link: impl Into<Link>) -> Self {
         let link = Some(link.into());
         Self { link, ..self }
     }
 
     /// Called `label` in the watch table.
-    #[must_use]
     pub fn labelled(self, label: impl Into<Value>) -> Self {
         let label = Some(label.into());
         Self { label, ..self }
     }
 
     /// With a word on the value.
-    #[must_use]
     pub fn noted(self, note: impl Into<Value>) -> Self {
         let note = Some(note.into());
         Self { note, ..self }
@@ -223,7 +217,6 @@ pub enum Watched {
 
 impl<M: Telling> At<'_, M> {
     /// The row of this step.
-    #[must_use]
     pub fn row(&self) -> &'static Row {
         match self.step.past {
             [] => M::opening(self),
@@ -232,13 +225,11 @@ impl<M: Telling> At<'_, M> {
     }
 
     /// The value of a name.
-    #[must_use]
     pub fn value(&self, name: &str) -> Option<Value> {
         M::named(self, name)?.value
     }
 
     /// The sentence of a key of the catalogue: its variables are names.
-    #[must_use]
     pub fn message(&self, key: &'static str) -> Message {
         let names = Catalog::variables(key).iter();
         names.fold(Message::new(key), |message, &name| {
@@ -247,7 +238,6 @@ impl<M: Telling> At<'_, M> {
     }
 
     /// The sentence and the formulas of this step.
-    #[must_use]
     pub fn caption(&self) -> Caption {
         let row = self.row();
         let formulas = row.so.iter().filter_map(|template| self.formula(template));
@@ -255,14 +245,12 @@ impl<M: Telling> At<'_, M> {
     }
 
     /// The sections of a watch table that have a row now.
-    #[must_use]
     pub fn filled(&self, watched: &[Watched]) -> Watch {
         let sections = watched.iter().map(|watched| self.section(watched));
         sections.filter(|it| !it.rows.is_empty()).collect()
     }
 
     /// The watch rows of a few names or of a list.
-    #[must_use]
     pub fn section(&self, watched: &Watched) -> WatchSection {
         let names = |names: &[&'static str]| {
             let alive = names
@@ -287,7 +275,6 @@ impl<M: Telling> At<'_, M> {
     }
 
     /// What this step is about and what it decides about it, where it does.
-    #[must_use]
     pub fn decision(&self) -> Option<(Decides, Link)> {
         let row = self.row();
         let link = M::named(self, row.about?)?.link?;
@@ -295,7 +282,6 @@ impl<M: Telling> At<'_, M> {
     }
 
     /// What might come at this step, and which of these does; none where the step answers no question.
-    #[must_use]
     pub fn options(&self) -> Option<Choice> {
         let row = self.row();
         let question = row.answers?;

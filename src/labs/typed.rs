@@ -5,7 +5,6 @@ use crate::text::{Diagnostic, Message, read_numbers};
 use super::{Handle, Motion};
 
 /// How the place of a handle is written, so that [`place_of`] reads the very same one.
-#[must_use]
 pub fn written(handle: Handle, at: [f64; 3], is_flat: bool) -> String {
     let numbers: Vec<String> = coordinates(handle, is_flat)
         .iter()

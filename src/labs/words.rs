@@ -130,13 +130,11 @@ pub fn subscript(n: usize) -> String {
 }
 
 /// `V₁`, `V₂`, …: vertices are numbered from 1 on screen.
-#[must_use]
 pub fn vertex_symbol(vertex_idx: usize) -> String {
     format!("V{}", subscript(vertex_idx + 1))
 }
 
 /// `H₁`, `H₂`, …: planes that have no name are called by their half-spaces.
-#[must_use]
 pub fn plane_symbol(plane_idx: usize) -> String {
     format!("H{}", subscript(plane_idx + 1))
 }

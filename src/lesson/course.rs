@@ -48,25 +48,21 @@ pub struct StepText {
 
 impl Lesson {
     /// The text in this language, or in English where there is none.
-    #[must_use]
     pub fn text(&self, lang: Lang) -> &LessonText {
         self.translations.get(&lang).unwrap_or(&self.english)
     }
 
     /// Is there a text in this language?
-    #[must_use]
     pub fn speaks(&self, lang: Lang) -> bool {
         lang == Lang::En || self.translations.contains_key(&lang)
     }
 
     /// The index of the step with this id.
-    #[must_use]
     pub fn step_index(&self, id: &str) -> Option<usize> {
         self.steps.iter().position(|step| step.id == id)
     }
 
     /// The title of the step with this id, in this language or in English.
-    #[must_use]
     pub fn step_title(&self, id: &str, lang: Lang) -> Option<&str> {
         let step = self.text(lang).steps.get(self.step_index(id)?)?;
         Some(&step.title)
@@ -75,7 +71,6 @@ impl Lesson {
 
 impl Course {
     /// The lesson in the folder of this name.
-    #[must_use]
     pub fn lesson(&self, id: &str) -> Option<&Lesson> {
         self.lessons.iter().find(|lesson| lesson.id == id)
     }

@@ -19,7 +19,6 @@ pub struct Folder {
 
 impl Folder {
     /// A folder that holds a `lesson.toml` is a lesson; any other is a folder of lessons.
-    #[must_use]
     pub fn new(root: impl Into<PathBuf>) -> Self {
         let root = root.into();
         let single = root.join(LESSON_FILE).is_file().then(|| {
@@ -31,7 +30,6 @@ impl Folder {
     }
 
     /// The folder itself: what to watch for changes.
-    #[must_use]
     pub fn root(&self) -> &Path {
         &self.root
     }

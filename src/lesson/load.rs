@@ -28,14 +28,12 @@ pub struct Loaded {
 
 impl Course {
     /// The course that is compiled in. A test keeps it free of problems.
-    #[must_use]
     pub fn embedded() -> Self {
         Self::load(&Embedded).course
     }
 
     /// Reads every lesson; one with an error is left out, all others stay. Moments are looked for when they are
     /// needed: [`LessonStep::position`](super::LessonStep::position).
-    #[must_use]
     pub fn load(files: &dyn Files) -> Loaded {
         let formats = SceneFormats::standard();
         let moments = Moments::Later;
@@ -43,13 +41,11 @@ impl Course {
     }
 
     /// The same, and looks for every moment: one that never comes is an error like any other.
-    #[must_use]
     pub fn check(files: &dyn Files) -> Loaded {
         Self::check_with(files, SceneFormats::standard())
     }
 
     /// The same, with scenes spelt as these formats have it.
-    #[must_use]
     pub fn check_with(files: &dyn Files, formats: SceneFormats) -> Loaded {
         let moments = Moments::Now;
         load(files, Reading { formats, moments })

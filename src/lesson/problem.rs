@@ -43,7 +43,6 @@ pub struct Problem {
 
 impl Problem {
     /// The stable name of this kind of mistake.
-    #[must_use]
     pub const fn code(&self) -> &'static str {
         self.what.code
     }
@@ -56,7 +55,6 @@ impl Problem {
     ///     |           ^
     ///     = Expected: [xmin, ymin, xmax, ymax], with xmin < xmax and ymin < ymax.
     /// ```
-    #[must_use]
     pub fn render(&self, catalog: &Catalog) -> String {
         let mut text = self.file.clone();
         if let Some(place) = &self.place {

@@ -36,7 +36,6 @@ pub struct LessonStep {
 impl LessonStep {
     /// What it locks among these handles of a scene, as long as that lies where the lesson has it: in another scene all is
     /// free.
-    #[must_use]
     pub fn locks_in(&self, scene: &Scene, handles: &[Handle]) -> &[Lock] {
         let (own, now) = (self.scene.document(), scene.document());
         let is_elsewhere = |&handle: &Handle| {
@@ -51,14 +50,12 @@ impl LessonStep {
 
     /// The step of the first method's run at which its moment comes; `None` where it never does. The run is recorded
     /// when this is first asked for.
-    #[must_use]
     pub fn position(&self) -> Option<usize> {
         let find = || self.scene.document().record().first()?.find(&self.moment);
         *self.stop.found.get_or_init(find)
     }
 
     /// What is wrong with its moment, if it never comes.
-    #[must_use]
     pub fn problem(&self) -> Option<Problem> {
         if self.position().is_some() {
             return None;
@@ -145,7 +142,6 @@ impl CodeView {
     pub const ALL: [Self; 3] = [Self::Full, Self::Words, Self::Hidden];
 
     /// As lesson files spell it.
-    #[must_use]
     pub const fn id(self) -> &'static str {
         match self {
             Self::Full => "full",

@@ -26,7 +26,6 @@ pub struct CpuPainter {
 
 impl CpuPainter {
     /// A painter that knows no textures yet.
-    #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
@@ -62,7 +61,6 @@ impl CpuPainter {
     ///
     /// Triangles of unknown textures, with indices out of range or corners that are not finite,
     /// are left out; nothing that egui or a widget can send makes it panic.
-    #[must_use]
     pub fn paint(
         &self,
         primitives: &[ClippedPrimitive],

@@ -27,7 +27,6 @@ pub fn length_in(ends: [Pos2; 2], rect: Rect) -> f32 {
 }
 
 /// Does a line come into a rectangle? Along its border it does not.
-#[must_use]
 pub fn crosses(ends: [Pos2; 2], rect: Rect) -> bool {
     cut_to(ends, rect).is_some_and(|[a, b]| {
         // What is seen of a line is a chord of the rectangle: it is on the border if its middle is.

@@ -54,7 +54,6 @@ const MONOSPACE: [&str; 5] = [
 ];
 
 /// The family for the one thing that matters in a row: Inter's semibold cut.
-#[must_use]
 pub fn semibold() -> FontFamily {
     FontFamily::Name("semibold".into())
 }
@@ -64,7 +63,6 @@ pub fn semibold() -> FontFamily {
 /// The families are `Proportional`, `Monospace` and [`semibold`]. No font is scaled or shifted:
 /// egui sets them on one baseline, and their capitals are alike (0.727 to 0.733 of the size), as
 /// are the centres of Noto's Chinese characters.
-#[must_use]
 pub fn definitions() -> FontDefinitions {
     let mut fonts = FontDefinitions::empty();
     for (name, bytes) in FILES {

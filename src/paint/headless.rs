@@ -34,7 +34,6 @@ pub struct Headless {
 
 impl Headless {
     /// A drawing table with a theme.
-    #[must_use]
     pub fn new(kind: ThemeKind) -> Self {
         let ctx = egui::Context::default();
         // Shortcuts are written out differently on a Mac: not in a figure.
@@ -54,7 +53,6 @@ impl Headless {
     }
 
     /// The theme it draws with.
-    #[must_use]
     pub fn theme(&self) -> &'static Theme {
         Theme::of(self.kind)
     }

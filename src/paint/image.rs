@@ -19,7 +19,6 @@ impl Image {
     ///
     /// If `rgba` does not hold four bytes for every pixel of `size`, or there is no pixel: no
     /// painter makes such an image.
-    #[must_use]
     pub fn to_png(&self) -> Vec<u8> {
         let rgb: Vec<u8> = self
             .rgba

@@ -48,7 +48,6 @@ const AT_MARKER: f32 = 1.5;
 const GAP: f32 = 2.5;
 
 /// All parts of the marks, lowest first; arrows stop short of markers. What is about `lit` has a glow, too.
-#[must_use]
 pub fn pieces<'a>(
     viewport: &Viewport,
     theme: &Theme,

@@ -62,7 +62,6 @@ pub enum Marker {
 }
 
 /// The parts of a shape, those that lie under others first. Lines without ends reach beyond the stage.
-#[must_use]
 pub fn parts<'a>(viewport: &Viewport, shape: &'a Shape) -> Vec<Part<'a>> {
     let at = |p: &[f64; 2]| viewport.to_screen(*p);
     let all = |points: &[[f64; 2]]| points.iter().map(at).collect::<Vec<_>>();
@@ -117,7 +116,6 @@ pub fn parts<'a>(viewport: &Viewport, shape: &'a Shape) -> Vec<Part<'a>> {
 }
 
 /// The part of a world rectangle, possibly without end, that is on the stage.
-#[must_use]
 pub fn visible(viewport: &Viewport, [a, b]: [[f64; 2]; 2]) -> Rect {
     let rect = viewport.rect;
     let along = |i: usize, value: f64, min: f32, max: f32| {

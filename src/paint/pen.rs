@@ -41,7 +41,6 @@ pub struct Pen {
 
 impl Pen {
     /// For a mark.
-    #[must_use]
     pub fn of(theme: &Theme, mark: &Mark) -> Self {
         let is_cut_off = mark.role == Role::Discarded && matches!(mark.shape, Shape::Segment(_));
         let colour = if is_cut_off {
@@ -70,7 +69,6 @@ impl Pen {
     }
 
     /// For a crowd: the more there are, the quieter each is, so that the focused segment stays in front.
-    #[must_use]
     pub fn of_crowd(theme: &Theme, mark: &Mark, n: usize) -> Self {
         let pen = Self::of(theme, mark);
         let is_living = mark.role == Role::Accent;
@@ -92,7 +90,6 @@ impl Pen {
 }
 
 /// Of lines and markers: at least 3 : 1 on every ground.
-#[must_use]
 pub const fn stroke_colour(theme: &Theme, role: Role) -> Color32 {
     match role {
         Role::Ink => theme.ink,
@@ -105,7 +102,6 @@ pub const fn stroke_colour(theme: &Theme, role: Role) -> Color32 {
 }
 
 /// Of labels: at least 4.5 : 1 on the stage.
-#[must_use]
 pub const fn text_colour(theme: &Theme, role: Role) -> Color32 {
     match role {
         Role::Ink => theme.ink,
@@ -167,7 +163,6 @@ fn width(mark: &Mark) -> f32 {
 }
 
 /// Room that a marker takes around its point, in points; a bound reaches to one side only.
-#[must_use]
 pub fn radius(theme: &Theme, marker: Marker, mark: &Mark) -> f32 {
     let is_small = matches!(mark.role, Role::Soft | Role::Faint);
     let radius = match marker {

@@ -60,7 +60,6 @@ pub fn stage(
 }
 
 /// Where the labels of these marks would stand, and what they keep off.
-#[must_use]
 pub fn arrange(
     painter: &Painter,
     viewport: &Viewport,

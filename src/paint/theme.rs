@@ -36,7 +36,6 @@ impl ThemeKind {
     pub const ALL: [Self; 3] = [Self::Light, Self::Dark, Self::Projector];
 
     /// The name used in files and on the command line.
-    #[must_use]
     pub fn id(self) -> &'static str {
         match self {
             Self::Light => "light",
@@ -175,26 +174,22 @@ const PROJECTOR: Theme = Theme {
 };
 
 /// The text style of the caption: 14.5 px.
-#[must_use]
 pub fn caption() -> TextStyle {
     TextStyle::Name("caption".into())
 }
 
 /// The caption's first words, the decision: semibold.
-#[must_use]
 pub fn caption_strong() -> TextStyle {
     TextStyle::Name("caption strong".into())
 }
 
 /// Body text in semibold: the one thing that matters in a row.
-#[must_use]
 pub fn strong() -> TextStyle {
     TextStyle::Name("strong".into())
 }
 
 impl Theme {
     /// The theme of a kind.
-    #[must_use]
     pub fn of(kind: ThemeKind) -> &'static Self {
         match kind {
             ThemeKind::Light => &LIGHT,
@@ -204,13 +199,11 @@ impl Theme {
     }
 
     /// A line of a figure, `width` px wide before the theme's factor.
-    #[must_use]
     pub fn stroke(&self, width: f32, color: Color32) -> Stroke {
         Stroke::new(width * self.stroke_scale, color)
     }
 
     /// The egui style of this theme.
-    #[must_use]
     pub fn style(&self) -> Style {
         let mut style = Style {
             text_styles: self.text_styles(),

@@ -27,7 +27,6 @@ pub struct Typeset {
 
 impl Typeset {
     /// A value as it stands alone: in a table, beside a mark.
-    #[must_use]
     pub fn value(
         painter: &Painter,
         catalog: &Catalog,
@@ -39,7 +38,6 @@ impl Typeset {
     }
 
     /// A formula.
-    #[must_use]
     pub fn formula(
         painter: &Painter,
         catalog: &Catalog,
@@ -51,7 +49,6 @@ impl Typeset {
     }
 
     /// A sentence on one line.
-    #[must_use]
     pub fn message(
         painter: &Painter,
         catalog: &Catalog,
@@ -63,13 +60,11 @@ impl Typeset {
     }
 
     /// Words.
-    #[must_use]
     pub fn text(painter: &Painter, text: impl AsRef<str>, font: FontId, colour: Color32) -> Self {
         Self::line(painter, &[Span::text(text.as_ref(), font, colour)])
     }
 
     /// Spans after each other on one line.
-    #[must_use]
     pub fn line(painter: &Painter, spans: &[Span]) -> Self {
         let script = Script::new(spans);
         let row = SetRow::new(painter, &script, 0..script.chars.len());
@@ -78,14 +73,12 @@ impl Typeset {
 
     /// Spans after each other on lines of at most this width. A line does not break within a coordinate, a
     /// formula or a term that fits on one; where a formula does not, it goes on before a relation.
-    #[must_use]
     pub fn wrapped(painter: &Painter, spans: &[Span], width: f32) -> Self {
         let script = Script::new(spans);
         Self::of_rows(&wrapped(painter, &script, width), &script)
     }
 
     /// Running text: the same on lines that are at least so high. A line feed begins another line.
-    #[must_use]
     pub fn running(painter: &Painter, spans: &[Span], width: f32, line_height: f32) -> Self {
         let mut rows = Vec::new();
         for line in lines(spans) {
@@ -125,25 +118,21 @@ impl Typeset {
 
     /// Of the box around it, in points. What is set on one line has its capitals in the middle of its height,
     /// with a quotient as without.
-    #[must_use]
     pub fn size(&self) -> Vec2 {
         self.galley.size()
     }
 
     /// From the top of the box to the line that the letters of the first row stand on.
-    #[must_use]
     pub const fn baseline(&self) -> f32 {
         self.baseline
     }
 
     /// How many lines it takes.
-    #[must_use]
     pub fn n_rows(&self) -> usize {
         self.galley.rows.len()
     }
 
     /// For a [`Label`](egui::Label) whose text can be selected.
-    #[must_use]
     pub fn galley(&self) -> Arc<Galley> {
         self.galley.clone()
     }

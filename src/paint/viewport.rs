@@ -21,7 +21,6 @@ const LEAST_MARGIN_PTS: f64 = 26.0;
 
 impl Viewport {
     /// Shows the world rectangle from `min` to `max` as large as it fits, with a margin.
-    #[must_use]
     pub fn fit(rect: Rect, [min, max]: [[f64; 2]; 2]) -> Self {
         let available = [f64::from(rect.width()), f64::from(rect.height())].map(|s| s.max(1.0));
         let shorter = available[0].min(available[1]);
@@ -40,7 +39,6 @@ impl Viewport {
 
     /// Where a world point is drawn. Far outside it is moved to a distance that f32 can hold, in its own
     /// direction from the centre, so that lines keep their slope.
-    #[must_use]
     pub fn to_screen(&self, at: [f64; 2]) -> Pos2 {
         const FAR: f64 = 1e6;
         let from_centre = DVec2::from(at) - DVec2::from(self.centre);
@@ -54,7 +52,6 @@ impl Viewport {
     }
 
     /// The world point under a place on the screen.
-    #[must_use]
     pub fn to_world(&self, at: Pos2) -> [f64; 2] {
         let offset = at - self.rect.center();
         let offset = DVec2::new(f64::from(offset.x), -f64::from(offset.y));
@@ -62,7 +59,6 @@ impl Viewport {
     }
 
     /// Distance of grid lines in world units: 1, 2 or 5 times a power of ten, at least `min_pts` apart.
-    #[must_use]
     pub fn grid_step(&self, min_pts: f64) -> f64 {
         let wanted = min_pts / self.scale;
         let power = libm::pow(10.0, libm::log10(wanted).floor());

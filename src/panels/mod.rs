@@ -22,7 +22,6 @@ pub use plots::{PowerLine, power_plot, still_plot};
 pub use spots::{Reach, spots};
 
 /// The panels of all labs, in the order of their tabs.
-#[must_use]
 pub fn all() -> Vec<Box<dyn LabPanel>> {
     vec![
         Box::<lines::LinesPanel>::default(),

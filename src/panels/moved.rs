@@ -6,7 +6,6 @@ use crate::{figure::Lens, labs::Motion};
 
 /// The world point of a handle at `from` that was moved to a place on the drawing, as its kind may move; where no
 /// movement on the drawing could mean one along its axis, it stays.
-#[must_use]
 pub fn moved_to(lens: &Lens, motion: Motion, from: [f64; 3], to: [f64; 2]) -> [f64; 3] {
     match motion {
         Motion::Plane | Motion::FacingEye => lens.world_from_drawing(to, from),

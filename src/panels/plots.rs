@@ -6,7 +6,6 @@ use egui_plot::{Line, LineStyle, Plot, PlotPoint, Text};
 use crate::widgets::Look;
 
 /// A plot that only shows: it has no axes and cannot be moved.
-#[must_use]
 pub fn still_plot(key: &str) -> Plot<'static> {
     Plot::new(key)
         .show_axes(false)

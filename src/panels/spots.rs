@@ -36,7 +36,6 @@ pub struct Reach<'a> {
 /// Spots of the scene's handles, in their order. Of very many vertices only those within reach have one: the
 /// first, those near the pointer, the focused one and its neighbours, so that Tab walks along the outline.
 /// The handles that are no vertices come first then, where Tab finds them.
-#[must_use]
 pub fn spots(
     look: Look<'_>,
     scene: &Scene,

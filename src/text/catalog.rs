@@ -33,7 +33,6 @@ macro_rules! catalogues {
         pub const AREAS: [&str; [$($area),*].len()] = [$($area),*];
 
         /// The Fluent source of one language's catalogue: a text for each of [`AREAS`], in order.
-        #[must_use]
         pub const fn sources(lang: Lang) -> [&'static str; AREAS.len()] {
             match lang {
                 Lang::En => [$(ftl!("en", $area)),*],
@@ -70,7 +69,6 @@ pub struct Catalog {
 
 impl Catalog {
     /// The catalogue of one language.
-    #[must_use]
     pub fn of(lang: Lang) -> &'static Self {
         static CATALOGS: [OnceLock<Catalog>; Lang::ALL.len()] =
             [const { OnceLock::new() }; Lang::ALL.len()];
@@ -78,7 +76,6 @@ impl Catalog {
     }
 
     /// Which language this is.
-    #[must_use]
     pub fn lang(&self) -> Lang {
         self.lang
     }
@@ -87,20 +84,17 @@ impl Catalog {
     ///
     /// A missing key is shown as `⟦key⟧` and a missing value as `⟦$name⟧`: a fault to see, never a
     /// reason to stop a lecture.
-    #[must_use]
     pub fn message(&self, message: &Message) -> String {
         Piece::plain(&self.message_pieces(message))
     }
 
     /// [`message`](Self::message), to be set: its values are kept whole, and written alike.
-    #[must_use]
     pub fn message_pieces(&self, message: &Message) -> Vec<Piece> {
         let notation = Notation::of(message.args.iter().map(|(_, value)| value));
         self.message_pieces_as(message, notation)
     }
 
     /// The same with its numbers written in this way.
-    #[must_use]
     pub fn message_pieces_as(&self, message: &Message, notation: Notation) -> Vec<Piece> {
         let text = self.resolve(message.key, &message.args);
         let mut pieces = Vec::new();
@@ -124,13 +118,11 @@ impl Catalog {
     }
 
     /// The sentence or word of a key that takes no values.
-    #[must_use]
     pub fn term(&self, key: &str) -> String {
         self.resolve(key, &[])
     }
 
     /// The variables of a message, each once: the same ones in every language, as a test sees to.
-    #[must_use]
     pub fn variables(key: &str) -> &'static [&'static str] {
         static KNOWN: LazyLock<HashMap<&'static str, Vec<&'static str>>> =
             LazyLock::new(|| sources(Lang::En).into_iter().flat_map(variables).collect());

@@ -19,7 +19,6 @@ pub struct Diagnostic {
 
 impl Diagnostic {
     /// This sentence, and the code that its key ends in.
-    #[must_use]
     pub fn new(message: Message) -> Self {
         let key = message.key;
         let code = ["error-", "problem-", "case-", "system-"]
@@ -34,14 +33,12 @@ impl Diagnostic {
     }
 
     /// The same under another code.
-    #[must_use]
     pub const fn coded(mut self, code: &'static str) -> Self {
         self.code = code;
         self
     }
 
     /// The same with one more note.
-    #[must_use]
     pub fn noting(mut self, note: Message) -> Self {
         self.notes.push(note);
         self

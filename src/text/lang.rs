@@ -30,7 +30,6 @@ impl Lang {
     pub const ALL: [Self; 4] = [Self::En, Self::ZhCn, Self::Es, Self::PtBr];
 
     /// The BCP 47 tag that files and the command line use.
-    #[must_use]
     pub const fn id(self) -> &'static str {
         match self {
             Self::En => "en",
@@ -41,7 +40,6 @@ impl Lang {
     }
 
     /// The language's name in itself: what its reader looks for in a menu.
-    #[must_use]
     pub const fn native_name(self) -> &'static str {
         match self {
             Self::En => "English",
@@ -56,7 +54,6 @@ impl Lang {
     /// Only the language counts, not the region or script: a reader in Lisbon or Taipei is better
     /// served by the nearest catalogue than by English. `None` for a language there is no
     /// catalogue for, and for `C` and `POSIX`.
-    #[must_use]
     pub fn from_locale(tag: &str) -> Option<Self> {
         let language = tag.split(['-', '_', '.', '@']).next()?;
         match language.to_ascii_lowercase().as_str() {
@@ -69,7 +66,6 @@ impl Lang {
     }
 
     /// What stands between a number's integer part and its decimals.
-    #[must_use]
     pub const fn decimal_separator(self) -> char {
         match self {
             Self::En | Self::ZhCn => '.',
@@ -78,7 +74,6 @@ impl Lang {
     }
 
     /// What stands between coordinates: never to be taken for a decimal separator.
-    #[must_use]
     pub const fn list_separator(self) -> &'static str {
         match self {
             Self::En | Self::ZhCn => ", ",

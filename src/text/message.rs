@@ -13,7 +13,6 @@ pub struct Message {
 
 impl Message {
     /// A message without arguments yet.
-    #[must_use]
     pub const fn new(key: &'static str) -> Self {
         Self {
             key,
@@ -22,7 +21,6 @@ impl Message {
     }
 
     /// The same message with the variable `name` filled in.
-    #[must_use]
     pub fn with(mut self, name: &'static str, value: impl Into<Value>) -> Self {
         self.args.push((name, value.into()));
         self
@@ -149,85 +147,71 @@ pub enum Token {
 
 impl Formula {
     /// An empty one whose numbers will be decimals, also where they have short fractions.
-    #[must_use]
     pub fn decimals() -> Self {
         Self(vec![Token::Decimals])
     }
 
     /// Appends a symbol, shown as it is.
-    #[must_use]
     pub fn sym(self, symbol: impl Into<Cow<'static, str>>) -> Self {
         self.push(Token::Sym(symbol.into()))
     }
 
     /// Appends a number.
-    #[must_use]
     pub fn num(self, x: f64) -> Self {
         self.push(Token::Number(x))
     }
 
     /// Appends a number, in parentheses when it is negative.
-    #[must_use]
     pub fn operand(self, x: f64) -> Self {
         self.push(Token::Operand(x))
     }
 
     /// Appends a number that is divided by what follows.
-    #[must_use]
     pub fn dividend(self, x: f64) -> Self {
         self.push(Token::Dividend(x))
     }
 
     /// Appends a number that what stands before is divided by.
-    #[must_use]
     pub fn divisor(self, x: f64) -> Self {
         self.push(Token::Divisor(x))
     }
 
     /// Appends the quotient `num/den`.
-    #[must_use]
     pub fn ratio(self, num: f64, den: f64) -> Self {
         self.push(Token::Ratio { num, den })
     }
 
     /// Appends a quotient of two formulas.
-    #[must_use]
     pub fn over(self, num: Self, den: Self) -> Self {
         self.push(Token::Over { num, den })
     }
 
     /// Appends a point in the plane.
-    #[must_use]
     pub fn point(self, p: [f64; 2]) -> Self {
         self.push(Token::Point(p))
     }
 
     /// Appends a place in space: `(−1, 0.5, 2)`.
-    #[must_use]
     pub fn place(self, at: [f64; 3]) -> Self {
         self.sym("(").list(&at).sym(")")
     }
 
     /// Appends `=` or `≈` and the quotient `num/den`.
-    #[must_use]
     pub fn equals_ratio(self, num: f64, den: f64) -> Self {
         self.push(Token::EqualsRatio { num, den })
     }
 
     /// Appends several numbers: the arguments of `max`.
-    #[must_use]
     pub fn list(self, numbers: &[f64]) -> Self {
         self.push(Token::List(numbers.to_vec()))
     }
 
     /// Appends a word of the catalogue.
-    #[must_use]
     pub fn term(self, key: &'static str) -> Self {
         self.push(Token::Term(key))
     }
 
     /// Appends what the arithmetic comes to, with `=` or, where the shown number is rounded, `≈`.
-    #[must_use]
     pub fn equals(self, x: f64) -> Self {
         self.push(Token::Equals(x))
     }

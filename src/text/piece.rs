@@ -23,7 +23,6 @@ pub enum Piece {
 
 impl Piece {
     /// Words with the subscripts that are in them: a letter by itself, `_`, and a run of letters and digits.
-    #[must_use]
     pub fn words(text: &str) -> Vec<Self> {
         let mut pieces = Vec::new();
         let mut rest = text;
@@ -43,7 +42,6 @@ impl Piece {
     pub const RELATIONS: [char; 7] = ['=', '≈', '≠', '<', '>', '≤', '≥'];
 
     /// A formula in steps, each but the first beginning with its relation.
-    #[must_use]
     pub fn steps(formula: &[Self]) -> Vec<Vec<Self>> {
         let mut steps = vec![Vec::new()];
         for piece in formula {
@@ -67,7 +65,6 @@ impl Piece {
     }
 
     /// The same as a line of plain text: `1/4`, `(a − b) / c`, `u_min`.
-    #[must_use]
     pub fn plain(pieces: &[Self]) -> String {
         let mut text = String::new();
         write_plain(pieces, &mut text);

@@ -2,7 +2,6 @@
 
 /// The numbers in a text, with white space, commas or semicolons between them, in parentheses or without; `None` where
 /// something is no number. `−1.5`, `1/4`, `(2, −3/2)`. Where semicolons part them, a comma is a decimal point.
-#[must_use]
 pub fn read_numbers(text: &str) -> Option<Vec<f64>> {
     let text = text.trim();
     let inner = text

@@ -13,7 +13,6 @@ pub struct SystemError {
 
 impl SystemError {
     /// Of this kind, without a number.
-    #[must_use]
     pub const fn of_kind(kind: io::ErrorKind) -> Self {
         Self { kind, number: None }
     }

@@ -7,13 +7,11 @@ use super::piece::Piece;
 
 impl Catalog {
     /// A value as it stands alone, to be set: in a table, beside a mark.
-    #[must_use]
     pub fn value_pieces(&self, value: &Value) -> Vec<Piece> {
         self.value_pieces_as(value, Notation::of([value]))
     }
 
     /// A value to be set beside others that are written in the same way.
-    #[must_use]
     pub fn value_pieces_as(&self, value: &Value, notation: Notation) -> Vec<Piece> {
         let writer = self.writer(notation);
         match value {
@@ -29,7 +27,6 @@ impl Catalog {
     }
 
     /// Arithmetic to be set. All of its numbers are fractions, or all are decimals, as far as they are not whole.
-    #[must_use]
     pub fn formula_pieces(&self, formula: &Formula) -> Vec<Piece> {
         let mut numbers = Vec::new();
         collect(formula, &mut numbers);
@@ -37,31 +34,26 @@ impl Catalog {
     }
 
     /// Arithmetic to be set beside values that are written in the same way.
-    #[must_use]
     pub fn formula_pieces_as(&self, formula: &Formula, notation: Notation) -> Vec<Piece> {
         self.writer(notation).formula(formula)
     }
 
     /// A value as it stands alone: in a table, beside a mark.
-    #[must_use]
     pub fn value(&self, value: &Value) -> String {
         Piece::plain(&self.value_pieces(value))
     }
 
     /// A value beside others that are written in the same way.
-    #[must_use]
     pub fn value_as(&self, value: &Value, notation: Notation) -> String {
         Piece::plain(&self.value_pieces_as(value, notation))
     }
 
     /// Arithmetic, with this language's decimal separator and words.
-    #[must_use]
     pub fn formula(&self, formula: &Formula) -> String {
         Piece::plain(&self.formula_pieces(formula))
     }
 
     /// Arithmetic beside values that are written in the same way.
-    #[must_use]
     pub fn formula_as(&self, formula: &Formula, notation: Notation) -> String {
         Piece::plain(&self.formula_pieces_as(formula, notation))
     }
@@ -71,7 +63,6 @@ impl Catalog {
     /// An integer plainly; a fraction where that is exact and short, `3/8` or `5/3`; an exact short
     /// decimal, `1.5`; else four significant digits, `0.3827`, never cutting into the integer part.
     /// Below 10⁻⁴ and from 10⁹ on, `1.234×10⁹`. The minus is U+2212 and zero has no sign.
-    #[must_use]
     pub fn number(&self, x: f64) -> String {
         let written = Quantity::Number(x).written(self.lang(), Notation::Own);
         written.to_string()
@@ -79,7 +70,6 @@ impl Catalog {
 
     /// A point in the plane: `(−1, 3/8)`, or `(−1; 1,5)` where the comma is the decimal separator. Both
     /// coordinates are fractions or both decimals, as far as they are not whole.
-    #[must_use]
     pub fn point(&self, p: [f64; 2]) -> String {
         self.value(&Value::Point(p))
     }
@@ -95,7 +85,6 @@ impl Catalog {
 
 impl Notation {
     /// How the numbers of all these values are written beside each other: of points, formulas and sentences too.
-    #[must_use]
     pub fn of<'a>(values: impl IntoIterator<Item = &'a Value>) -> Self {
         let mut numbers = Vec::new();
         for value in values {

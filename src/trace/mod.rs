@@ -4,6 +4,11 @@
 //! which has the answer after the end, and tells small events as it goes. A program runs it with [`silent`]: nobody listens,
 //! and what is told compiles to nothing. A [`Recording`] runs it over [`Counted`], and keeps the events and how many operations had
 //! been done by each. To show step *k*, the run is made again up to its *k*-th event.
+#![warn(
+    missing_docs,
+    clippy::must_use_candidate,
+    clippy::return_self_not_must_use
+)]
 
 mod counts;
 pub mod laws;

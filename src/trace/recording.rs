@@ -209,6 +209,9 @@ impl<M: Method> Recording<M> {
     }
 
     /// Shows one step.
+    ///
+    /// # Panics
+    /// Where the run, made again, does not tell what it told: a law that every method is tested for.
     pub fn at<T>(&self, n_steps: usize, look: impl FnOnce(&Step<'_, M>) -> T) -> T {
         let n = n_steps.min(self.events.len());
         let mut look = Some(look);

@@ -67,7 +67,6 @@ pub struct StageClick {
 
 /// The world point that a place on the stage stands for: on the grid where handles keep to it, unless Shift or Alt
 /// is held.
-#[must_use]
 pub fn place_at(ui: &Ui, viewport: &Viewport, at: Pos2, snap: bool) -> [f64; 2] {
     let exact = viewport.to_world(at);
     if !snap || is_off_grid(ui) {
@@ -103,7 +102,6 @@ pub struct CanvasShown {
 
 impl Canvas<'_> {
     /// Draws the stage.
-    #[must_use]
     pub fn show(self, ui: &mut Ui) -> CanvasShown {
         let viewport = self.viewport;
         let response = ui.interact(viewport.rect, self.id, Sense::click_and_drag());

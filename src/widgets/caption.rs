@@ -23,7 +23,6 @@ const MOST_MEASURED: usize = 4;
 
 /// Height of the bar that has room for each of these captions, whole, in lines of at most `width` points: the same at
 /// every step, so that nothing moves.
-#[must_use]
 pub fn height_for_all(
     painter: &Painter,
     look: Look<'_>,
@@ -50,7 +49,6 @@ pub fn height_for_all(
 }
 
 /// The caption as plain text, for screen readers and tooltips.
-#[must_use]
 pub fn caption_text(catalog: &Catalog, caption: &Caption) -> String {
     let formulas = caption.arithmetic.iter();
     let arithmetic = in_a_row(formulas.map(|f| catalog.formula_pieces(f)).collect());
@@ -80,7 +78,6 @@ pub struct CaptionLayout(Typeset);
 impl CaptionLayout {
     /// Sets a caption in lines. Where it does not fit into the room it is smaller, and where that is not enough, steps are
     /// left out from the middle of its arithmetic; the decision is always whole.
-    #[must_use]
     pub fn new(painter: &Painter, look: Look<'_>, caption: &Caption, room: Vec2) -> Self {
         let style = painter.ctx().global_style();
         let font = |of: TextStyle, part: f32| {
@@ -110,7 +107,6 @@ impl CaptionLayout {
     }
 
     /// Of all its lines.
-    #[must_use]
     pub fn height(&self) -> f32 {
         self.0.size().y
     }

@@ -48,7 +48,6 @@ pub struct Composition<'a> {
 
 impl Composition<'_> {
     /// The width that words have in each column.
-    #[must_use]
     pub fn column_width(&self, area: Rect) -> f32 {
         let Spacing {
             margin,
@@ -62,7 +61,6 @@ impl Composition<'_> {
 
     /// Finds where everything stands, and draws what stands over all columns: the step's title. The heights are those of
     /// the caption and of the cost.
-    #[must_use]
     pub fn lay_out(
         &self,
         ui: &Ui,
@@ -149,7 +147,6 @@ fn headline(painter: &Painter, theme: &Theme, title: &str, width: f32) -> Typese
 }
 
 /// A slot on the screen.
-#[must_use]
 pub fn rect_of(slot: Slot) -> Rect {
     let [min, max] = [slot.min, slot.max].map(|[x, y]| pos2(x, y));
     Rect::from_min_max(min, max)

@@ -26,7 +26,6 @@ const BAR: f32 = 5.0;
 const OTHER_BAR: f32 = 4.0;
 
 /// The most operations of one kind that any of these runs has done: for bars of one scale.
-#[must_use]
 pub fn most_of_a_kind(runs: &[Counts]) -> u64 {
     let counts = runs.iter().flat_map(|run| KINDS.map(|kind| (kind.of)(run)));
     counts.max().unwrap_or_default()
@@ -100,7 +99,6 @@ pub struct Bars<'a> {
 
 impl<'a> Bars<'a> {
     /// Finds how many stand beside each other.
-    #[must_use]
     pub fn new(painter: &Painter, look: Look<'a>, cost: &'a Cost<'a>, width: f32) -> Self {
         let style = painter.ctx().global_style();
         let mut bars = Self {
@@ -127,7 +125,6 @@ impl<'a> Bars<'a> {
     }
 
     /// Of all of it.
-    #[must_use]
     pub fn height(&self) -> f32 {
         let n_rows = KINDS.len().div_ceil(self.n_columns);
         n_rows as f32 * self.row_height()

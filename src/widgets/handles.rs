@@ -304,7 +304,6 @@ fn grip(ui: &Ui, id: Id) -> Option<Grip> {
 }
 
 /// The index of the handle of a canvas that is being dragged.
-#[must_use]
 pub fn gripped(ui: &Ui, id: Id) -> Option<usize> {
     grip(ui, id).map(|grip| grip.spot)
 }

@@ -12,7 +12,6 @@ use crate::{
 const REACH: f32 = 8.0;
 
 /// The link of the topmost mark with one within reach of a place on the screen; else of the face of a solid there.
-#[must_use]
 pub fn link_at(viewport: &Viewport, marks: &[Mark], at: Pos2) -> Option<Link> {
     let mut nearby = Vec::new();
     for mark in marks.iter().rev() {

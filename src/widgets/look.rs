@@ -13,7 +13,6 @@ pub struct Look<'a> {
 
 impl Look<'_> {
     /// A word or sentence without values.
-    #[must_use]
     pub fn say(&self, key: &str) -> String {
         self.catalog.term(key)
     }

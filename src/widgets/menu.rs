@@ -68,7 +68,6 @@ pub fn language_menu(ui: &mut Ui, current: Lang) -> Option<Lang> {
 }
 
 /// Catalogue key of a theme's name.
-#[must_use]
 pub const fn theme_key(kind: ThemeKind) -> &'static str {
     match kind {
         ThemeKind::Light => "theme-light",

@@ -20,7 +20,6 @@ pub struct PanZoom {
 
 impl PanZoom {
     /// The view of a viewport.
-    #[must_use]
     pub const fn of(viewport: &Viewport) -> Self {
         Self {
             centre: viewport.centre,
@@ -29,7 +28,6 @@ impl PanZoom {
     }
 
     /// This view in a rectangle on the screen.
-    #[must_use]
     pub const fn on(self, rect: Rect) -> Viewport {
         Viewport {
             rect,
@@ -39,7 +37,6 @@ impl PanZoom {
     }
 
     /// As near to this as the whole scene stays to be found again.
-    #[must_use]
     pub fn bounded(self, whole: &Viewport) -> Self {
         let scale = self
             .scale
@@ -54,7 +51,6 @@ impl PanZoom {
     }
 
     /// Moved with the pointer, by points on the screen.
-    #[must_use]
     pub fn panned(self, by: egui::Vec2) -> Self {
         Self {
             centre: [
@@ -66,7 +62,6 @@ impl PanZoom {
     }
 
     /// Zoomed by a factor; the world point under `around` stays there.
-    #[must_use]
     pub fn zoomed(self, rect: Rect, factor: f64, around: Pos2) -> Self {
         let fixed = self.on(rect).to_world(around);
         let scale = self.scale * factor;

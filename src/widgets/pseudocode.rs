@@ -66,7 +66,6 @@ pub struct Pseudocode<'a> {
 
 impl<'a> Pseudocode<'a> {
     /// Sets the lines, in smaller text where they would take more than `most`; none where they are hidden.
-    #[must_use]
     pub fn new(
         ui: &Ui,
         look: Look<'a>,
@@ -98,7 +97,6 @@ impl<'a> Pseudocode<'a> {
     }
 
     /// Of all lines.
-    #[must_use]
     pub fn height(&self) -> f32 {
         self.heights.iter().sum()
     }

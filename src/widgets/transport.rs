@@ -29,7 +29,6 @@ pub enum Press {
 }
 
 /// Width of the five buttons and the space between them.
-#[must_use]
 pub const fn transport_width() -> f32 {
     5.0 * 32.0 + 4.0 * 4.0
 }

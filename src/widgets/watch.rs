@@ -67,7 +67,6 @@ impl WatchRoom {
     }
 
     /// Of the highest table.
-    #[must_use]
     pub const fn height(&self) -> f32 {
         self.height
     }

@@ -90,7 +90,7 @@ fn every_algorithm_has_its_schema() {
     let found = SCHEMA["algorithms"].as_object().expect("an object");
     let ids: Vec<&str> = Solvers::standard()
         .iter()
-        .map(|solver| solver.id())
+        .map(clipscope::case::Solver::id)
         .collect();
     assert_eq!(found.keys().collect::<Vec<_>>(), ids);
     let window =

@@ -90,7 +90,7 @@ impl<P> Lists<P> {
     #[inline]
     pub(in crate::algo) fn into_list(self) -> P {
         let [first, second] = self.pair;
-        if self.n_passed % 2 == 0 {
+        if self.n_passed.is_multiple_of(2) {
             first
         } else {
             second

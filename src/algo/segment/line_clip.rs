@@ -75,6 +75,7 @@ pub trait Bounds<const N: usize>: Clone + PartialEq + Debug + 'static {
     ) -> ([R; 2], Self::Row);
 
     /// q as an event shows it: a zero has no sign.
+    #[must_use]
     fn shown(q: f64) -> f64 {
         q + 0.0
     }

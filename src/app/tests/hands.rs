@@ -71,7 +71,7 @@ fn a_handle_with_the_focus_takes_the_arrows_until_escape() {
 fn ends(bench: &Bench) -> [[f64; 2]; 2] {
     let scene = bench.app.scene().get::<lines::Scene>();
     let focused = scene.expect("the first lab").focused();
-    [focused.p1, focused.p2].map(|p| p.to_array())
+    [focused.p1, focused.p2].map(crate::geom::Point::to_array)
 }
 
 /// What is written into the field of a place.

@@ -40,7 +40,7 @@ impl Solve for CohenSutherland3d {
 
     fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
         let (bounds, ends) = (fields.need(&SOLID_BOX)?, fields.need(&SEGMENT)?);
-        Ok(CohenSutherland3dInput { bounds, ends }.into())
+        Ok(CohenSutherland3dInput { bounds, ends })
     }
 
     fn verdict(output: &VisibleLine<3>) -> Message {
@@ -54,7 +54,7 @@ impl Solve for LiangBarsky3d {
 
     fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
         let (bounds, ends) = (fields.need(&SOLID_BOX)?, fields.need(&SEGMENT)?);
-        Ok(LineInput { bounds, ends }.into())
+        Ok(LineInput { bounds, ends })
     }
 
     fn verdict(output: &VisibleLine<3>) -> Message {
@@ -68,7 +68,7 @@ impl Solve for PlaneLine {
 
     fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
         let (bounds, ends) = (fields.need(&PLANES)?, fields.need(&SEGMENT)?);
-        Ok(LineInput { bounds, ends }.into())
+        Ok(LineInput { bounds, ends })
     }
 
     fn verdict(output: &VisibleLine<3>) -> Message {
@@ -85,7 +85,7 @@ impl Solve for HomogeneousLine {
 
     fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
         let (bounds, ends) = (ClipSpace, fields.need(&CLIP_SEGMENT)?);
-        Ok(LineInput { bounds, ends }.into())
+        Ok(LineInput { bounds, ends })
     }
 
     fn verdict(output: &VisibleLine<4>) -> Message {

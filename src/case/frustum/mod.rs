@@ -65,7 +65,7 @@ impl Solve for PointPlanes {
 
     fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
         let (planes, point) = (planes(fields)?, fields.need(&POINT)?);
-        Ok(PointPlanesInput { planes, point }.into())
+        Ok(PointPlanesInput { planes, point })
     }
 
     fn verdict(output: &PointPlanesOutput) -> Message {
@@ -83,7 +83,7 @@ impl Solve for SphereCull {
 
     fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
         let (planes, sphere) = (planes(fields)?, fields.need(&SPHERE)?);
-        Ok(SphereCullInput { planes, sphere }.into())
+        Ok(SphereCullInput { planes, sphere })
     }
 
     fn verdict(output: &SphereCullOutput) -> Message {
@@ -103,7 +103,7 @@ impl Solve for BoxCull {
 
     fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
         let (planes, bounds) = (planes(fields)?, fields.need(&BOX)?);
-        Ok(BoxCullInput { planes, bounds }.into())
+        Ok(BoxCullInput { planes, bounds })
     }
 
     fn verdict(output: &BoxCullOutput) -> Message {
@@ -130,7 +130,7 @@ impl Solve for BackFace {
             Some(eye) => eye,
             None => fields.need(&VIEW_DIR)?,
         };
-        Ok(BackFaceInput { triangle, viewer }.into())
+        Ok(BackFaceInput { triangle, viewer })
     }
 
     fn verdict(output: &BackFaceOutput) -> Message {
@@ -166,7 +166,7 @@ impl Solve for ViewingPipeline {
             camera: *fields.need(&CAMERA)?.camera(),
             viewport: fields.need(&SIZE)?,
         };
-        Ok(input.into())
+        Ok(input)
     }
 
     fn verdict(output: &ViewingPipelineOutput) -> Message {
@@ -194,7 +194,7 @@ impl Solve for LineToPixels {
                 .with("max", BresenhamInput::MOST_PIXELS.to_string());
             fields.refuse(&TO, Fault::new(Code::TooLarge.id(), problem))
         })?;
-        Ok(LineToPixelsInput::Pixels(ends).into())
+        Ok(LineToPixelsInput::Pixels(ends))
     }
 
     fn verdict(output: &Vec<[i64; 2]>) -> Message {

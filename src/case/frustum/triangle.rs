@@ -53,7 +53,7 @@ impl Solve for PlaneAtATime {
     const OUTPUT: &'static [Field] = &LEFT;
 
     fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
-        read_planes(fields).map(Into::into)
+        read_planes(fields)
     }
 
     fn verdict(output: &CutTriangles) -> Message {
@@ -66,7 +66,7 @@ impl Solve for IntersectionPolygon {
     const OUTPUT: &'static [Field] = &LEFT;
 
     fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
-        read_planes(fields).map(Into::into)
+        read_planes(fields)
     }
 
     fn verdict(output: &CutTriangles) -> Message {
@@ -87,7 +87,7 @@ impl Solve for HomogeneousTriangle<Option<[f64; 2]>> {
             at: corners[i],
             attributes: uv.map(|uv| uv[i]),
         });
-        Ok(own.into())
+        Ok(own)
     }
 
     fn verdict(output: &ClipPolygon<Option<[f64; 2]>>) -> Message {

@@ -36,7 +36,6 @@ pub struct Spot {
 
 /// The spots of a tree from node 0, no more than there are columns and layers for; about `focus`, which is always shown. `below` has
 /// what is below each node to its left and to its right.
-#[must_use]
 pub fn layers(
     below: &[[Option<usize>; 2]],
     focus: Option<usize>,

@@ -12,7 +12,6 @@ const TURN: f64 = 2.4;
 
 /// The places in a room of this width and height, `apart` from each other as far as there is room for that. The same for the same
 /// places.
-#[must_use]
 pub fn spread(places: &[[f64; 2]], room: [f64; 2], apart: f64) -> Vec<[f64; 2]> {
     let mut spread: Vec<[f64; 2]> = places.to_vec();
     for (i, side) in room.into_iter().enumerate() {

@@ -13,14 +13,12 @@ pub struct Slot {
 
 impl Slot {
     /// Of this size, from its corner at the left and top.
-    #[must_use]
     pub const fn new(min: [f32; 2], size: [f32; 2]) -> Self {
         let max = [min[0] + size[0], min[1] + size[1]];
         Self { min, max }
     }
 
     /// Width and height.
-    #[must_use]
     pub const fn size(&self) -> [f32; 2] {
         [self.max[0] - self.min[0], self.max[1] - self.min[1]]
     }
@@ -75,7 +73,6 @@ impl ColumnLayout {
     }
 
     /// The place of a view; `None` where there is no room for it.
-    #[must_use]
     pub fn slot(&self, id: ViewId) -> Option<Slot> {
         let found = self.views.iter().find(|(of, _)| *of == id);
         found.map(|&(_, slot)| slot)

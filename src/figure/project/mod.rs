@@ -29,7 +29,6 @@ pub use projected::Projected;
 
 /// What is seen of a space: tints, then the solids with their edges, then the marks, each in parts where a solid hides
 /// some of it.
-#[must_use]
 pub fn project(space: &Space, lens: &Lens) -> Vec<Mark> {
     Projected::new(space, lens).marks().to_vec()
 }

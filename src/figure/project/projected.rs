@@ -39,7 +39,6 @@ struct Parts {
 
 impl Projected {
     /// Of a space that nothing is known of yet.
-    #[must_use]
     pub fn new(space: &Space, lens: &Lens) -> Self {
         let mut seen = Seen::of(space, lens, hides(space));
         let solids = seen.as_mut().map(|seen| seen.solids(space, lens));
@@ -58,7 +57,6 @@ impl Projected {
     }
 
     /// Of a space that may be the same in part.
-    #[must_use]
     pub fn again(self, space: &Space, lens: &Lens) -> Self {
         if self.lens != *lens || !self.has_solids_of(space) || hides(space) != hides(&self.space) {
             Self::new(space, lens)
@@ -70,7 +68,6 @@ impl Projected {
     }
 
     /// Tints, then the solids with their edges, then the marks, each in parts where a solid hides some of it.
-    #[must_use]
     pub const fn marks(&self) -> &Arc<[Mark]> {
         &self.marks
     }

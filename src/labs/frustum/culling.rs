@@ -34,7 +34,6 @@ impl Culling {
     pub const ALL: [Self; 3] = [Self::Nothing, Self::Rough, Self::Exact];
 
     /// Catalogue key of its name.
-    #[must_use]
     pub const fn name_key(self) -> &'static str {
         match self {
             Self::Nothing => "culling-nothing",
@@ -69,7 +68,6 @@ impl CullingTask {
     ///
     /// # Panics
     /// Never: the picture has a valid size.
-    #[must_use]
     pub fn new(scene: &Scene) -> Self {
         let camera = scene.culler();
         let mut spheres = SphereBatch::default();
@@ -147,7 +145,6 @@ impl CullingTask {
     }
 
     /// Which triangle is seen at each pixel of the last picture.
-    #[must_use]
     pub fn ids(&self) -> &[u32] {
         &self.ids
     }

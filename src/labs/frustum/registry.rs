@@ -86,7 +86,6 @@ pub static METHODS: [MethodEntry<MethodInfo>; 28] = [
 ///
 /// # Panics
 /// Never: its numbers are valid.
-#[must_use]
 pub fn first_scene() -> Scene {
     let method = FRUSTUM.method("funnel").expect("in the registry");
     let camera = TaughtCamera::new(

@@ -35,7 +35,6 @@ fn end_name(symbol: &str) -> Message {
 }
 
 /// The handle of an end of the focused segment.
-#[must_use]
 pub fn end(end: End) -> Handle {
     END[end.idx()].at([0, 0])
 }

@@ -7,7 +7,6 @@ use crate::{
 
 /// `count` segments whose ends lie in a box of twice the window's size around it, on a grid of "short"
 /// decimals. Only +, −, ×, ÷ and rounding are used, which IEEE 754 defines to the last bit.
-#[must_use]
 pub fn random_segments(window: &Window, count: usize, seed: u64) -> Vec<Segment> {
     let mut bits = SplitMix64(seed);
     let x = Span::around(window.min().x(), window.max().x());

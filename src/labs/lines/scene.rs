@@ -125,7 +125,6 @@ impl Scene {
     ///
     /// # Panics
     /// Never: its numbers are valid.
-    #[must_use]
     pub fn first() -> Self {
         let method = Method::by_id("cohen-sutherland").or_else(|| Method::all().next());
         let window = Window::new(-1.0, -1.0, 1.0, 1.0);
@@ -141,19 +140,16 @@ impl Scene {
     }
 
     /// At least one.
-    #[must_use]
     pub fn segments(&self) -> &[Segment] {
         &self.segments
     }
 
     /// Index of the segment whose clipping is stepped.
-    #[must_use]
     pub const fn focus(&self) -> usize {
         self.focus
     }
 
     /// The segment whose clipping is stepped.
-    #[must_use]
     pub fn focused(&self) -> Segment {
         self.segments[self.focus]
     }
@@ -204,14 +200,12 @@ impl Scene {
     }
 
     /// The convex region, where there is one and a method on stage can use it.
-    #[must_use]
     pub fn polygon_in_use(&self) -> Option<&ConvexPolygon> {
         let is_used = self.on_stage().any(|method| method.info().takes_polygon);
         self.clip.as_ref().filter(|_| is_used)
     }
 
     /// The convex region, or the window's outline where there is none.
-    #[must_use]
     pub fn clip_polygon(&self) -> ConvexPolygon {
         let window = || ConvexPolygon::from(self.window);
         self.clip.clone().unwrap_or_else(window)
@@ -219,7 +213,6 @@ impl Scene {
 
     /// The region that `method` clips against: the convex polygon where there is one and the method can
     /// use it, else the window.
-    #[must_use]
     pub fn region(&self, method: Method) -> ConvexPolygon {
         if method.info().takes_polygon {
             self.clip_polygon()

@@ -29,31 +29,26 @@ pub trait PolygonTelling: Telling<Scenery = ()> {
     fn input(scene: &Scene) -> Result<Self::Input, UnfitScene>;
 
     /// The vertex that an event asks whether it stays: where a row keeps or drops what it is about, that is this vertex.
-    #[must_use]
     fn asks(_: &Self::Event) -> Option<Point> {
         None
     }
 
     /// The clip edge at work, where one is asked at a time.
-    #[must_use]
     fn border(_: &Step<'_, Self>) -> Option<usize> {
         None
     }
 
     /// What an event says of a vertex of the subject that lies there, where that is not what its row decides.
-    #[must_use]
     fn tells(_: &Self::Event, _at: Point) -> Option<bool> {
         None
     }
 
     /// Where an event finds an intersection.
-    #[must_use]
     fn crossing(_: &Self::Event) -> Option<Point> {
         None
     }
 
     /// The outline of the piece that a step finishes.
-    #[must_use]
     fn piece(_: &Step<'_, Self>) -> Option<Vec<Point>> {
         None
     }

@@ -16,25 +16,21 @@ use super::{
 
 impl Scene {
     /// The clip polygon, where there is one and a method on stage clips.
-    #[must_use]
     pub fn clip_in_use(&self) -> Option<&Polygon> {
         self.clip.as_ref().filter(|_| self.clips())
     }
 
     /// Does a method on stage clip, so that there is a window or a clip polygon?
-    #[must_use]
     pub fn clips(&self) -> bool {
         self.on_stage().any(|method| method.info().clips)
     }
 
     /// Does a method on stage know holes?
-    #[must_use]
     pub fn knows_holes(&self) -> bool {
         self.on_stage().any(|method| method.info().knows_holes)
     }
 
     /// Does a method on stage carry texture coordinates along?
-    #[must_use]
     pub fn carries_texture(&self) -> bool {
         self.on_stage().any(|method| method.info().carries_texture)
     }

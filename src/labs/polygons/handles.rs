@@ -53,7 +53,6 @@ pub const fn corner_link(vertex_idx: usize) -> Link {
 
 impl SceneVertex {
     /// Its handle.
-    #[must_use]
     pub const fn handle(self) -> Handle {
         match self {
             Self::Subject(i) => VERTEX.at([i, 0]),
@@ -63,7 +62,6 @@ impl SceneVertex {
     }
 
     /// The vertex that a handle is of.
-    #[must_use]
     pub fn of(handle: Handle) -> Option<Self> {
         let [i, j] = handle.idx();
         let all = [Self::Subject(i), Self::Hole(i, j), Self::Clip(i)];
@@ -71,7 +69,6 @@ impl SceneVertex {
     }
 
     /// The one after it on its outline; not wrapped round.
-    #[must_use]
     pub const fn next(self) -> Self {
         match self {
             Self::Subject(i) => Self::Subject(i + 1),
@@ -81,7 +78,6 @@ impl SceneVertex {
     }
 
     /// Which of its outline's.
-    #[must_use]
     pub const fn idx(self) -> usize {
         match self {
             Self::Subject(i) | Self::Hole(_, i) | Self::Clip(i) => i,
@@ -128,7 +124,6 @@ impl Draggable for Scene {
 
 impl Scene {
     /// The outline that a vertex belongs to, where the scene has that vertex: a handle may be older than the scene.
-    #[must_use]
     pub fn ring_of(&self, vertex: SceneVertex) -> Option<&Polygon> {
         let ring = match vertex {
             SceneVertex::Subject(_) => &self.subject,

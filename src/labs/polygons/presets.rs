@@ -55,7 +55,6 @@ fn placed(outline: &[[f64; 2]], [min, max]: Box2) -> Result<Polygon, GeomError> 
 
 impl Scene {
     /// The box of what clips.
-    #[must_use]
     pub fn clip_box(&self) -> Box2 {
         let window = [self.window.min().to_array(), self.window.max().to_array()];
         self.clip_in_use()
@@ -63,7 +62,6 @@ impl Scene {
     }
 
     /// That box as a window; the scene's own where the clip polygon has no area.
-    #[must_use]
     pub fn clip_window(&self) -> Window {
         let [[xmin, ymin], [xmax, ymax]] = self.clip_box();
         Window::new(xmin, ymin, xmax, ymax).unwrap_or(self.window)

@@ -28,7 +28,6 @@ impl Texture {
     pub const ALL: [Self; 3] = [Self::None, Self::Interpolated, Self::Kept];
 
     /// As lesson and scene files spell it.
-    #[must_use]
     pub const fn id(self) -> &'static str {
         match self {
             Self::None => "none",
@@ -149,7 +148,6 @@ impl fmt::Display for SceneError {
 
 impl Scene {
     /// A polygon against a window.
-    #[must_use]
     pub const fn new(method: Method, window: Window, subject: Polygon) -> Self {
         Self {
             method,
@@ -166,7 +164,6 @@ impl Scene {
     ///
     /// # Panics
     /// Never: its numbers are valid.
-    #[must_use]
     pub fn first() -> Self {
         let method = Method::all().next();
         let window = Window::new(-1.0, -1.0, 1.0, 1.0);
@@ -182,7 +179,6 @@ impl Scene {
     }
 
     /// The clip polygon, or the window's outline where there is none.
-    #[must_use]
     pub fn clip_outline(&self) -> Polygon {
         let window = || Polygon::from(self.window);
         self.clip.clone().unwrap_or_else(window)
@@ -210,7 +206,6 @@ impl Scene {
     }
 
     /// All vertices there are.
-    #[must_use]
     pub fn n_vertices(&self) -> usize {
         self.rings()
             .chain(&self.clip)

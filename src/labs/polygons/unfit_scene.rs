@@ -39,7 +39,6 @@ pub struct UnfitScene {
 
 impl UnfitScene {
     /// This part, for this reason.
-    #[must_use]
     pub const fn new(part: ScenePart, error: GeomError) -> Self {
         Self { part, error }
     }

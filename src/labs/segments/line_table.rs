@@ -144,7 +144,10 @@ fn plane_row<const N: usize, B: LineLook<N>>(
 
 /// The rules that make the bounds.
 fn notes<const N: usize, B: LineLook<N>>(shown: &LineStep<'_, N, B>) -> Vec<TableNote> {
-    let p = shown.in_hand().and(shown.rows.last()).map(|row| row.p());
+    let p = shown
+        .in_hand()
+        .and(shown.rows.last())
+        .map(super::line_step::SeenRow::p);
     let note = |key, suffix, applies| TableNote {
         text: Message::new(key)
             .with("bound", name(format!("{}_{suffix}", B::SYMBOLS[0])))

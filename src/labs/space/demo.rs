@@ -35,13 +35,16 @@ pub trait SpaceTelling: Telling<Scenery = Scenery> {
 
     /// Records its run.
     fn record(scene: &Scene) -> Box<dyn Run> {
-        Box::new(Recorded::<Self>::new(Self::input(scene), scenery_of(scene)))
+        Box::new(Recorded::<Self>::new(
+            Self::input(scene),
+            Some(scenery_of(scene)),
+        ))
     }
 }
 
 /// What is drawn around a run on a scene.
-pub fn scenery_of(scene: &Scene) -> Option<Arc<Scenery>> {
-    Some(Arc::new(Scenery::new(scene)))
+pub fn scenery_of(scene: &Scene) -> Arc<Scenery> {
+    Arc::new(Scenery::new(scene))
 }
 
 /// The line of a method that is told by a table, in the table of its lab.

@@ -43,7 +43,6 @@ impl Model {
     ///
     /// # Panics
     /// Never: every solid has its mesh.
-    #[must_use]
     pub fn mesh(&self) -> &Mesh {
         static MESHES: LazyLock<Vec<(Solid, Mesh)>> =
             LazyLock::new(|| Solid::ALL.map(|solid| (solid, solid.mesh())).into());
@@ -59,7 +58,6 @@ impl Model {
 
 impl Model {
     /// Is it a mesh of one face, whose corners are all its vertices?
-    #[must_use]
     pub fn is_triangle(&self) -> bool {
         match self {
             Self::Solid(_) => false,
@@ -68,7 +66,6 @@ impl Model {
     }
 
     /// What a face is painted with.
-    #[must_use]
     pub fn skin(&self, face: [u32; 3]) -> Option<Skin> {
         let Self::Mesh(named) = self else {
             return None;
@@ -118,25 +115,21 @@ impl Object {
     }
 
     /// What it looks like.
-    #[must_use]
     pub const fn model(&self) -> &Model {
         &self.model
     }
 
     /// Where its model's origin is.
-    #[must_use]
     pub const fn at(&self) -> [f64; 3] {
         self.at
     }
 
     /// About its x, y and z axis, in degrees.
-    #[must_use]
     pub const fn turn_deg(&self) -> [f64; 3] {
         self.turn_deg
     }
 
     /// How much larger than its model it is.
-    #[must_use]
     pub const fn size(&self) -> f64 {
         self.size
     }
@@ -176,7 +169,6 @@ impl Object {
     }
 
     /// From its model to the world.
-    #[must_use]
     pub fn world_from_model(&self) -> Matrix {
         let turned = Matrix::rotation(self.turn_deg.map(f64::to_radians));
         let sized = turned.after(&Matrix::scale(self.size));
@@ -202,14 +194,12 @@ impl Object {
     ///
     /// # Panics
     /// Never: a valid object has finite vertices.
-    #[must_use]
     pub fn in_funnel(&self) -> FunnelObject {
         let object = FunnelObject::new(self.model.mesh(), &self.world_from_model());
         object.expect("its vertices were looked at")
     }
 
     /// A face's corners in the world.
-    #[must_use]
     pub fn face(&self, face_idx: usize) -> Option<[[f64; 3]; 3]> {
         let mesh = self.model.mesh();
         let world_from_model = self.world_from_model();

@@ -55,20 +55,17 @@ impl RasterPlan {
     const MOST_COLUMNS: f64 = 160.0;
 
     /// Of so many rows, as far as a raster may have them.
-    #[must_use]
     pub fn with_rows(self, rows: u32) -> Self {
         let rows = rows.clamp(*Self::ROWS.start(), *Self::ROWS.end());
         Self { rows, ..self }
     }
 
     /// Rows as they were asked for.
-    #[must_use]
     pub const fn rows(&self) -> u32 {
         self.rows
     }
 
     /// Columns and rows for a camera of this shape: pixels are square, unless it is very wide or very narrow.
-    #[must_use]
     pub fn size(&self, aspect: f64) -> [u32; 2] {
         let rows = f64::from(self.rows)
             .min(Self::MOST_COLUMNS / aspect)

@@ -44,7 +44,6 @@ impl<S> SpaceLab<S> {
     }
 
     /// The method with this id.
-    #[must_use]
     pub fn method(&self, id: &str) -> Option<Method> {
         self.all().find(|method| method.card().id == id)
     }
@@ -178,37 +177,31 @@ impl Scene {
     }
 
     /// At least one.
-    #[must_use]
     pub fn objects(&self) -> &[Object] {
         &self.objects
     }
 
     /// Index of the object that is looked at.
-    #[must_use]
     pub const fn focus(&self) -> usize {
         self.focus
     }
 
     /// The object that is looked at.
-    #[must_use]
     pub fn focused(&self) -> &Object {
         &self.objects[self.focus]
     }
 
     /// Index of a face of the object that is looked at.
-    #[must_use]
     pub const fn face(&self) -> usize {
         self.face
     }
 
     /// Index of a vertex of the object that is looked at.
-    #[must_use]
     pub const fn vertex(&self) -> usize {
         self.vertex
     }
 
     /// Whose view volume culls.
-    #[must_use]
     pub fn culler(&self) -> &Camera {
         self.frozen.as_ref().unwrap_or(&self.camera).camera()
     }

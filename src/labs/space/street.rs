@@ -8,7 +8,6 @@ use super::{MAX_OBJECTS, Model, Object};
 ///
 /// # Panics
 /// Never: its numbers are finite.
-#[must_use]
 pub fn street(count: usize, seed: u64) -> Vec<Object> {
     let mut random = SplitMix64(seed);
     let mut between = |low: f64, high: f64| low + (high - low) * random.unit();

@@ -25,7 +25,6 @@ pub enum Subject {
 
 impl Subject {
     /// Do the scene's objects stand in the picture?
-    #[must_use]
     pub const fn shows_objects(self) -> bool {
         match self {
             Self::Object | Self::Face | Self::Vertex | Self::Point | Self::Surfaces => true,
@@ -34,7 +33,6 @@ impl Subject {
     }
 
     /// Does the camera?
-    #[must_use]
     pub const fn shows_camera(self) -> bool {
         match self {
             Self::Object
@@ -70,19 +68,16 @@ impl Default for Places {
 
 impl Places {
     /// A point that is asked of planes.
-    #[must_use]
     pub const fn point(&self) -> [f64; 3] {
         self.point
     }
 
     /// Both ends of a segment, which may be one place.
-    #[must_use]
     pub const fn segment(&self) -> [[f64; 3]; 2] {
         self.segment
     }
 
     /// The corners of a triangle, with or without an area.
-    #[must_use]
     pub const fn triangle(&self) -> [[f64; 3]; 3] {
         self.triangle
     }

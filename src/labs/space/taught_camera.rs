@@ -42,32 +42,27 @@ impl TaughtCamera {
     }
 
     /// The camera itself.
-    #[must_use]
     pub const fn camera(&self) -> &Camera {
         &self.camera
     }
 
     /// As it was given.
-    #[must_use]
     pub const fn opening(&self) -> Opening {
         self.opening
     }
 
     /// Width over height.
-    #[must_use]
     pub const fn aspect(&self) -> f64 {
         self.aspect
     }
 
     /// Distances of the near and the far plane.
-    #[must_use]
     pub const fn depths(&self) -> [f64; 2] {
         let volume = self.camera.volume();
         [volume.near(), volume.far()]
     }
 
     /// Position, target, and the way up.
-    #[must_use]
     pub fn places(&self) -> [[f64; 3]; 3] {
         let camera = &self.camera;
         [camera.position(), camera.target(), camera.up()]

@@ -125,7 +125,6 @@ impl SurfaceCounting {
 
 /// The exponent that fits best where counts grow like a power: the slope of the line through their logarithms. None of fewer than two
 /// different numbers.
-#[must_use]
 pub fn fitted_slope(points: &[[f64; 2]]) -> Option<f64> {
     let logs: Vec<[f64; 2]> = points.iter().map(|point| point.map(libm::log)).collect();
     let n = logs.len() as f64;

@@ -61,7 +61,6 @@ pub static METHODS: [MethodEntry<MethodInfo>; 11] = [
 ///
 /// # Panics
 /// Never: its numbers are valid.
-#[must_use]
 pub fn first_scene() -> Scene {
     let method = SURFACES.method("depth-buffer").expect("in the registry");
     let camera = TaughtCamera::new(

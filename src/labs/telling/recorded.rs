@@ -24,7 +24,6 @@ pub struct Recorded<M: Telling> {
 
 impl<M: Telling> Recorded<M> {
     /// Records a run.
-    #[must_use]
     pub fn new(input: M::Input, scenery: Option<Arc<M::Scenery>>) -> Self {
         let mut rows = Vec::new();
         Self {
@@ -36,7 +35,6 @@ impl<M: Telling> Recorded<M> {
     }
 
     /// The same of a method that may be wrong on purpose: such a run knows where it first differs from the one of `Right`.
-    #[must_use]
     pub fn beside<Right>(input: M::Input, scenery: Option<Arc<M::Scenery>>) -> Self
     where
         Right: Method<Input = M::Input, Event = M::Event>,

@@ -48,7 +48,6 @@ pub struct Row {
 
 impl Row {
     /// A row that decides nothing and answers nothing.
-    #[must_use]
     pub const fn new(tick: Tick, line: usize, key: &'static str) -> Self {
         Self {
             tick,
@@ -63,31 +62,26 @@ impl Row {
     }
 
     /// With formulas.
-    #[must_use]
     pub const fn so(self, so: &'static [&'static str]) -> Self {
         Self { so, ..self }
     }
 
     /// About the thing of this name, and nothing is decided about it.
-    #[must_use]
     pub const fn about(self, name: &'static str) -> Self {
         self.decides(name, Decides::Nothing)
     }
 
     /// What the name stands for stays.
-    #[must_use]
     pub const fn keeps(self, name: &'static str) -> Self {
         self.decides(name, Decides::Keeps)
     }
 
     /// What the name stands for is cut.
-    #[must_use]
     pub const fn cuts(self, name: &'static str) -> Self {
         self.decides(name, Decides::Cuts)
     }
 
     /// What the name stands for is left out.
-    #[must_use]
     pub const fn drops(self, name: &'static str) -> Self {
         self.decides(name, Decides::Drops)
     }
@@ -102,7 +96,6 @@ impl Row {
     }
 
     /// One of the answers to a question whose options are all rows that answer it.
-    #[must_use]
     pub const fn answers(self, id: &'static str) -> Self {
         let options = Options::Rows;
         let answers = Some(Question { id, options });
@@ -110,7 +103,6 @@ impl Row {
     }
 
     /// The same; as an option it is said by a message of its own.
-    #[must_use]
     pub const fn answers_as(self, id: &'static str, option: &'static str) -> Self {
         let option = Some(option);
         Self {
@@ -120,7 +112,6 @@ impl Row {
     }
 
     /// Answers which entry of `list` it is: the one that `name` stands for.
-    #[must_use]
     pub const fn picks(self, name: &'static str, list: &'static str) -> Self {
         let options = Options::Of { name, list };
         let answers = Some(Question { id: name, options });
@@ -129,7 +120,6 @@ impl Row {
 }
 
 /// The rows of a method and of its parts, in one table of `N`.
-#[must_use]
 pub const fn all_rows<const N: usize>(tables: &[&[Row]]) -> [Row; N] {
     let mut all = [tables[0][0]; N];
     let (mut n, mut i) = (0, 0);

@@ -15,7 +15,6 @@ use super::{At, Telling};
 
 impl<M: Telling> At<'_, M> {
     /// A template with this step's values; none where one of its names is not alive.
-    #[must_use]
     pub fn formula(&self, template: &str) -> Option<Formula> {
         let (mut rest, mut formula) = match template.strip_prefix("~ ") {
             Some(rest) => (rest, Formula::decimals()),

@@ -3,7 +3,6 @@
 use super::statements::statements;
 
 /// The picture that a material of an MTL file is painted with, by its file's name.
-#[must_use]
 pub fn read_mtl(bytes: &[u8], material: &str) -> Option<String> {
     let text = String::from_utf8_lossy(bytes);
     let mut is_wanted = false;

@@ -13,7 +13,6 @@ use super::read_mtl;
 
 /// The picture in the bytes of a PNG or a JPEG file, told apart by how they begin. `None` where they are neither, broken,
 /// or more than 8192 texels wide or high.
-#[must_use]
 pub fn read_picture(bytes: &[u8]) -> Option<Picture> {
     let read = if bytes.starts_with(b"\x89PNG") {
         read_png
@@ -28,7 +27,6 @@ pub fn read_picture(bytes: &[u8]) -> Option<Picture> {
 
 /// The picture of a material, from the files beside its mesh: `material` is the MTL file's name and its own, `bytes` what a
 /// file of a name there holds. `None` where anything of it is missing, or elsewhere.
-#[must_use]
 pub fn picture_of(
     material: &[String; 2],
     bytes: &dyn Fn(&str) -> Option<Vec<u8>>,

@@ -91,7 +91,6 @@ impl SceneFormats {
     }
 
     /// Writes a scene so that [`SceneFormats::read`] reads the very same one, bit for bit, and finds the same moment.
-    #[must_use]
     pub fn write(self, scene: &Scene, at: &Moment) -> String {
         let written = self.0.iter().find_map(|format| format.write(scene));
         let mut text = written.unwrap_or_default();

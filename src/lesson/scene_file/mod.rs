@@ -15,7 +15,6 @@ use crate::labs::{frustum::FRUSTUM, surfaces::SURFACES};
 
 impl SceneFormats {
     /// Those of all labs.
-    #[must_use]
     pub const fn standard() -> Self {
         static FORMATS: [&dyn SceneFormat; 4] = [
             &lines::Format,

@@ -40,7 +40,6 @@ pub enum Obstacle {
 
 impl Obstacle {
     /// Is some of it in this rectangle?
-    #[must_use]
     pub fn covers(&self, rect: Rect) -> bool {
         match *self {
             Self::Stroke(ends, half) => length_in(ends, rect.expand(half)) > 0.0,

@@ -19,14 +19,12 @@ pub struct Span {
 
 impl Span {
     /// Slanted or upright.
-    #[must_use]
     pub const fn slanted(mut self, italics: bool) -> Self {
         self.italics = italics;
         self
     }
 
     /// Pieces as they stand.
-    #[must_use]
     pub const fn upright(pieces: Vec<Piece>, font: FontId, colour: Color32) -> Self {
         Self {
             pieces,
@@ -37,28 +35,24 @@ impl Span {
     }
 
     /// A value as it stands alone.
-    #[must_use]
     pub fn value(catalog: &Catalog, value: &Value, font: FontId, colour: Color32) -> Self {
         let pieces = catalog.value_pieces(value);
         Self::upright(pieces, font, colour)
     }
 
     /// A formula.
-    #[must_use]
     pub fn formula(catalog: &Catalog, formula: &Formula, font: FontId, colour: Color32) -> Self {
         let pieces = catalog.formula_pieces(formula);
         Self::upright(pieces, font, colour)
     }
 
     /// A sentence.
-    #[must_use]
     pub fn message(catalog: &Catalog, message: &Message, font: FontId, colour: Color32) -> Self {
         let pieces = catalog.message_pieces(message);
         Self::upright(pieces, font, colour)
     }
 
     /// Words.
-    #[must_use]
     pub fn text(text: &str, font: FontId, colour: Color32) -> Self {
         let pieces = Piece::words(text);
         Self::upright(pieces, font, colour)

@@ -35,7 +35,6 @@ pub struct CullingCost {
 
 impl CullingCost {
     /// Both together.
-    #[must_use]
     pub fn secs(&self) -> f64 {
         self.cull_secs + self.draw_secs
     }
@@ -63,13 +62,11 @@ struct Current {
 
 impl CullingCosts {
     /// Of how many objects.
-    #[must_use]
     pub fn n_objects(&self) -> usize {
         self.street.unwrap_or(self.scene.objects().len())
     }
 
     /// Are the objects the scene's own?
-    #[must_use]
     pub const fn is_own(&self) -> bool {
         self.street.is_none()
     }
@@ -81,13 +78,11 @@ impl CullingCosts {
     }
 
     /// Of the objects that were asked for, once they are known.
-    #[must_use]
     pub const fn here(&self) -> Option<&Costs> {
         self.here.as_ref()
     }
 
     /// Of the first streets of [`SWEEP`].
-    #[must_use]
     pub fn sweep(&self) -> &[Costs] {
         &self.sweep
     }

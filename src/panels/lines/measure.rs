@@ -33,7 +33,6 @@ impl Subject {
     }
 
     /// Catalogue key of its name.
-    #[must_use]
     pub fn name_key(self) -> &'static str {
         match self {
             Self::Method(method) => method.card().name_key,
@@ -90,7 +89,6 @@ struct Current {
 
 impl Measure {
     /// Ready to measure every method on segments around the scene's window.
-    #[must_use]
     pub fn new(scene: &Scene, seed: u64) -> Self {
         let mut waiting: Vec<Subject> = Subject::all().collect();
         waiting.reverse();
@@ -104,13 +102,11 @@ impl Measure {
     }
 
     /// What has been measured so far, in the order of `Subject::all`.
-    #[must_use]
     pub fn costs(&self) -> &[MeasuredCost] {
         &self.done
     }
 
     /// Segments in the batch.
-    #[must_use]
     pub fn n_segments(&self) -> usize {
         self.batch.len()
     }

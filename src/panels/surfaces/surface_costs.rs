@@ -20,13 +20,11 @@ pub struct SurfaceCosts {
 
 impl SurfaceCosts {
     /// Columns and rows.
-    #[must_use]
     pub fn size(&self) -> [u32; 2] {
         self.scene.raster.size(self.scene.camera.aspect())
     }
 
     /// Of the first streets of [`SWEEP`].
-    #[must_use]
     pub fn sweep(&self) -> &[SurfaceCounts] {
         &self.sweep
     }

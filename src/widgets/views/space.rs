@@ -26,7 +26,6 @@ const ASPECT: f32 = 1.4;
 
 /// The picture of a lens, whose lower edge is at −1 and upper at 1, as large as it fits in `rect`: all of a camera's, and
 /// of an eye's as much as there is room for.
-#[must_use]
 pub fn picture_viewport(rect: Rect, lens: &Lens) -> Viewport {
     let aspect = lens.aspect().map(|aspect| aspect as f32);
     let height = rect.height().min(rect.width() / aspect.unwrap_or(ASPECT));
@@ -40,7 +39,6 @@ pub fn picture_viewport(rect: Rect, lens: &Lens) -> Viewport {
 }
 
 /// Where the picture of a space stands: under its title, where that would cover more than a part of it.
-#[must_use]
 pub fn under_title(ui: &Ui, rect: Rect, look: Look<'_>, shown: &Space) -> Rect {
     let lens = Lens::from(shown.seer);
     let title = title_ground(ui, look, rect, shown).filter(|_| lens.aspect().is_none());
@@ -54,7 +52,6 @@ pub fn under_title(ui: &Ui, rect: Rect, look: Look<'_>, shown: &Space) -> Rect {
 }
 
 /// What is seen of a space, as marks: what the last frame had under this name is not found again where it still holds.
-#[must_use]
 pub fn projected(ctx: &Context, id: Id, space: &Space, lens: &Lens) -> Arc<[Mark]> {
     let id = id.with("projected");
     let known: Option<Option<Projected>> = ctx.data_mut(|data| data.remove_temp(id));
@@ -68,7 +65,6 @@ pub fn projected(ctx: &Context, id: Id, space: &Space, lens: &Lens) -> Arc<[Mark
 }
 
 /// Where other views stand on a drawing, with their titles.
-#[must_use]
 pub fn covered(places: &ColumnLayout, drawing: ViewId, look: Look<'_>) -> Vec<Rect> {
     let over = places.over(drawing).map(rect_of);
     let title = 1.7 * TITLE_PTS * look.theme.text_scale;
@@ -160,7 +156,6 @@ impl Title {
 }
 
 /// Where the title of a space stands, in whose corner `rect` has its own: no label should.
-#[must_use]
 pub fn title_ground(ui: &Ui, look: Look<'_>, rect: Rect, shown: &Space) -> Option<Rect> {
     let mut slate = Slate::new(ui.painter(), look);
     Some(Title::new(&mut slate, rect, shown)?.ground())

@@ -87,7 +87,7 @@ impl<T: Tell<WeilerAtherton>> Clipping<'_, T> {
         let starts = &lists.starts[list.idx()];
         let places = [starts[ring_idx], starts[ring_idx + 1]];
         let entries = &lists.entries[list.idx()][places[0] as usize..places[1] as usize];
-        let nodes = entries.iter().filter_map(|entry| entry.node());
+        let nodes = entries.iter().filter_map(super::lists::Entry::node);
         let mut labels = nodes.map(|node| &self.held.labels[node as usize]);
         let changes = |labelled: &Labelled| labelled.label != IntersectionLabel::Touching;
         if labels.clone().any(changes) {

@@ -12,7 +12,6 @@ use crate::{
 pub const ID: &str = "spot";
 
 /// Around the origin, between −1 and 1.
-#[must_use]
 pub fn model() -> Model {
     static SPOT: LazyLock<Model> = LazyLock::new(|| {
         let bytes = include_bytes!(concat!(

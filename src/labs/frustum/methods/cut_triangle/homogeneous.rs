@@ -70,7 +70,8 @@ impl<L: Variant<Homogeneous>> SpaceTelling for Shown<L> {
 
     fn record(scene: &Scene) -> Box<dyn Run> {
         let input = Self::input(scene);
-        let run = Recorded::<Self>::beside::<HomogeneousTriangle<Uv>>(input, scenery_of(scene));
+        let run =
+            Recorded::<Self>::beside::<HomogeneousTriangle<Uv>>(input, Some(scenery_of(scene)));
         Box::new(run)
     }
 }

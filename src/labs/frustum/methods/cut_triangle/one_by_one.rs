@@ -63,7 +63,7 @@ impl<L: Variant<OneByOne>> SpaceTelling for Shown<L> {
 
     fn record(scene: &Scene) -> Box<dyn Run> {
         let input = Self::input(scene);
-        let run = Recorded::<Self>::beside::<PlaneAtATime>(input, scenery_of(scene));
+        let run = Recorded::<Self>::beside::<PlaneAtATime>(input, Some(scenery_of(scene)));
         Box::new(run)
     }
 }
@@ -155,7 +155,7 @@ impl<L: Variant<OneByOne>> Telling for Shown<L> {
         let of_plane = || of_plane(name_of, &input.planes, now.plane_idx, at.scenery);
         Some(match (name_of, at.step.event()) {
             ("n", Some(Event::Piece { .. })) => now.next.len().into(),
-            ("n", _) | ("after", _) => held.left.triangles.len().into(),
+            ("n" | "after", _) => held.left.triangles.len().into(),
             ("before", _) => now.passed.len().into(),
             ("crossings", _) => held.left.n_crossings.into(),
             _ => return of_plane().or_else(|| of_triangle(&now, at.step.event()?, name_of)),

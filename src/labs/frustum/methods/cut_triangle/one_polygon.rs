@@ -82,7 +82,7 @@ impl<L: Variant<OnePolygon>> SpaceTelling for Shown<L> {
 
     fn record(scene: &Scene) -> Box<dyn Run> {
         let input = Self::input(scene);
-        let run = Recorded::<Self>::beside::<IntersectionPolygon>(input, scenery_of(scene));
+        let run = Recorded::<Self>::beside::<IntersectionPolygon>(input, Some(scenery_of(scene)));
         Box::new(run)
     }
 }
@@ -196,7 +196,7 @@ impl<L: Variant<OnePolygon>> Telling for Shown<L> {
             ("n", None) => input.triangle.len().into(),
             ("n", Some(Event::Output { .. })) => rings.output.len().into(),
             ("n", Some(Event::Fan { .. } | Event::Done { .. })) => held.left.triangles.len().into(),
-            ("n", _) | ("after" | "vertices", _) => rings.list.len().into(),
+            ("n" | "after" | "vertices", _) => rings.list.len().into(),
             ("total", _) => rings.list.len().saturating_sub(2).into(),
             ("crossings", _) => held.left.n_crossings.into(),
             ("before", _) => rings.passed.len().into(),

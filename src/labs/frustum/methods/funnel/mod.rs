@@ -62,7 +62,7 @@ impl<L: Variant> SpaceTelling for Funnel<L> {
     }
 
     fn record(scene: &Scene) -> Box<dyn Run> {
-        let (input, scenery) = (Self::input(scene), scenery_of(scene));
+        let (input, scenery) = (Self::input(scene), Some(scenery_of(scene)));
         Box::new(Recorded::<Self>::beside::<Funnel<Right>>(input, scenery))
     }
 }
@@ -87,7 +87,7 @@ rows! { [L: Variant] |event, step: Funnel<L>|
             .drops("triangle").answers_as("codes", "option-triangle-outside");
     nothing: Event::Triangle { fate: TriangleFate::Cut, n_pieces: 0, .. } =>
         clipped("funnel-triangle-nothing").drops("triangle");
-    across: Event::Triangle { fate: TriangleFate::Cut, codes, .. } if n_inside(&codes) == 0 =>
+    across: Event::Triangle { fate: TriangleFate::Cut, codes, .. } if n_inside(codes) == 0 =>
         clipped("funnel-triangle-across").cuts("triangle");
     cut: Event::Triangle { fate: TriangleFate::Cut, .. } =>
         clipped("funnel-triangle-cut").cuts("triangle");
@@ -218,9 +218,9 @@ fn of_triangle<L: Variant>(at: &At<'_, Funnel<L>>, of: &str) -> Option<Named> {
     };
     let [a, b, c] = codes;
     Some(match of {
-        "inside" => n_inside(&codes).into(),
+        "inside" => n_inside(codes).into(),
         "pieces" => n_pieces.into(),
-        "and" if n_inside(&codes) == 0 => {
+        "and" if n_inside(codes) == 0 => {
             name(format!("{a} AND {b} AND {c} = {}", a.and(b).and(c))).into()
         }
         "or" => name(format!("{a} OR {b} OR {c} = {}", a.or(b).or(c))).into(),
@@ -228,7 +228,7 @@ fn of_triangle<L: Variant>(at: &At<'_, Funnel<L>>, of: &str) -> Option<Named> {
     })
 }
 
-fn n_inside(codes: &[SideCode; 3]) -> usize {
+fn n_inside(codes: [SideCode; 3]) -> usize {
     codes.iter().filter(|code| code.is_inside()).count()
 }
 

@@ -57,6 +57,6 @@ where
 
     fn record(scene: &Scene) -> Box<dyn Run> {
         let run = Recorded::<Self>::beside::<LineClip<N, B, Right>>;
-        Box::new(run(Self::input(scene), scenery_of(scene)))
+        Box::new(run(Self::input(scene), Some(scenery_of(scene))))
     }
 }

@@ -49,7 +49,7 @@ fn pieces(held: &Held) -> Option<Mark> {
         .rings
         .iter()
         .filter(|ring| ring.kind != RingKind::Sliver);
-    let outlines: Vec<Vec<[f64; 2]>> = rings.map(|ring| outline(ring)).collect();
+    let outlines: Vec<Vec<[f64; 2]>> = rings.map(outline).collect();
     (!outlines.is_empty()).then(|| Mark::new(Role::Accepted, Shape::Area(outlines)))
 }
 
@@ -259,7 +259,7 @@ fn event_marks(step: &Step<'_, WeilerAtherton>) -> Vec<Mark> {
         let border = names::border(input, list);
         directed(border.edge(edge_idx as usize))
     };
-    let ring = |ring_idx: usize| held.rings.get(ring_idx).map(|ring| outline(ring));
+    let ring = |ring_idx: usize| held.rings.get(ring_idx).map(outline);
     match step.event() {
         Some(Event::Vertex {
             list, vertex_idx, ..

@@ -86,7 +86,7 @@ impl<L: Variant> SpaceTelling for DepthBuffer<L> {
     }
 
     fn record(scene: &Scene) -> Box<dyn Run> {
-        let (input, scenery) = (Self::input(scene), scenery_of(scene));
+        let (input, scenery) = (Self::input(scene), Some(scenery_of(scene)));
         Box::new(Recorded::<Self>::beside::<DepthBuffer>(input, scenery))
     }
 }

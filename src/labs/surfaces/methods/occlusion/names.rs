@@ -55,8 +55,11 @@ pub fn current(past: &[Event]) -> Option<usize> {
     }
 }
 
+/// The lowest and the highest corner of a box.
+pub type Corners = [[f64; 3]; 2];
+
 /// The corners of the box of that object and the answer, once it is asked.
-pub fn answer(past: &[Event]) -> Option<(Option<[[f64; 3]; 2]>, QueryResult)> {
+pub fn answer(past: &[Event]) -> Option<(Option<Corners>, QueryResult)> {
     let current = current(past)?;
     let (object_idx, bounds, result) = past.iter().rev().take(2).find_map(query)?;
     (object_idx == current).then_some((bounds, result))
@@ -69,7 +72,7 @@ pub fn answers(past: &[Event]) -> impl Iterator<Item = (usize, QueryResult)> {
 }
 
 /// The object that is asked, the corners of its box, and the answer.
-const fn query(event: &Event) -> Option<(usize, Option<[[f64; 3]; 2]>, QueryResult)> {
+const fn query(event: &Event) -> Option<(usize, Option<Corners>, QueryResult)> {
     let &Event::Query {
         object_idx,
         bounds,

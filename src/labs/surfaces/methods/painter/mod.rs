@@ -53,7 +53,7 @@ impl<L: Variant> SpaceTelling for Painter<L> {
     }
 
     fn record(scene: &Scene) -> Box<dyn Run> {
-        let (input, scenery) = (Self::input(scene), scenery_of(scene));
+        let (input, scenery) = (Self::input(scene), Some(scenery_of(scene)));
         Box::new(Recorded::<Self>::beside::<Painter>(input, scenery))
     }
 }
