@@ -62,13 +62,13 @@ impl Asked<'_> {
             "planes" => n_asked.into(),
             "cut" => count(Straddles).into(),
             "outside" => count(Outside).into(),
-            "class" => {
+            "watch-class" => {
                 let word = match self.class? {
                     Inside => "class-inside",
                     Straddles => "class-straddles",
                     Outside => "class-outside",
                 };
-                Named::from(Value::Term(word)).labelled(Value::Term("watch-class"))
+                Value::Term(word).into()
             }
             _ => return None,
         })

@@ -156,7 +156,7 @@ impl Telling for BackFace {
                 Fate::ToCome
             }
         };
-        let fronts = fronts(scene);
+        let answers = answers(scene);
         let role = |object: usize, face: usize| {
             if object != scene.focus() {
                 return FaceLook::Whole;
@@ -164,13 +164,13 @@ impl Telling for BackFace {
             if face == scene.face() {
                 return FaceLook::Own(Role::Signal);
             }
-            match fronts.get(face) {
-                Some(false) => FaceLook::Own(Role::Discarded),
-                Some(true) | None => FaceLook::Whole,
+            match answers.get(face) {
+                Some(BackFaceOutput { front: false, .. }) => FaceLook::Own(Role::Discarded),
+                Some(_) | None => FaceLook::Whole,
             }
         };
         let corners = corner_marks(&at.step.input.triangle);
-        let gauges = face_gauges(&known, scene);
+        let gauges = face_gauges(&known, scene, &answers);
         let columns = (gauges.rows.len() <= MOST_BESIDE_COLUMNS).then(|| columns(at, &known));
         let mut views = vec![
             scenery.observer_with(fate, role, marks(at.step.input, &known)),
@@ -242,13 +242,11 @@ pub fn dot_formula(n: [f64; 3], e: [f64; 3], dot: f64) -> Formula {
     formula.equals(dot)
 }
 
-/// Which faces of the object in focus show their front, as the same test says.
-fn fronts(scene: &Scene) -> Vec<bool> {
-    let n_faces = scene.focused().model().mesh().faces().len();
-    let faces = (0..n_faces).filter_map(|face_idx| input_of(scene, face_idx));
-    faces
-        .map(|input| silent::<BackFace>(&input).front)
-        .collect()
+/// What the same test says of each face of the object in focus.
+fn answers(scene: &Scene) -> Vec<BackFaceOutput> {
+    let faces = 0..scene.focused().model().mesh().faces().len();
+    let faces = faces.filter_map(|face_idx| input_of(scene, face_idx));
+    faces.map(|input| silent::<BackFace>(&input)).collect()
 }
 
 /// (B − A) × (C − A) of the corners on the camera's picture; none where one of them is not before the camera.
@@ -322,8 +320,8 @@ fn columns(at: &At<'_, BackFace>, known: &Known) -> Table {
 }
 
 /// n·e of all faces, the one in hand once its run has come so far.
-fn face_gauges(known: &Known, scene: &Scene) -> Gauges {
-    let n_faces = scene.focused().model().mesh().faces().len();
+fn face_gauges(known: &Known, scene: &Scene, answers: &[BackFaceOutput]) -> Gauges {
+    let n_faces = answers.len();
     let shown = if n_faces <= MOST_FACES {
         0..n_faces
     } else {
@@ -331,7 +329,7 @@ fn face_gauges(known: &Known, scene: &Scene) -> Gauges {
     };
     let row = |face_idx: usize| {
         let is_current = face_idx == scene.face();
-        let answer = input_of(scene, face_idx).map(|input| silent::<BackFace>(&input));
+        let answer = answers.get(face_idx);
         let answer = answer.filter(|_| !is_current || known.products.is_some());
         let role = match answer {
             _ if is_current => Role::Signal,

@@ -82,7 +82,7 @@ impl Telling for BoxCull {
     ];
     const ROWS: &'static [Row] = ROWS;
     const WATCH: &'static [Watched] = &[
-        Watched::Names(&["min", "max", "class"]),
+        Watched::Names(&["min", "max", "watch-class"]),
         Watched::ListSeen("outside", CORNERS_VIEW),
     ];
 

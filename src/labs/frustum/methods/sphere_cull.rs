@@ -90,7 +90,7 @@ impl Telling for SphereCull {
     ];
     const ROWS: &'static [Row] = ROWS;
     const WATCH: &'static [Watched] = &[
-        Watched::Names(&["c", "r", "n", "D", "class"]),
+        Watched::Names(&["c", "r", "n", "D", "watch-class"]),
         Watched::ListSeen("distances", GAUGES_VIEW),
     ];
 

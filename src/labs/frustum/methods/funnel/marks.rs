@@ -15,7 +15,7 @@ use super::{
         super::stage::{FaceLook, Fate, Scenery},
         asked::fate_of,
     },
-    face_idx, object_idx, sphere,
+    Now, sphere,
     variant::Variant,
 };
 
@@ -28,9 +28,9 @@ struct Known {
     classes: Vec<Containment>,
     /// Of each object that is done with, which of its faces show their front.
     fronts: Vec<Vec<bool>>,
-    /// The object whose turn it is, and its triangle that is asked.
-    now: Option<(usize, Option<usize>)>,
-    /// Of that object's triangles, which have been left out.
+    /// What the step is about.
+    now: Now,
+    /// Of the triangles of the object whose turn it is, which have been left out.
     dropped: Vec<bool>,
 }
 
@@ -64,7 +64,7 @@ impl Known {
         Self {
             classes: at.step.past.iter().filter_map(class).collect(),
             fronts: input.objects[..n_done].iter().map(fronts).collect(),
-            now: object_idx(at).map(|object_idx| (object_idx, face_idx(at))),
+            now: Now::of(at),
             dropped: dropped(at.step.past, n_faces),
         }
     }
@@ -78,13 +78,12 @@ impl Known {
         if let Some(fronts) = self.fronts.get(object_idx) {
             return fronts.get(face_idx) == Some(&false);
         }
-        let is_its_turn = self.now.is_some_and(|(now, _)| now == object_idx);
-        is_its_turn && self.dropped.get(face_idx) == Some(&true)
+        self.now.object_idx == Some(object_idx) && self.dropped.get(face_idx) == Some(&true)
     }
 
     /// In the observer's view what is dropped is pale, in the camera's it is not there.
     fn look(&self, object_idx: usize, face_idx: usize, dropped: FaceLook) -> FaceLook {
-        if self.now == Some((object_idx, Some(face_idx))) {
+        if self.now.object_idx == Some(object_idx) && self.now.face_idx == Some(face_idx) {
             FaceLook::Own(Role::Signal)
         } else if self.is_dropped(object_idx, face_idx) {
             dropped
@@ -120,8 +119,9 @@ fn dropped(past: &[Event], n_faces: usize) -> Vec<bool> {
 
 /// The triangle of this step.
 fn triangle<L: Variant>(at: &At<'_, Funnel<L>>) -> Option<Mark3> {
-    let object = at.step.input.objects.get(object_idx(at)?)?;
-    let corners = object.triangles.get(face_idx(at)?)?.to_vec();
+    let now = Now::of(at);
+    let object = at.step.input.objects.get(now.object_idx?)?;
+    let corners = object.triangles.get(now.face_idx?)?.to_vec();
     Some(Mark3::new(Role::Signal, Shape3::Outline(corners)))
 }
 

@@ -10,7 +10,7 @@ use serde_json::{Value as Json, json};
 use crate::{
     algo::{
         cull::{
-            Containment::{Inside, Outside, Straddles},
+            Containment::{self, Inside, Outside, Straddles},
             Funnel, FunnelEvent as Event, FunnelInput, FunnelLevels, FunnelObject, TriangleFate,
             asked_camera, asked_sphere,
         },
@@ -29,7 +29,6 @@ use crate::{
         telling::{At, Named, Recorded, Row, Telling, Watched, rows},
         words::name,
     },
-    text::Value,
     trace::Step,
 };
 
@@ -120,7 +119,7 @@ impl<L: Variant> Telling for Funnel<L> {
     const DIFFERS_KEY: Option<&'static str> = L::DIFFERS_KEY;
     const ROWS: &'static [Row] = ROWS;
     const WATCH: &'static [Watched] = &[
-        Watched::Names(&["at work", "c", "r", "n", "D", "class"]),
+        Watched::Names(&["watch-object", "c", "r", "n", "D", "watch-class"]),
         Watched::ListSeen("distances", GAUGES_VIEW),
         Watched::ListSeen("levels", RIBBON_VIEW),
     ];
@@ -137,7 +136,9 @@ impl<L: Variant> Telling for Funnel<L> {
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
         let (input, levels) = (at.step.input, &at.step.held.levels);
         let n_triangles = |object: &FunnelObject| object.triangles.len();
-        let object_idx = object_idx(at);
+        let Now {
+            object_idx, side, ..
+        } = Now::of(at);
         Some(match (name, at.step.event()) {
             ("objects", _) => input.objects.len().into(),
             ("triangles", None) => input.objects.iter().map(n_triangles).sum::<usize>().into(),
@@ -146,13 +147,10 @@ impl<L: Variant> Telling for Funnel<L> {
             ("facing", _) => levels.facing.triangles.into(),
             ("kept", _) => levels.facing.objects.into(),
             ("object", _) => Named::from(object_idx? + 1).linked(object_link(object_idx?)),
-            ("at work", _) => {
-                let object = Named::maybe(object_idx.map(|i| i + 1));
-                object.labelled(Value::Term("watch-object"))
-            }
+            ("watch-object", _) => Named::maybe(object_idx.map(|i| i + 1)),
             ("n·e", Some(Event::Face { dot, .. })) => dot.into(),
             ("n" | "D", _) => {
-                let side = at.scenery.zip(side(at));
+                let side = at.scenery.zip(side);
                 let current = side.map(|(scenery, side)| scenery.planes()[side as usize]);
                 return Asked {
                     current,
@@ -202,10 +200,11 @@ impl<L: Variant> Telling for Funnel<L> {
 /// The values of names in sentences about one triangle.
 fn of_triangle<L: Variant>(at: &At<'_, Funnel<L>>, of: &str) -> Option<Named> {
     if of == "triangle" {
-        let (object_idx, face_idx) = (object_idx(at)?, face_idx(at)?);
+        let now = Now::of(at);
+        let face_idx = now.face_idx?;
         let focus = at.scenery.map(|scenery| scenery.scene().focus());
         let named = Named::from(face_idx + 1);
-        return Some(if focus == Some(object_idx) {
+        return Some(if focus == now.object_idx {
             named.linked(face_link(face_idx))
         } else {
             named
@@ -233,37 +232,38 @@ fn n_inside(codes: [SideCode; 3]) -> usize {
     codes.iter().filter(|code| code.is_inside()).count()
 }
 
-/// The object whose turn it is.
-fn object_idx<L: Variant>(at: &At<'_, Funnel<L>>) -> Option<usize> {
-    match at.step.event()? {
-        Event::Object { .. }
-        | Event::Plane { .. }
-        | Event::Sphere { .. }
-        | Event::Triangle { .. }
-        | Event::Face { .. } => Some(at.step.held.object_idx),
-        Event::Done => None,
-    }
+/// What a step is about.
+#[derive(Clone, Copy, Default)]
+struct Now {
+    /// The object whose turn it is.
+    object_idx: Option<usize>,
+    /// The plane that is asked.
+    side: Option<VolumeSide>,
+    /// What all planes have said of its sphere.
+    class: Option<Containment>,
+    /// The triangle that is asked.
+    face_idx: Option<usize>,
 }
 
-/// The triangle that is asked at this step.
-fn face_idx<L: Variant>(at: &At<'_, Funnel<L>>) -> Option<usize> {
-    match at.step.event()? {
-        Event::Triangle { triangle_idx, .. } | Event::Face { triangle_idx, .. } => {
-            Some(triangle_idx)
+impl Now {
+    fn of<L: Variant>(at: &At<'_, Funnel<L>>) -> Self {
+        let object_idx = Some(at.step.held.object_idx);
+        let class = Some(at.step.held.sphere.class);
+        let (side, class, face_idx) = match at.step.event() {
+            None | Some(Event::Done) => return Self::default(),
+            Some(Event::Object { .. }) => (None, None, None),
+            Some(Event::Plane { side, .. }) => (Some(side), None, None),
+            Some(Event::Sphere { .. }) => (None, class, None),
+            Some(Event::Triangle { triangle_idx, .. } | Event::Face { triangle_idx, .. }) => {
+                (None, class, Some(triangle_idx))
+            }
+        };
+        Self {
+            object_idx,
+            side,
+            class,
+            face_idx,
         }
-        Event::Object { .. } | Event::Plane { .. } | Event::Sphere { .. } | Event::Done => None,
-    }
-}
-
-/// The plane that is asked at this step.
-fn side<L: Variant>(at: &At<'_, Funnel<L>>) -> Option<VolumeSide> {
-    match at.step.event()? {
-        Event::Plane { side, .. } => Some(side),
-        Event::Object { .. }
-        | Event::Sphere { .. }
-        | Event::Triangle { .. }
-        | Event::Face { .. }
-        | Event::Done => None,
     }
 }
 
@@ -278,7 +278,7 @@ fn planes<'a, L: Variant>(at: &At<'a, Funnel<L>>) -> Asked<'a> {
 
 /// The sphere of the object whose turn it is.
 fn sphere<'a, L: Variant>(at: &At<'a, Funnel<L>>) -> Option<AskedSphere<'a>> {
-    object_idx(at).and(asked(at))
+    Now::of(at).object_idx.and(asked(at))
 }
 
 /// The sphere that has been asked last.
@@ -289,14 +289,9 @@ fn asked<'a, L: Variant>(at: &At<'a, Funnel<L>>) -> Option<AskedSphere<'a>> {
         .get(held.object_idx)
         .or(input.objects.last())?;
     let camera = asked_camera::<L>(&input.camera);
-    let class = match at.step.event() {
-        Some(Event::Sphere { .. } | Event::Triangle { .. } | Event::Face { .. }) => {
-            Some(held.sphere.class)
-        }
-        Some(Event::Object { .. } | Event::Plane { .. } | Event::Done) | None => None,
-    };
+    let Now { side, class, .. } = Now::of(at);
     let planes = Asked {
-        current: side(at).map(|side| camera.planes_in_world()[side as usize]),
+        current: side.map(|side| camera.planes_in_world()[side as usize]),
         class,
         ..planes(at)
     };

@@ -7,7 +7,7 @@ use crate::{
     text::{Message, Value},
 };
 
-use super::{face_idx, object_idx, variant::Variant};
+use super::{Now, variant::Variant};
 
 const TITLES: [&str; 5] = [
     "level-scene",
@@ -76,11 +76,12 @@ pub fn ribbon<L: Variant>(at: &At<'_, Funnel<L>>) -> Ribbon {
 /// Of the object whose turn it is: triangles, or their pieces, that stand before each gate and have not been asked there.
 fn to_come<L: Variant>(at: &At<'_, Funnel<L>>) -> [usize; 5] {
     let mut to_come = [0; 5];
-    let Some((object_idx, event)) = object_idx(at).zip(at.step.event()) else {
+    let now = Now::of(at);
+    let Some((object_idx, event)) = now.object_idx.zip(at.step.event()) else {
         return to_come;
     };
     let n = at.step.input.objects[object_idx].triangles.len();
-    let n_left = n - face_idx(at).map_or(0, |face_idx| face_idx + 1);
+    let n_left = n - now.face_idx.map_or(0, |face_idx| face_idx + 1);
     match (event, at.step.held.sphere.class) {
         (Event::Object { .. } | Event::Plane { .. }, _) => to_come[1] = n,
         (_, Containment::Outside) => {}
