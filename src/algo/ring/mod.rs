@@ -1,6 +1,6 @@
-//! One ring of vertices against one border, vertex by vertex: the step that every form of Sutherland–Hodgman is made of,
-//! in the plane and in space. Nothing here knows how many dimensions there are: a border is known by what it says of a
-//! vertex, and of an edge (`Limit`).
+//! Rings of vertices against limits, one after the other, each vertex by vertex: every form of Sutherland–Hodgman, in the plane
+//! and in space. Nothing here knows how many dimensions there are: an edge of a window, a plane or a side of clip space is known
+//! by what it says of a vertex, and of an edge of the ring (`Limit`).
 
 mod clipper;
 mod event;

@@ -7,9 +7,9 @@ use crate::{
     labs::{CodeLine, but_for},
 };
 
-use super::{
-    code::{HOMOGENEOUS, ONE_BY_ONE, ONE_POLYGON, homogeneous, one_by_one, polygon},
-    variant::{Homogeneous, OneByOne, OnePolygon, Variant},
+use super::variant::{
+    HOMOGENEOUS, Homogeneous, ONE_BY_ONE, ONE_POLYGON, OneByOne, OnePolygon, Variant, homogeneous,
+    one_by_one, polygon,
 };
 
 impl Variant<OneByOne> for MissesEdge {

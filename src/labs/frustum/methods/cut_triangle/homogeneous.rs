@@ -29,11 +29,10 @@ use super::{
     LISTS_VIEW,
     agreement::{agreement_view, is_about_pictures, is_alone},
     clip_space::{Event, Uv, Vertex, bound_symbol, in_world, point, triangle},
-    code::homogeneous,
     homogeneous_views::{BITS_VIEW, Picture, bits, camera_marks, lists, observer_marks},
+    parts::in_clip_space,
     symbols::vertex_symbol,
-    tellings::in_clip_space,
-    variant::{Homogeneous, Variant},
+    variant::{Homogeneous, Variant, homogeneous},
 };
 
 type Shown<L> = HomogeneousTriangle<Uv, L>;

@@ -2,7 +2,6 @@
 
 mod agreement;
 mod clip_space;
-mod code;
 mod faulty;
 mod homogeneous;
 mod homogeneous_views;
@@ -10,12 +9,12 @@ mod list_view;
 mod marks;
 mod one_by_one;
 mod one_polygon;
+mod one_polygon_marks;
 mod parts;
 mod pieces_view;
 mod small;
 mod stages;
 mod symbols;
-mod tellings;
 mod texture;
 mod variant;
 

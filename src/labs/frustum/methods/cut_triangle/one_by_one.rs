@@ -33,14 +33,13 @@ use super::{
     },
     LISTS_VIEW, PLANES_VIEW,
     agreement::is_alone,
-    code::one_by_one,
     marks::{cut, cut_edge, given, kept, lost, places, plane_mark, vertex},
+    parts::of_triangles,
     pieces_view::{Pieces, pieces, triangle_link},
     small::{Progress, small},
     stages::{stages, tally},
     symbols::{Cut, cut_symbol, names, of_plane, triangle_symbol, vertex_symbol},
-    tellings::of_triangles,
-    variant::{self, OneByOne, Variant},
+    variant::{self, OneByOne, Variant, one_by_one},
 };
 
 /// Of more triangles only the one that is asked has its name in the picture.
