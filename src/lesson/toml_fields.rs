@@ -213,6 +213,7 @@ pub(super) fn got(
         }),
         Shape::Numbers(dims) => {
             let mut numbers = Vec::new();
+            let expect = [expect, expected(dims)];
             lists(item, dims, expect, sink, &mut |item, sink| {
                 numbers.extend(number(item, "expect-number", sink));
             })?;
@@ -221,7 +222,7 @@ pub(super) fn got(
         Shape::Wholes(dims, least, most) => {
             let mut wholes = Vec::new();
             let range = *least as u64..*most as u64 + 1;
-            lists(item, dims, expect, sink, &mut |item, sink| {
+            lists(item, dims, [expect; 2], sink, &mut |item, sink| {
                 wholes.extend(whole(item, range.clone(), sink).map(|n| n as i64));
             })?;
             Some(Got::Wholes(wholes))
@@ -237,11 +238,12 @@ pub(super) fn got(
     }
 }
 
-/// Lists in lists: calls back with each of the innermost entries. `None` where anything is wrong.
+/// Lists in lists: calls back with each of the innermost entries. `None` where anything is wrong; `expect` says what was
+/// expected of the list, and of the lists in it.
 fn lists(
     item: &Item<'_>,
     dims: &[Dim],
-    expect: &'static str,
+    [expect, inner_expect]: [&'static str; 2],
     sink: &mut Sink<'_>,
     entry: &mut dyn FnMut(&Item<'_>, &mut Sink<'_>),
 ) -> Option<()> {
@@ -255,7 +257,7 @@ fn lists(
     let is_flat = inner.is_empty();
     if !(is_wrong && is_flat) {
         for item in items {
-            lists(item, inner, expected(inner).unwrap_or(expect), sink, entry);
+            lists(item, inner, [inner_expect; 2], sink, entry);
         }
     }
     if is_wrong && sink.n_errors() == n_errors {
@@ -271,12 +273,12 @@ fn lists(
 }
 
 /// Catalogue key of what so many numbers are.
-const fn expected(dims: &[Dim]) -> Option<&'static str> {
+const fn expected(dims: &[Dim]) -> &'static str {
     match dims {
-        [Dim::Exactly(2)] => Some("expect-point"),
-        [Dim::Exactly(3)] => Some("expect-place"),
-        [Dim::Exactly(4)] => Some("expect-segment"),
-        _ => None,
+        [.., Dim::Exactly(2)] => "expect-point",
+        [.., Dim::Exactly(3)] => "expect-place",
+        [.., Dim::Exactly(4)] => "expect-segment",
+        _ => "expect-number",
     }
 }
 
@@ -307,7 +309,7 @@ fn fields_of(
             Presence::Choice | Presence::Optional => fields.get(field.name),
         };
         let expect = match field.shape {
-            Shape::Numbers(dims) => expected(dims).unwrap_or("expect-number"),
+            Shape::Numbers(dims) => expected(dims),
             Shape::Wholes(..) => "expect-pixel",
             _ => "expect-number",
         };

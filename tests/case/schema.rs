@@ -31,16 +31,15 @@ fn valid(value: &Json, schema: &Json) -> Result<(), String> {
     for (word, bound) in schema.as_object().expect("a schema is an object") {
         let list = || bound.as_array().into_iter().flatten();
         let entries = || value.as_array().into_iter().flatten();
-        let length = || value.as_array().map(Vec::len) >= bound.as_u64().map(|n| n as usize);
         let holds = match word.as_str() {
             "type" => is_of(value, bound.as_str().expect("a word")),
             "const" => value == bound,
             "enum" => list().any(|word| word == value),
             "required" => list().all(|name| value.get(name.as_str().expect("a name")).is_some()),
-            "minimum" => value.as_i64() >= bound.as_i64(),
-            "maximum" => value.as_i64() <= bound.as_i64(),
-            "minItems" => length(),
-            "maxItems" => value.as_array().map(Vec::len) <= bound.as_u64().map(|n| n as usize),
+            "minimum" => value.as_f64() >= bound.as_f64(),
+            "maximum" => value.as_f64() <= bound.as_f64(),
+            "minItems" => entries().count() as u64 >= bound.as_u64().expect("a number"),
+            "maxItems" => entries().count() as u64 <= bound.as_u64().expect("a number"),
             "oneOf" => list().filter(|schema| valid(value, schema).is_ok()).count() == 1,
             "anyOf" => list().any(|schema| valid(value, schema).is_ok()),
             "items" => {
