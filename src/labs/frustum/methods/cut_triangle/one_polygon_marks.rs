@@ -8,7 +8,7 @@ use crate::{
     figure::{Mark3, Role, Shape3},
     geom::Plane,
     labs::rings::asked_vertex,
-    trace::told::Step,
+    trace::Step,
 };
 
 use super::{
