@@ -58,7 +58,7 @@ const fn plane_row(key: &'static str) -> Row {
 
 /// The last word where something is visible; in clip space also where its ends come to lie on the screen.
 const fn accept_row(key: &'static str) -> Row {
-    Row::new(Accept, ACCEPT, key).so(&["{P₁′ / w}", "{P₂′ / w}"])
+    Row::new(Accept, ACCEPT, key).so(&["{P₁′/w}", "{P₂′/w}"])
 }
 
 const fn row(tick: Tick, line: usize, key: &'static str) -> Row {
@@ -314,10 +314,15 @@ fn of_end<const N: usize, B: LineLook<N>, L: LineRules + LineVariant<N, B>>(
             let bounds = shown.input.bounds();
             Some(bounds.border(plane?, at.scenery).into())
         }
-        ("P₁′ / w" | "P₂′ / w", LineEvent::Accept { ends }) if N == 4 => {
-            let (w, place) = ends[usize::from(of == "P₂′ / w")].split_last()?;
+        ("P₁′/w" | "P₂′/w", LineEvent::Accept { ends }) if N == 4 => {
+            let (w, place) = ends[usize::from(of == "P₂′/w")].split_last()?;
             let image: Vec<f64> = place.iter().map(|x| x / w).collect();
-            let formula = Formula::default().sym(format!("{of} = "));
+            let symbol = if of == "P₂′/w" {
+                "P₂′ / w = "
+            } else {
+                "P₁′ / w = "
+            };
+            let formula = Formula::default().sym(symbol);
             let is_image = *w > 0.0;
             is_image.then(|| formula.sym("(").list(&image).sym(")").into())
         }

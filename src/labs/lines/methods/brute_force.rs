@@ -131,13 +131,17 @@ impl Telling for BruteForce {
             "3rd" => worked_out(2)?.into(),
             "x₁ = x₂" => parallel_formula(segment, edge()?).into(),
             "x₁, x₂" => both_sides(ends_before(step), step.input, edge()?).into(),
-            _ => match event {
-                Some(Event::Cut { end, .. }) if of == "end" => {
+            "end" | "to" => {
+                let Some(Event::Cut { end, to, .. }) = event else {
+                    return left_in(step.held.visible.map(ends), of);
+                };
+                if of == "end" {
                     Named::from(end_name(end)).linked(end_link(end))
+                } else {
+                    to.to_array().into()
                 }
-                Some(Event::Cut { to, .. }) if of == "to" => to.to_array().into(),
-                _ => return left_in(step.held.visible.map(ends), of),
-            },
+            }
+            _ => return left_in(step.held.visible.map(ends), of),
         })
     }
 
@@ -153,9 +157,10 @@ impl Telling for BruteForce {
     }
 
     fn views(at: &At<'_, Self>) -> Vec<View> {
-        let table = match at.step.past {
-            [] => tests_table(at.step.input),
-            _ => crossing_table(&at.step),
+        let table = if at.step.past.is_empty() {
+            tests_table(at.step.input)
+        } else {
+            crossing_table(&at.step)
         };
         vec![
             View::plane(marks(&at.step)),

@@ -105,7 +105,7 @@ impl CodeLook<2> for Input {
                 let other = Outcode::from_edges(&edges, usual).to_string();
                 Message::new("cs-note-order").with("other", name(other))
             }
-            _ => Message::new("cs-note-code"),
+            Some(_) | None => Message::new("cs-note-code"),
         }
     }
 

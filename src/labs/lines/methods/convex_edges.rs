@@ -27,19 +27,18 @@ pub const fn edge_link(edge_idx: usize) -> Link {
 
 /// The edge whose products are shown: the one in hand, as long as it is not rejected by.
 pub fn edge_in_hand(shown: &Shown<'_>) -> Option<usize> {
-    match shown.event {
-        Some(Event::Reject { .. }) => None,
-        _ => shown.in_hand(),
-    }
+    let is_rejected = matches!(shown.event, Some(Event::Reject { .. }));
+    shown.in_hand().filter(|_| !is_rejected)
 }
 
 /// Every edge in a row; those that set the bounds stand out.
 pub fn edge_table(shown: &Shown<'_>) -> Table {
     let symbol = |symbol: &'static str| Formula::default().sym(symbol);
-    let current = match shown.event {
-        Some(Event::Put { plane, .. }) => plane,
-        Some(Event::Interval { .. }) => None,
-        _ => shown.in_hand(),
+    let is_interval = matches!(shown.event, Some(Event::Interval { .. }));
+    let current = if let Some(Event::Put { plane, .. }) = shown.event {
+        plane
+    } else {
+        shown.in_hand().filter(|_| !is_interval)
     };
     let values = row_values(shown, None);
     let rows = values.into_iter().enumerate().map(|(i, values)| {

@@ -135,9 +135,12 @@ impl Telling for NichollLeeNicholl {
 
     fn named(At { step, .. }: &At<'_, Self>, of: &str) -> Option<Named> {
         let sector = || {
-            step.past.iter().find_map(|event| match *event {
-                Event::Sector { enters, leaves } => Some([enters, leaves]),
-                _ => None,
+            step.past.iter().find_map(|event| {
+                if let Event::Sector { enters, leaves } = *event {
+                    Some([enters, leaves])
+                } else {
+                    None
+                }
             })
         };
         let by = |i: usize, key| {
@@ -231,17 +234,23 @@ fn of_event(step: &Step<'_, NichollLeeNicholl>, event: Event, of: &str) -> Optio
 
 /// The sides by which it comes in and goes out, where it does both.
 fn crossed(step: &Step<'_, NichollLeeNicholl>) -> Option<[Edge; 2]> {
-    step.past.iter().find_map(|event| match *event {
-        Event::Sector { enters, leaves } => Some([enters?, leaves?]),
-        _ => None,
+    step.past.iter().find_map(|event| {
+        if let Event::Sector { enters, leaves } = *event {
+            Some([enters?, leaves?])
+        } else {
+            None
+        }
     })
 }
 
 /// The corner lines looked at so far, in order.
 fn lines(step: &Step<'_, NichollLeeNicholl>) -> impl Iterator<Item = (Question, CornerLine)> {
-    step.past.iter().filter_map(|event| match *event {
-        Event::Side { question, line } => Some((question, line)),
-        _ => None,
+    step.past.iter().filter_map(|event| {
+        if let Event::Side { question, line } = *event {
+            Some((question, line))
+        } else {
+            None
+        }
     })
 }
 
@@ -299,11 +308,9 @@ const fn relation(turn: Turn) -> &'static str {
 fn marks(step: &Step<'_, NichollLeeNicholl>) -> Vec<Mark> {
     let WindowInput { window, segment } = step.input;
     let event = step.event();
-    let is_visible = match event {
-        Some(Event::Accept { .. }) => Some(true),
-        Some(Event::Reject { .. }) => Some(false),
-        _ => None,
-    };
+    let is_accepted = matches!(event, Some(Event::Accept { .. }));
+    let is_over = is_accepted || matches!(event, Some(Event::Reject { .. }));
+    let is_visible = is_over.then_some(is_accepted);
     let p1 = segment.p1;
     let mut marks: Vec<Mark> = Vec::new();
     if step.held.regions[0].is_some() {

@@ -59,10 +59,8 @@ fn is_new(step: &Step<'_, TriangulateAndClip>) -> bool {
 }
 
 fn fate(step: &Step<'_, TriangulateAndClip>, triangle_idx: usize) -> TriangleFate {
-    let n_done = match step.event() {
-        Some(Event::Each(Each::Piece { .. })) => step.held.triangle_idx + 1,
-        _ => step.held.triangle_idx,
-    };
+    let is_done = matches!(step.event(), Some(Event::Each(Each::Piece { .. })));
+    let n_done = step.held.triangle_idx + usize::from(is_done);
     if triangle_idx < n_done {
         let is_piece = step.held.pieces.triangles().contains(&triangle_idx);
         return if is_piece {
