@@ -3,7 +3,7 @@
 use serde_json::value::RawValue;
 
 use crate::{
-    input::{Fault, Field, Given, Got, Part, Presence, Table},
+    input::{Fault, Field, Given, Got, Part, Presence, Shape, Table},
     text::{Message, Value},
 };
 
@@ -196,4 +196,37 @@ fn unknown(place: &Path<'_>, name_key: &'static str, takes: &[Field]) -> Refusal
 fn quoted<'f>(fields: impl Iterator<Item = &'f Field>) -> String {
     let names: Vec<&str> = fields.map(|field| field.name).collect();
     names.join(", ")
+}
+
+impl Node<'_> {
+    /// What the value means as this part of a case.
+    pub(super) fn make<T>(&self, part: &Part<T>, detail: Detail) -> Result<T, Refusal> {
+        let got = self.got(part.optional.shape, detail)?;
+        (part.make)(&got).map_err(|fault| Refusal::of(&self.path, fault))
+    }
+
+    /// The value, once it has this shape.
+    pub(super) fn got(&self, shape: &Shape, detail: Detail) -> Result<Got, Refusal> {
+        match shape {
+            Shape::Number => self.number().map(Got::Number),
+            Shape::Text => self.text().map(Got::Text),
+            Shape::Word(words) => self.word(words),
+            Shape::Numbers(dims) => {
+                let mut numbers = Vec::new();
+                self.numbers(dims, detail, &mut numbers)?;
+                Ok(Got::Numbers(numbers))
+            }
+            Shape::Wholes(dims, ..) => self.wholes(dims, detail),
+            Shape::Table(table) => Fields::of(self, table, detail)?.all(),
+            Shape::List(entry) => {
+                let entries = self
+                    .entries("json-list")?
+                    .map(|node| node.got(entry, detail));
+                entries.collect::<Result<_, _>>().map(Got::List)
+            }
+            Shape::OrNull(shape) => self.got(shape, detail),
+            // Answers alone have these.
+            Shape::Bool | Shape::Whole(..) => Err(self.wrong_type("json-whole")),
+        }
+    }
 }

@@ -12,11 +12,11 @@ use serde::{
 use serde_json::value::RawValue;
 
 use crate::{
-    input::{Dim, Got, Part, Shape},
+    input::{Dim, Got},
     text::{Message, Value},
 };
 
-use super::{Code, Detail, Fields, Path, Refusal, refusal::short};
+use super::{Code, Detail, Path, Refusal, refusal::short};
 
 /// Objects and lists inside each other in an `id`: as many as `serde_json` reads by itself.
 const MAX_DEPTH: usize = 128;
@@ -33,39 +33,8 @@ pub struct Node<'a> {
 }
 
 impl<'a> Node<'a> {
-    /// What the value means as this part of a case.
-    pub(super) fn make<T>(&self, part: &Part<T>, detail: Detail) -> Result<T, Refusal> {
-        let got = self.got(part.optional.shape, detail)?;
-        (part.make)(&got).map_err(|fault| Refusal::of(&self.path, fault))
-    }
-
-    /// The value, once it has this shape.
-    pub(super) fn got(&self, shape: &Shape, detail: Detail) -> Result<Got, Refusal> {
-        match shape {
-            Shape::Number => self.number().map(Got::Number),
-            Shape::Text => self.text().map(Got::Text),
-            Shape::Word(words) => self.word(words),
-            Shape::Numbers(dims) => {
-                let mut numbers = Vec::new();
-                self.numbers(dims, detail, &mut numbers)?;
-                Ok(Got::Numbers(numbers))
-            }
-            Shape::Wholes(dims, ..) => self.wholes(dims, detail),
-            Shape::Table(table) => Fields::of(self, table, detail)?.all(),
-            Shape::List(entry) => {
-                let entries = self
-                    .entries("json-list")?
-                    .map(|node| node.got(entry, detail));
-                entries.collect::<Result<_, _>>().map(Got::List)
-            }
-            Shape::OrNull(shape) => self.got(shape, detail),
-            // Answers alone have these.
-            Shape::Bool | Shape::Whole(..) => Err(self.wrong_type("json-whole")),
-        }
-    }
-
     /// A number of an `f64`.
-    fn number(&self) -> Result<f64, Refusal> {
+    pub(super) fn number(&self) -> Result<f64, Refusal> {
         let text = self.raw.get();
         if kind(text) != "json-number" {
             return Err(self.wrong_type("json-number"));
@@ -80,7 +49,12 @@ impl<'a> Node<'a> {
     }
 
     /// Numbers in lists of lists, appended to `out`.
-    fn numbers(&self, dims: &[Dim], detail: Detail, out: &mut Vec<f64>) -> Result<(), Refusal> {
+    pub(super) fn numbers(
+        &self,
+        dims: &[Dim],
+        detail: Detail,
+        out: &mut Vec<f64>,
+    ) -> Result<(), Refusal> {
         let [dim, inner @ ..] = dims else {
             out.push(self.number()?);
             return Ok(());
@@ -112,7 +86,7 @@ impl<'a> Node<'a> {
     }
 
     /// A list of whole numbers.
-    fn wholes(&self, dims: &[Dim], detail: Detail) -> Result<Got, Refusal> {
+    pub(super) fn wholes(&self, dims: &[Dim], detail: Detail) -> Result<Got, Refusal> {
         let mut rounded = Vec::new();
         self.numbers(dims, detail, &mut rounded)?;
         let wholes = self.entries("json-numbers")?.zip(rounded);
@@ -136,7 +110,7 @@ impl<'a> Node<'a> {
     }
 
     /// One of several words.
-    fn word(&self, words: &[&str]) -> Result<Got, Refusal> {
+    pub(super) fn word(&self, words: &[&str]) -> Result<Got, Refusal> {
         let text = self.text()?;
         if words.contains(&&*text) {
             return Ok(Got::Text(text));
@@ -167,7 +141,7 @@ impl<'a> Node<'a> {
         Ok(entries.into_iter().enumerate().map(entry))
     }
 
-    fn wrong_type(&self, expected: &'static str) -> Refusal {
+    pub(super) fn wrong_type(&self, expected: &'static str) -> Refusal {
         let problem = Message::new("case-wrong-type")
             .with("expected", Value::Term(expected))
             .with("found", Value::Term(kind(self.raw.get())));

@@ -7,10 +7,7 @@ use serde_json::Value as Json;
 use crate::{
     figure::Run,
     input::Field,
-    labs::{
-        Answer, MethodCard,
-        telling::{Recorded, Telling},
-    },
+    labs::{Answer, MethodCard, recorded::Recorded, telling::Telling},
     text::Message,
     trace::{Counted, Counts, Listening, Told, held_after, silent},
 };

@@ -17,10 +17,9 @@ mod given;
 mod got;
 mod parts;
 mod schema;
-mod shape;
 
 pub use fault::{At, Fault};
-pub use field::{Field, Part, Presence};
+pub use field::{Dim, Field, Part, Presence, Shape, Table};
 pub use given::Given;
 pub use got::Got;
 pub use parts::{
@@ -28,4 +27,3 @@ pub use parts::{
     MOST_VERTICES, POLYGON, SIZE, WINDOW, between, outline_told, polygon,
 };
 pub use schema::{of_fields, of_shape};
-pub use shape::{Dim, Shape, Table};

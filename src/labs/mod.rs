@@ -12,6 +12,7 @@ mod lab;
 pub mod lines;
 mod operator;
 pub mod polygons;
+pub mod recorded;
 mod registry;
 mod rings;
 mod segments;

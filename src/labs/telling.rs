@@ -3,7 +3,6 @@
 //! A [`Row`] says everything about one kind of step; its sentence and its formulas take their values by name from
 //! [`Telling::named`], and so does the watch table. A step is never told anywhere else.
 
-mod recorded;
 mod row;
 mod template;
 
@@ -18,7 +17,6 @@ use crate::{
 
 use super::{CodeLine, MethodCard};
 
-pub use recorded::Recorded;
 pub use row::{Options, Question, Row, all_rows};
 pub(crate) use row::{rows, table};
 
@@ -316,5 +314,5 @@ impl<M: Telling> At<'_, M> {
 
 /// What stands for a name that is not alive: no sentence may hold it, and a test walks every step for that.
 fn missing(name: &str) -> Value {
-    Value::Name(format!("‹{name}›"))
+    Value::Name(format!("⟦{name}⟧"))
 }

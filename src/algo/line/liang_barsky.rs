@@ -175,7 +175,8 @@ impl Bounds<2> for Window {
     ) -> Option<[Edge; 2]> {
         let edges = interval.borders()?;
         let is_touch = interval.is_touch(|edge| self.distances(edge, ends));
-        is_touch.then_some(edges)
+        // Opposite sides have no corner: each end stays on its own.
+        (is_touch && corner_between(self, edges).is_some()).then_some(edges)
     }
 
     #[inline]

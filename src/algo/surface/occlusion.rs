@@ -32,7 +32,7 @@
 //! let object = |first, is_occluder| OcclusionObject { first, n_triangles: 1, is_occluder };
 //! let objects = vec![object(0, true), object(1, false)];
 //! let output = silent::<Occlusion>(&OcclusionInput { surfaces, objects });
-//! assert_eq!((output.n_drawn, output.n_skipped), (1, 1));
+//! assert_eq!((output.drawn, output.skipped), (vec![0], vec![1]));
 //! # Ok::<(), clipscope::geom::SpaceError>(())
 //! ```
 

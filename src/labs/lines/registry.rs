@@ -4,7 +4,7 @@
 use crate::{
     algo::line,
     geom::Segment,
-    labs::{self, Lab, Listed, MethodCard, MethodEntry, telling::Recorded, window_handles},
+    labs::{self, Lab, Listed, MethodCard, MethodEntry, recorded::Recorded, window_handles},
     trace::{Counted, Counts, held_after, silent},
 };
 

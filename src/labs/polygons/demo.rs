@@ -3,7 +3,7 @@
 use crate::{
     figure::Run,
     geom::Point,
-    labs::telling::{Recorded, Telling},
+    labs::{recorded::Recorded, telling::Telling},
     trace::Step,
 };
 

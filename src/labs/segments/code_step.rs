@@ -1,26 +1,93 @@
-//! A step of a clipper by codes, with what the picture needs of those before it.
+//! A step of a clipper by codes, with what the picture needs of those before it; and what is particular to the plane and to space.
 
 use crate::{
     algo::{
         parameter::End,
         segment::{CodeClip, CodeEvent, Coded, VisibleLine},
     },
-    figure::{BitRow, Bits, Role},
+    figure::{BitRow, Bits, Role, View},
     labs::{
+        Answer,
         operator::Operator,
         telling::Named,
         words::{end_link, end_name, end_name_now, name},
     },
-    text::{Formula, Value},
+    text::{Formula, Message, Value},
     trace::Step,
 };
 
-use super::{
-    codes::{CodeLook, EventOf},
-    left_in, place,
-};
+use super::ends::{left_in, place};
 
 const CODE_SYMBOLS: [&str; 2] = ["code₁", "code₂"];
+
+/// Catalogue keys of what is said.
+#[derive(Debug)]
+pub struct CodeKeys {
+    /// What is asked.
+    pub opening: &'static str,
+    /// A code with no bit set, with one, two and three.
+    pub codes: [&'static str; 4],
+    /// The OR is 0, and not.
+    pub or: [&'static str; 2],
+    /// The AND is 0, and not.
+    pub and: [&'static str; 2],
+    /// The side that is cut at.
+    pub choose: &'static str,
+    /// The end, where nothing is visible.
+    pub reject: &'static str,
+    /// The end, where one point is left, and where one was given.
+    pub one_point: [&'static str; 2],
+}
+
+/// An event of clipping inputs of the kind `I`.
+pub type EventOf<const N: usize, I> = CodeEvent<N, <I as Coded<N>>::Code, <I as Coded<N>>::Side>;
+
+/// An input whose clipping can be shown.
+pub trait CodeLook<const N: usize>: Coded<N, Output: Answer> {
+    /// What is drawn around a run.
+    type Scenery: 'static;
+    /// As JSON spells the method.
+    const ID: &'static str;
+    /// Catalogue key of its name.
+    const NAME_KEY: &'static str;
+    /// Author and year.
+    const SOURCE: &'static str;
+    /// What is said.
+    const KEYS: CodeKeys;
+
+    /// The sides in the order in which their bits are written.
+    fn written(&self) -> Vec<Self::Side>;
+
+    /// A side's name in a sentence, with its link.
+    fn side(side: Self::Side) -> Named;
+
+    /// Its name over its bits.
+    fn column(side: Self::Side) -> Value;
+
+    /// Of several sides that both ends lie beyond, the one that is named.
+    fn shared(&self, and: Self::Code) -> Option<Self::Side>;
+
+    /// What else a sentence names of a code.
+    fn named(&self, code: Self::Code, name: &str) -> Option<Value>;
+
+    /// Where a point lies along an axis: `x = −2 < −1`.
+    fn position(&self, axis: usize, at: [f64; N], code: Self::Code) -> Formula;
+
+    /// The equation of a side.
+    fn border(&self, side: Self::Side) -> Formula;
+
+    /// How the crossing with a side is worked out.
+    fn crossing_formulas(&self, side: Self::Side, at: [f64; N]) -> Vec<Formula>;
+
+    /// The watch table's word on a code: of an end, or of the OR and the AND.
+    fn note(&self, code: Self::Code, is_of_end: bool) -> Option<Value>;
+
+    /// What stands under the bits while nothing is made of them; the code is that which is found at this step.
+    fn rule(&self, code: Option<Self::Code>) -> Message;
+
+    /// The drawing.
+    fn drawing(shown: &CodeStep<'_, N, Self>, scenery: Option<&Self::Scenery>) -> Option<View>;
+}
 
 /// A step, with what the picture needs of those before it.
 pub struct CodeStep<'a, const N: usize, I: Coded<N>> {

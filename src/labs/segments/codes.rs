@@ -1,21 +1,23 @@
 //! Clipping by codes, told: in the plane and in space the same steps, said in each one's own words.
 
 use crate::{
-    algo::segment::{CodeClip, CodeEvent, Coded},
+    algo::segment::{CodeClip, CodeEvent},
     figure::{
         Body,
         Tick::{Accept, Cut, Phase, Reject, Test},
         View,
     },
     labs::{
-        Answer, CodeLine, code_line,
+        CodeLine, code_line,
         telling::{At, Named, Row, Telling, Watched, table},
     },
-    text::{Formula, Message, Value},
     trace::Step,
 };
 
-use super::{CodeStep, ENDS, is_point};
+use super::{
+    code_step::{CodeLook, CodeStep},
+    ends::{ENDS, is_point},
+};
 
 /// The view of the codes as bits.
 const CODES_VIEW: &str = "codes";
@@ -26,75 +28,6 @@ const REJECT: usize = 3;
 const CHOOSE: usize = 4;
 const CUT: usize = 6;
 const RECODE: usize = 7;
-
-/// Catalogue keys of what is said.
-#[derive(Debug)]
-pub struct CodeKeys {
-    /// What is asked.
-    pub opening: &'static str,
-    /// A code with no bit set, with one, two and three.
-    pub codes: [&'static str; 4],
-    /// The OR is 0, and not.
-    pub or: [&'static str; 2],
-    /// The AND is 0, and not.
-    pub and: [&'static str; 2],
-    /// The side that is cut at.
-    pub choose: &'static str,
-    /// The end, where nothing is visible.
-    pub reject: &'static str,
-    /// The end, where one point is left, and where one was given.
-    pub one_point: [&'static str; 2],
-}
-
-/// An event of clipping inputs of the kind `I`.
-pub type EventOf<const N: usize, I> = CodeEvent<N, <I as Coded<N>>::Code, <I as Coded<N>>::Side>;
-
-/// An input whose clipping can be shown.
-pub trait CodeLook<const N: usize>: Coded<N, Output: Answer> {
-    /// What is drawn around a run.
-    type Scenery: 'static;
-    /// As JSON spells the method.
-    const ID: &'static str;
-    /// Catalogue key of its name.
-    const NAME_KEY: &'static str;
-    /// Author and year.
-    const SOURCE: &'static str;
-    /// What is said.
-    const KEYS: CodeKeys;
-
-    /// The sides in the order in which their bits are written.
-    fn written(&self) -> Vec<Self::Side>;
-
-    /// A side's name in a sentence, with its link.
-    fn side(side: Self::Side) -> Named;
-
-    /// Its name over its bits.
-    fn column(side: Self::Side) -> Value;
-
-    /// Of several sides that both ends lie beyond, the one that is named.
-    fn shared(&self, and: Self::Code) -> Option<Self::Side>;
-
-    /// What else a sentence names of a code.
-    fn named(&self, code: Self::Code, name: &str) -> Option<Value>;
-
-    /// Where a point lies along an axis: `x = −2 < −1`.
-    fn position(&self, axis: usize, at: [f64; N], code: Self::Code) -> Formula;
-
-    /// The equation of a side.
-    fn border(&self, side: Self::Side) -> Formula;
-
-    /// How the crossing with a side is worked out.
-    fn crossing_formulas(&self, side: Self::Side, at: [f64; N]) -> Vec<Formula>;
-
-    /// The watch table's word on a code: of an end, or of the OR and the AND.
-    fn note(&self, code: Self::Code, is_of_end: bool) -> Option<Value>;
-
-    /// What stands under the bits while nothing is made of them; the code is that which is found at this step.
-    fn rule(&self, code: Option<Self::Code>) -> Message;
-
-    /// The drawing.
-    fn drawing(shown: &CodeStep<'_, N, Self>, scenery: Option<&Self::Scenery>) -> Option<View>;
-}
 
 /// A code that is found, first or after a cut.
 const fn code_row(line: usize, key: &'static str) -> Row {

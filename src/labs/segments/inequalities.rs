@@ -21,8 +21,9 @@ use crate::{
 };
 
 use super::{
-    LineLook, LineStep, LineVariant, is_point, left_in, line_look::ratio, line_table::rows_table,
-    place, row_values,
+    ends::{is_point, left_in, place},
+    line_step::{LineLook, LineStep, LineVariant, ratio},
+    line_table::{row_values, rows_table},
 };
 
 /// The view of what is left of the parameter.

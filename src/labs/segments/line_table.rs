@@ -10,7 +10,7 @@ use crate::{
     text::{Formula, Message, Value},
 };
 
-use super::{LineLook, LineStep, line_look::ratio};
+use super::line_step::{LineLook, LineStep, ratio};
 
 /// The numbers of every plane, or of those that have been asked.
 pub fn row_values<const N: usize, B: LineLook<N>>(

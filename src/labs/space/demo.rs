@@ -4,10 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     figure::{Link, Run},
-    labs::{
-        MethodCard, MethodEntry, Verdict,
-        telling::{Recorded, Telling},
-    },
+    labs::{MethodCard, MethodEntry, Verdict, recorded::Recorded, telling::Telling},
 };
 
 use super::{MethodInfo, Scene, SpaceLab, Subject, stage::Scenery};

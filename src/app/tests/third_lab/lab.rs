@@ -10,7 +10,7 @@ use crate::{
     input::{Field, Part, Shape},
     labs::{
         Answers, Backdrop, Click, Document, Draggable, Edit, Handle, HandleKind, Lab, MethodCard,
-        Motion, Own, Scene, telling::Recorded,
+        Motion, Own, Scene, recorded::Recorded,
     },
     lesson::{SceneFormat, Sink, TomlFields, number},
     panels::{LabPanel, PanelAsk},

@@ -15,7 +15,7 @@ use crate::{
         crossing_formulas::upright_in_space,
         segments::{
             CodeStep,
-            codes::{CodeKeys, CodeLook},
+            code_step::{CodeKeys, CodeLook},
         },
         space::SpaceTelling,
         telling::Named,

@@ -12,7 +12,7 @@ use crate::{
         lines::{LineTelling, Scene},
         segments::{
             CodeStep,
-            codes::{CodeKeys, CodeLook},
+            code_step::{CodeKeys, CodeLook},
         },
         telling::Named,
         words::{

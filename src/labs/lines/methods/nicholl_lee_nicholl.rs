@@ -25,7 +25,7 @@ use crate::{
 };
 
 use super::{
-    sectors,
+    sectors::{self, turn_key},
     shared::{
         border_mark, crossing_mark, end_now, ends, put_formulas, region_key, segment_marks, side,
     },
@@ -134,17 +134,8 @@ impl Telling for NichollLeeNicholl {
     }
 
     fn named(At { step, .. }: &At<'_, Self>, of: &str) -> Option<Named> {
-        let sector = || {
-            step.past.iter().find_map(|event| {
-                if let Event::Sector { enters, leaves } = *event {
-                    Some([enters, leaves])
-                } else {
-                    None
-                }
-            })
-        };
         let by = |i: usize, key| {
-            let by = sector().map(|sector| sector[i].map_or_else(|| name("–"), edge_name));
+            let by = sector(step).map(|sector| sector[i].map_or_else(|| name("–"), edge_name));
             Some(Named::maybe(by).labelled(Value::Term(key)))
         };
         let region = |end: End, key| {
@@ -232,15 +223,21 @@ fn of_event(step: &Step<'_, NichollLeeNicholl>, event: Event, of: &str) -> Optio
     })
 }
 
-/// The sides by which it comes in and goes out, where it does both.
-fn crossed(step: &Step<'_, NichollLeeNicholl>) -> Option<[Edge; 2]> {
+/// The sides by which it comes in and goes out, once they are known.
+fn sector(step: &Step<'_, NichollLeeNicholl>) -> Option<[Option<Edge>; 2]> {
     step.past.iter().find_map(|event| {
         if let Event::Sector { enters, leaves } = *event {
-            Some([enters?, leaves?])
+            Some([enters, leaves])
         } else {
             None
         }
     })
+}
+
+/// The same, where it does both.
+fn crossed(step: &Step<'_, NichollLeeNicholl>) -> Option<[Edge; 2]> {
+    let [enters, leaves] = sector(step)?;
+    enters.zip(leaves).map(Into::into)
 }
 
 /// The corner lines looked at so far, in order.
@@ -388,14 +385,6 @@ const fn question_key(question: Question) -> &'static str {
         Question::Enters => "nln-question-enters",
         Question::Meets => "nln-question-meets",
         Question::Leaves => "nln-question-leaves",
-    }
-}
-
-const fn turn_key(turn: Turn) -> &'static str {
-    match turn {
-        Turn::Left => "turn-left",
-        Turn::Through => "turn-through",
-        Turn::Right => "turn-right",
     }
 }
 

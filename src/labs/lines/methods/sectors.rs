@@ -7,7 +7,7 @@
 use glam::DVec2;
 
 use crate::{
-    algo::line::{NichollLeeNicholl, NichollLeeNichollEvent as Event, WindowInput},
+    algo::line::{NichollLeeNicholl, NichollLeeNichollEvent as Event, Turn, WindowInput},
     figure::{Mark, Role, Shape},
     geom::{Edge, Point, Segment, Window},
     text::{Formula, Value},
@@ -124,4 +124,13 @@ fn name(eye: DVec2, far: DVec2, window: &Window) -> Option<Value> {
     };
     let formula = side(Formula::default(), enters).sym(" → ");
     Some(Value::Formula(side(formula, leaves)))
+}
+
+/// Catalogue key of the side of a corner's line that the second end lies on.
+pub const fn turn_key(turn: Turn) -> &'static str {
+    match turn {
+        Turn::Left => "turn-left",
+        Turn::Through => "turn-through",
+        Turn::Right => "turn-right",
+    }
 }

@@ -1,23 +1,63 @@
 //! A pipeline's clippers in a row, and what flows between them.
 
 use crate::{
-    algo::polygon::{Pipeline, PipelineEvent as Event, PipelineHeld as Held, PipelineStage},
+    algo::{
+        polygon::{
+            Pipeline, PipelineEvent as Event, PipelineHeld as Held, PipelineStage,
+            SutherlandHodgmanInput as Input,
+        },
+        ring::RingEvent,
+    },
     figure::{ClipperBox, ClipperRow, Fate, Traveller},
     geom::Point,
     labs::{
-        rings::is_crossed,
+        rings::{Asked, is_crossed},
         words::{name, vertex_symbol},
     },
     trace::Step,
 };
 
 use super::{
+    clip_edge::{ClipEdge, EdgeLook},
     lists::output_symbol,
-    pipeline::{Now, edge},
 };
 
 /// The view of the clippers.
 pub const CLIPPERS: &str = "clippers";
+
+/// What moves at a step, and what the clipper at work has been told of it.
+pub struct Now {
+    /// The clipper at work.
+    pub stage_idx: Option<usize>,
+    /// The vertex that entered it, or left the last one; none while it closes.
+    pub moving: Option<Point>,
+    pub asked: Asked<Point>,
+}
+
+impl Now {
+    pub fn of(past: &[Event<Point>]) -> Self {
+        let moves = past.iter().rev().find(|event| event.happening().is_none());
+        let (stage_idx, moving) = match moves {
+            Some(&Event::Enter { stage_idx, at, .. }) => (Some(stage_idx), Some(at)),
+            Some(&Event::Output { at }) => (None, Some(at)),
+            Some(&Event::Close { stage_idx }) => (Some(stage_idx), None),
+            Some(
+                Event::First { .. } | Event::Test { .. } | Event::Cross { .. } | Event::Done { .. },
+            )
+            | None => (None, None),
+        };
+        Self {
+            stage_idx,
+            moving,
+            asked: Asked::of(past),
+        }
+    }
+}
+
+/// The clip edge of a clipper.
+pub fn edge(input: &Input, stage_idx: usize) -> ClipEdge<'_> {
+    ClipEdge::new(&input.region, stage_idx, EdgeLook::RIGHT)
+}
 
 /// The clippers at one step.
 pub fn row(step: &Step<'_, Pipeline>) -> ClipperRow {
@@ -98,7 +138,7 @@ mod tests {
         algo::polygon::SutherlandHodgmanInput,
         figure::{Body, Frame, Run},
         geom::{ConvexPolygon, GeomError, Polygon, Window},
-        labs::telling::Recorded,
+        labs::recorded::Recorded,
     };
 
     fn run(region: impl Into<crate::algo::polygon::ClipRegion>) -> Result<Box<dyn Run>, GeomError> {

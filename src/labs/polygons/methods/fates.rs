@@ -2,7 +2,7 @@
 
 use crate::{
     algo::polygon::{
-        EachTriangleEvent as Each, TriangulateAndClip, TriangulateAndClipEvent as Event,
+        EachTriangleEvent as Each, Triangle, TriangulateAndClip, TriangulateAndClipEvent as Event,
     },
     figure::{ItemMarker, ListColumn, ListLink, ListRow, Lists, Role},
     labs::words::{name, subscript},
@@ -10,10 +10,27 @@ use crate::{
     trace::Step,
 };
 
-use super::{
-    triangles::{triangle_link, triangle_name},
-    triangulate_and_clip::triangle_now,
-};
+use super::triangles::{triangle_link, triangle_name};
+
+/// Is the polygon still cut into triangles?
+pub fn is_triangulating(step: &Step<'_, TriangulateAndClip>) -> bool {
+    matches!(step.event(), Some(Event::Triangulate(_)) | None)
+}
+
+/// Is everything told?
+pub fn is_done(step: &Step<'_, TriangulateAndClip>) -> bool {
+    matches!(step.event(), Some(Event::Each(Each::Finish { .. })))
+}
+
+/// The triangle whose turn it is, and its number.
+pub fn triangle_now(step: &Step<'_, TriangulateAndClip>) -> Option<(usize, Triangle)> {
+    if is_triangulating(step) || is_done(step) {
+        return None;
+    }
+    let triangle_idx = step.held.triangle_idx;
+    let triangle = step.held.ears.cut_off.triangles().get(triangle_idx)?;
+    Some((triangle_idx, *triangle))
+}
 
 /// The view of triangles and pieces.
 pub const FATES: &str = "fates";

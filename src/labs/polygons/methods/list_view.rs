@@ -274,7 +274,7 @@ mod tests {
         algo::polygon::{SutherlandHodgman, SutherlandHodgmanInput},
         figure::{Body, Run},
         geom::{GeomError, Polygon, Window},
-        labs::telling::Recorded,
+        labs::recorded::Recorded,
     };
 
     fn run(outline: &[[f64; 2]]) -> Result<Box<dyn Run>, GeomError> {

@@ -6,7 +6,7 @@ use crate::{
             Pipeline, PipelineEvent as Event, PipelineHeld as Held, RingOutcome, Rule,
             SutherlandHodgmanInput as Input,
         },
-        ring::{Crossing, RingEvent},
+        ring::Crossing,
     },
     figure::{
         Body, Mark, Role, Shape,
@@ -17,7 +17,7 @@ use crate::{
     labs::{
         CodeLine, code_line,
         polygons::{PolygonTelling, Scene, UnfitScene},
-        rings::{Asked, asked_vertex, is_crossed, rules},
+        rings::{asked_vertex, is_crossed, rules},
         telling::{At, Named, Row, Telling, Watched, rows},
         words::{name, vertex_symbol},
     },
@@ -27,8 +27,7 @@ use crate::{
 
 use super::{
     super::handles::corner_link,
-    clip_edge::{ClipEdge, EdgeLook},
-    clippers::{CLIPPERS, row as clippers},
+    clippers::{CLIPPERS, Now, edge, row as clippers},
     in_and_out::{IN_AND_OUT, in_and_out},
     lists::{names, outline, output_symbol},
     result::result,
@@ -45,35 +44,6 @@ const CLOSE: usize = 6;
 
 /// Rows of the ring that the watch table shows.
 const N_ROWS: usize = 8;
-
-/// What moves at a step, and what the clipper at work has been told of it.
-pub struct Now {
-    /// The clipper at work.
-    pub stage_idx: Option<usize>,
-    /// The vertex that entered it, or left the last one; none while it closes.
-    pub moving: Option<Point>,
-    pub asked: Asked<Point>,
-}
-
-impl Now {
-    pub fn of(past: &[Event<Point>]) -> Self {
-        let moves = past.iter().rev().find(|event| event.happening().is_none());
-        let (stage_idx, moving) = match moves {
-            Some(&Event::Enter { stage_idx, at, .. }) => (Some(stage_idx), Some(at)),
-            Some(&Event::Output { at }) => (None, Some(at)),
-            Some(&Event::Close { stage_idx }) => (Some(stage_idx), None),
-            Some(
-                Event::First { .. } | Event::Test { .. } | Event::Cross { .. } | Event::Done { .. },
-            )
-            | None => (None, None),
-        };
-        Self {
-            stage_idx,
-            moving,
-            asked: Asked::of(past),
-        }
-    }
-}
 
 impl PolygonTelling for Pipeline {
     fn input(scene: &Scene) -> Result<Input, UnfitScene> {
@@ -254,11 +224,6 @@ impl Telling for Pipeline {
         watch.push(ring.seen_in(IN_AND_OUT));
         watch
     }
-}
-
-/// The clip edge of a clipper.
-pub fn edge(input: &Input, stage_idx: usize) -> ClipEdge<'_> {
-    ClipEdge::new(&input.region, stage_idx, EdgeLook::RIGHT)
 }
 
 /// The drawing.

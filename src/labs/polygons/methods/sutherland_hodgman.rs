@@ -17,8 +17,9 @@ use crate::{
     labs::{
         CodeLine,
         polygons::{GivenSubject, PolygonTelling, Scene, Texture, UnfitScene},
+        recorded::Recorded,
         rings::{Asked, asked_vertex, is_crossed, rules},
-        telling::{At, Named, Recorded, Row, Telling, Watched, rows},
+        telling::{At, Named, Row, Telling, Watched, rows},
         words::{name, vertex_symbol},
     },
     trace::Step,

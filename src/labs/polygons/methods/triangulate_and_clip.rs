@@ -25,7 +25,7 @@ use crate::{
 
 use super::{
     drawing, ear_clipping,
-    fates::{FATES, fates},
+    fates::{FATES, fates, is_done, is_triangulating, triangle_now},
     picture::Picture,
     sutherland_hodgman,
     triangles::{points_of, triangle_link, triangle_name},
@@ -261,24 +261,6 @@ fn clip_at<T>(
         },
         scenery: None,
     })
-}
-
-fn is_triangulating(step: &Step<'_, TriangulateAndClip>) -> bool {
-    matches!(step.event(), Some(Event::Triangulate(_)) | None)
-}
-
-fn is_done(step: &Step<'_, TriangulateAndClip>) -> bool {
-    matches!(step.event(), Some(Event::Each(Each::Finish { .. })))
-}
-
-/// The triangle whose turn it is, and its number.
-pub fn triangle_now(step: &Step<'_, TriangulateAndClip>) -> Option<(usize, Triangle)> {
-    if is_triangulating(step) || is_done(step) {
-        return None;
-    }
-    let triangle_idx = step.held.triangle_idx;
-    let triangle = step.held.ears.cut_off.triangles().get(triangle_idx)?;
-    Some((triangle_idx, *triangle))
 }
 
 /// Before, between and after the triangles.

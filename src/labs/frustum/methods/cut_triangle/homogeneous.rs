@@ -12,9 +12,10 @@ use crate::{
     geom::VolumeSide,
     labs::{
         Answer, CodeLine, Verdict,
+        recorded::Recorded,
         rings::{RingStep, asked_vertex},
         space::{SpaceTelling, scenery_of},
-        telling::{At, Named, Recorded, Row, Telling, Watched, rows},
+        telling::{At, Named, Row, Telling, Watched, rows},
         words::name,
     },
     text::{Formula, Value},

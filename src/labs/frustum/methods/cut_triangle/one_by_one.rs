@@ -15,8 +15,9 @@ use crate::{
     },
     labs::{
         CodeLine, Verdict,
+        recorded::Recorded,
         space::{SpaceTelling, scenery_of},
-        telling::{At, Named, Recorded, Row, Telling, Watched, rows},
+        telling::{At, Named, Row, Telling, Watched, rows},
         words::name,
     },
     text::Value,

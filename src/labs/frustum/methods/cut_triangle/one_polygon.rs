@@ -17,9 +17,10 @@ use crate::{
     },
     labs::{
         Answer, CodeLine, Verdict,
+        recorded::Recorded,
         rings::{RingStep, asked_vertex, is_crossed, rules},
         space::{SpaceTelling, scenery_of},
-        telling::{At, Named, Recorded, Row, Telling, Watched, rows},
+        telling::{At, Named, Row, Telling, Watched, rows},
         words::name,
     },
     trace::{Recording, Step, silent},
@@ -36,8 +37,8 @@ use super::{
     LISTS_VIEW, PLANES_VIEW,
     agreement::{agreement_view, is_about_pictures, is_alone},
     list_view::lists,
-    one_polygon_marks::{fan, marks},
-    parts::{Parts, of_polygon},
+    one_polygon_marks::{fan, marks, parts, plane_idx, rings},
+    parts::of_polygon,
     small::{Progress, small},
     stages::{stages, tally},
     symbols::{Cut, cut_symbol, distance, names, of_plane, parameter, vertex_symbol},
@@ -133,32 +134,11 @@ rows! { [L: Variant<OnePolygon>] |event, step: Shown<L>|
     done: Event::Done { .. } => Row::new(Accept, polygon::FAN, "ip-done");
 }
 
-/// Both lists, and what has been told of the plane at work.
-pub fn rings<'a, L: Variant<OnePolygon>>(step: &Step<'a, Shown<L>>) -> RingStep<'a, SpaceVertex> {
-    let is_turn = |event: &Event| matches!(event, Event::Plane { .. });
-    RingStep::of(&step.held.lists, step.past, is_turn)
-}
-
 /// The vertices that the plane drops.
 fn dropped(rings: &RingStep<'_, SpaceVertex>) -> Vec<String> {
     let sides = rings.turn.sides.iter().enumerate();
     let dropped = sides.filter(|(_, (_, inside))| !inside);
     dropped.map(|(i, _)| vertex_symbol(i)).collect()
-}
-
-/// The plane whose turn it is.
-pub fn plane_idx<L: Variant<OnePolygon>>(step: &Step<'_, Shown<L>>) -> Option<usize> {
-    match step.event()? {
-        Event::Plane { plane_idx } | Event::Pass { plane_idx, .. } => Some(plane_idx),
-        Event::Fan { .. } | Event::Done { .. } => None,
-        Event::First { .. } | Event::Test { .. } | Event::Cross { .. } | Event::Output { .. } => {
-            Some(step.held.lists.n_passed())
-        }
-    }
-}
-
-pub fn parts<L: Variant<OnePolygon>>(step: &Step<'_, Shown<L>>) -> Parts<SpaceVertex> {
-    of_polygon(step.input.triangle, step.past)
 }
 
 impl<L: Variant<OnePolygon>> Telling for Shown<L> {

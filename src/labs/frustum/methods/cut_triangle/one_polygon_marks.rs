@@ -7,7 +7,7 @@ use crate::{
     },
     figure::{Mark3, Role, Shape3},
     geom::Plane,
-    labs::rings::asked_vertex,
+    labs::rings::{RingStep, asked_vertex},
     trace::Step,
 };
 
@@ -16,12 +16,37 @@ use super::{
     marks::{
         cut, cut_edge, distance_mark, given, kept, lost, places, plane_mark, vertex, with_texel,
     },
-    one_polygon::{parts, plane_idx, rings},
+    parts::{Parts, of_polygon},
     stages::stages,
     symbols::{cut_symbol, vertex_symbol},
     texture::checkered,
     variant::{OnePolygon, Variant},
 };
+
+/// Both lists, and what has been told of the plane at work.
+pub fn rings<'a, L: Variant<OnePolygon>>(
+    step: &Step<'a, IntersectionPolygon<L>>,
+) -> RingStep<'a, SpaceVertex> {
+    let is_turn = |event: &Event| matches!(event, Event::Plane { .. });
+    RingStep::of(&step.held.lists, step.past, is_turn)
+}
+
+/// The plane whose turn it is.
+pub fn plane_idx<L: Variant<OnePolygon>>(step: &Step<'_, IntersectionPolygon<L>>) -> Option<usize> {
+    match step.event()? {
+        Event::Plane { plane_idx } | Event::Pass { plane_idx, .. } => Some(plane_idx),
+        Event::Fan { .. } | Event::Done { .. } => None,
+        Event::First { .. } | Event::Test { .. } | Event::Cross { .. } | Event::Output { .. } => {
+            Some(step.held.lists.n_passed())
+        }
+    }
+}
+
+pub fn parts<L: Variant<OnePolygon>>(
+    step: &Step<'_, IntersectionPolygon<L>>,
+) -> Parts<SpaceVertex> {
+    of_polygon(step.input.triangle, step.past)
+}
 
 /// The polygon as it stands, as triangles with a texture: what has been put out of it, once it is done with.
 pub fn fan<L: Variant<OnePolygon>>(

@@ -25,8 +25,9 @@ use crate::{
     geom::VolumeSide,
     labs::{
         Answer, CodeLine,
+        recorded::Recorded,
         space::{SpaceTelling, demo::scenery_of},
-        telling::{At, Named, Recorded, Row, Telling, Watched, rows},
+        telling::{At, Named, Row, Telling, Watched, rows},
         words::name,
     },
     trace::Step,

@@ -19,9 +19,9 @@ use crate::{
     figure::{Link, Run},
     labs::{
         Answer, Verdict,
+        recorded::Recorded,
         segments::LineVariant,
         space::{SpaceTelling, scenery_of},
-        telling::Recorded,
     },
 };
 

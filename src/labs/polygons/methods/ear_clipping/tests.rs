@@ -3,7 +3,7 @@ use crate::{
     figure::{Role, Run},
     labs::{
         polygons::methods::shown_lists::{FORK, assert_are_short, at, at_step, comb, names_of},
-        telling::Recorded,
+        recorded::Recorded,
     },
 };
 

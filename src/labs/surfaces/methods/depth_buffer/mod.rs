@@ -22,13 +22,14 @@ use crate::{
     },
     labs::{
         Answer, CodeLine, MethodCard,
+        recorded::Recorded,
         space::{
             Scene, SpaceTelling, Subject,
             demo::scenery_of,
             soup::{order, surfaces_on_raster},
             stage::Scenery,
         },
-        telling::{At, Named, Recorded, Row, Telling, Watched, rows},
+        telling::{At, Named, Row, Telling, Watched, rows},
     },
     trace::{Step, silent},
 };

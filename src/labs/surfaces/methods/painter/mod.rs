@@ -21,11 +21,12 @@ use crate::{
     },
     labs::{
         Answer, CodeLine,
+        recorded::Recorded,
         space::{
             Scene, SpaceTelling, Subject, demo::scenery_of, soup::surfaces_on_raster,
             stage::Scenery,
         },
-        telling::{At, Named, Recorded, Row, Telling, Watched, rows},
+        telling::{At, Named, Row, Telling, Watched, rows},
     },
     trace::Step,
 };

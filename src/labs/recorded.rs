@@ -11,7 +11,7 @@ use crate::{
     trace::{Counts, Method, Recording},
 };
 
-use super::{At, Row, Telling};
+use super::telling::{At, Row, Telling};
 
 /// A recorded run and the row of each of its events.
 pub struct Recorded<M: Telling> {
