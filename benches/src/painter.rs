@@ -8,7 +8,8 @@ use clipscope::{
         surface::{Painter, PainterAnswer, PainterEvent, PainterHeld, PairTest, Surfaces},
     },
     geom::ViewVolume,
-    trace::{Listening, Method, Told}};
+    trace::{Listening, Method, Told},
+};
 
 use crate::{
     harness::{Target, median},

@@ -7,7 +7,8 @@ use clipscope::{
         ClipRegion, Clipped, Clipper, Pipeline, SutherlandHodgman, SutherlandHodgmanInput,
     },
     geom::{Point, Window},
-    trace::{Recording, silent}};
+    trace::{Recording, silent},
+};
 use line_clipping as peer;
 
 use crate::{

@@ -5,7 +5,8 @@ use std::{f64::consts::TAU, hint::black_box};
 use clipscope::{
     algo::polygon::weiler_atherton::{WeilerAtherton, WeilerAthertonInput, WeilerAthertonOutput},
     geom::{Point, SimplePolygon},
-    trace::{Recording, silent}};
+    trace::{Recording, silent},
+};
 use geo::{Area, BooleanOps};
 use i_overlay::{
     core::{fill_rule::FillRule, overlay_rule::OverlayRule},

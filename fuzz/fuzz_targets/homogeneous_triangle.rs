@@ -6,7 +6,8 @@
 
 use clipscope::{
     algo::volume::{ClipPolygon, ClipVertex, HomogeneousTriangle, SideCode},
-    trace::{self, silent}};
+    trace::{laws, silent},
+};
 use libfuzzer_sys::fuzz_target;
 
 type Algorithm = HomogeneousTriangle<[f64; 3]>;

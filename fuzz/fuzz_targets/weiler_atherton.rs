@@ -9,7 +9,8 @@ use clipscope::{
         Relation, WeilerAtherton, WeilerAthertonInput, WeilerAthertonOutput,
     },
     geom::{GeomError, Location, Point, Region, SimplePolygon, locate},
-    trace::{self, silent}};
+    trace::{laws, silent},
+};
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|bytes: &[u8]| {
