@@ -62,7 +62,7 @@ pub struct Meeting {
     pub t: Ratio,
     /// Along the edge of the clip polygon.
     pub u: Ratio,
-    /// Whose edge a crossing is computed along: see [`crossing`].
+    /// Whose edge a crossing is computed along: see `crossing`.
     pub along: List,
     /// Does the subject come from the right of the clip edge? Of crossings only.
     pub from_right: bool,
